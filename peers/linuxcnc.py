@@ -100,7 +100,7 @@ def arc_path(calls):
 
 def planned(job, columns):
     """Our set-points while the arc is on: times from its start and positions in the order of LinuxCNC's words."""
-    rows = csv.DictReader(io.StringIO(seamwright("motion", job, "--period-ms", "1")))
+    rows = csv.DictReader(io.StringIO(seamwright("tools", "motion", job, "--period-ms", "1")))
     arc = [row for row in rows if row["arc"] == "1"]
     # Of several passes only the time with the arc on counts.
     return [(1e-3 * i, [float(r[c]) if c else 0.0 for c in columns]) for i, r in enumerate(arc)]
@@ -118,7 +118,7 @@ def off(point, a, b):
 def tips(job, machine, rows, names):
     """The tip positions of joint rows, by our forward kinematics."""
     text = ",".join(names) + "\n" + "\n".join(",".join(repr(v) for v in row) for row in rows) + "\n"
-    done = subprocess.run([SEAMWRIGHT, "kinematics", machine, "--forward"], input=text, check=True, capture_output=True, text=True)
+    done = subprocess.run([SEAMWRIGHT, "machine", "kinematics", machine, "--forward"], input=text, check=True, capture_output=True, text=True)
     return [[float(r[c]) for c in ("x_mm", "y_mm", "z_mm")] for r in csv.DictReader(io.StringIO(done.stdout))]
 
 

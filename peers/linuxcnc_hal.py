@@ -24,7 +24,7 @@ STORE = os.environ.get("SEAMWRIGHT_PEERS_STORE", "60")
 
 def written(folder):
     """A job on LinuxCNC's drives."""
-    machine = subprocess.run([SEAMWRIGHT, "machines", "ellipse-xy"], capture_output=True, text=True, check=True)
+    machine = subprocess.run([SEAMWRIGHT, "machine", "show", "ellipse-xy"], capture_output=True, text=True, check=True)
     (folder / "m.toml").write_text(f"{machine.stdout}\n[devices.drives.linuxcnc]\nstore = 150\n")
     job = (JOB.parent / "ellipse.toml").read_text().replace('"ellipse-xy"', '"m.toml"')
     (folder / "job.toml").write_text(job)

@@ -59,9 +59,9 @@ MODULES = {
 def kinematics(machine, way, columns, rows):
     """Rows of our `kinematics`, one call for all, as dictionaries of numbers."""
     text = ",".join(columns) + "\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows)
-    done = subprocess.run([SEAMWRIGHT, "kinematics", machine, *way], input=text, capture_output=True, text=True)
+    done = subprocess.run([SEAMWRIGHT, "machine", "kinematics", machine, *way], input=text, capture_output=True, text=True)
     if done.returncode != 0:
-        raise RuntimeError(f"seamwright kinematics: {done.stderr[-1000:]}")
+        raise RuntimeError(f"seamwright machine kinematics: {done.stderr[-1000:]}")
     found = list(csv.DictReader(io.StringIO(done.stdout)))
     bad = [row["error"] for row in found if row.get("error")]
     if bad:

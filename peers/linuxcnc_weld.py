@@ -46,13 +46,13 @@ def run(*arguments, text=None):
 def tips(rows):
     """Torch tips of joints by our forward kinematics."""
     text = ",".join(AXES).lower() + "\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows)
-    answer = csv.DictReader(io.StringIO(run("kinematics", MACHINE, "--forward", text=text)))
+    answer = csv.DictReader(io.StringIO(run("machine", "kinematics", MACHINE, "--forward", text=text)))
     return [[float(row[name]) for name in ("x_mm", "y_mm", "z_mm")] for row in answer]
 
 
 def planned():
     """Joints of the plan in every servo period of the travel."""
-    rows = csv.DictReader(io.StringIO(run("motion", JOB, "--period-ms", 1e3 * PERIOD_S)))
+    rows = csv.DictReader(io.StringIO(run("tools", "motion", JOB, "--period-ms", 1e3 * PERIOD_S)))
     rows = [(float(row["s_mm"]), [float(row[axis.lower()]) for axis in AXES]) for row in rows]
     last = max(i for i, row in enumerate(rows) if row[0] < rows[-1][0])
     first = max(i for i, row in enumerate(rows[:last]) if row[0] <= 0.0)

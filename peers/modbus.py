@@ -178,7 +178,7 @@ def outage(cell, server, number):
 
 def look(seamwright, file):
     """The registers by name against what the device has."""
-    result = subprocess.run([seamwright, "io", str(file)], capture_output=True, text=True)
+    result = subprocess.run([seamwright, "machine", "io", str(file)], capture_output=True, text=True)
     if result.returncode:
         sys.exit(result.stderr)
     rows = {row["register"]: row for row in csv.DictReader(io.StringIO(result.stdout))}
@@ -210,7 +210,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         ask = lambda *a: subprocess.run([seamwright, *a], capture_output=True, text=True, check=True).stdout
-        (folder / "cell.toml").write_text(ask("machines", "ellipse-xy") + machine(port))
+        (folder / "cell.toml").write_text(ask("machine", "show", "ellipse-xy") + machine(port))
         job = ask("examples", "ellipse").replace('machine = "ellipse-xy"', 'machine = "cell.toml"')
         (folder / "job.toml").write_text(job)
         server = Server(port, folder / "log")

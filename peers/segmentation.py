@@ -81,10 +81,10 @@ def program(points, lengths):
 def ours(points):
     """Our set-points."""
     text = ",".join(LIMITS).lower() + "\n" + "".join(",".join(map(repr, point)) + "\n" for point in points)
-    command = [SEAMWRIGHT, "follow", "-", "--machine", str(MACHINE), "--speed-mm-s", str(ASKED_MM_S)]
+    command = [SEAMWRIGHT, "tools", "follow", "-", "--machine", str(MACHINE), "--speed-mm-s", str(ASKED_MM_S)]
     done = subprocess.run([*command, "--period-ms", str(1e3 * PERIOD_S)], input=text, capture_output=True, text=True)
     if done.returncode != 0:
-        raise RuntimeError(f"seamwright follow: {done.stderr[-1000:]}")
+        raise RuntimeError(f"seamwright tools follow: {done.stderr[-1000:]}")
     return [[float(row[axis.lower()]) for axis in LIMITS] for row in csv.DictReader(io.StringIO(done.stdout))]
 
 

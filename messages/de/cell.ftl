@@ -247,7 +247,7 @@ cell-fault-form = ungültiger Fehler; erlaubt ist DEVICE:KIND@TIME[+DURATION], w
 cell-fault-no-device = Gerät `{ $name }` gibt es nicht; erlaubt sind { $names }
 cell-fault-no-kind = Fehler `{ $name }` gibt es nicht; erlaubt sind { $names }
 cell-fault-no-time = ungültige Zeit `{ $text }`; erlaubt ist eine Zahl in Sekunden, 0 oder größer
-cell-campaign-summary =
+cell-fault-injection-summary =
     { $kept } von { $all } Fällen enden wie gefordert ({ $faults } in Störung); Prozess aus nach höchstens { $cycles ->
         [one] { $cycles } Zyklus
        *[other] { $cycles } Zyklen

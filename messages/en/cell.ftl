@@ -471,7 +471,7 @@ cell-fault-no-kind = fault `{ $name }` does not exist; allowed are { $names }
 cell-fault-no-time = invalid time `{ $text }`; allowed is a number of seconds, 0 or greater
     .cause = The number behind `@` or `+` is negative, not finite, or no number.
     .cure = Write seconds with a decimal point, like `@12.5+0.25`.
-cell-campaign-summary =
+cell-fault-injection-summary =
     { $kept } of { $all } cases end as required ({ $faults } in fault); process off after at most { $cycles ->
         [one] { $cycles } cycle
        *[other] { $cycles } cycles

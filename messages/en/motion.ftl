@@ -43,7 +43,7 @@ motion-profile-still = nothing moves between { $from } and { $to }: no limit bou
 
 # Weave that is too fast.
 motion-weave-frequency = the weave is too fast: { $reason }; with a width of { $width } its maximum frequency is { $frequency }
-    .cause = The weave repeats its sideways acceleration in every period, and an axis or the tip reaches its limit.
+    .cause = The weave repeats its lateral acceleration in every period, and an axis or the tip reaches its limit.
     .cure = Lower `frequency_hz` or `width_mm` in `[weld.weave]`. A trapezoid with dwells needs more than a sine.
 motion-weave-pitch = the weave is too fast: { $reason }; with a width of { $width } its minimum pitch is { $pitch }
     .cause = A short pitch at this speed gives a high frequency, and an axis or the tip reaches its limit.
@@ -255,7 +255,7 @@ motion-transfer-none = no clear path was found; on the straight path { $obstacle
 motion-retract-short = the torch can retract only { $distance } of { $asked } on { $move }
     .cause = At the full `retract_mm` the axes leave their ranges or reach. Half and a quarter of it are tried next.
     .cure = Check that the torch leaves the groove. Move the part away from the range end, or lower `retract_mm` in `[air]`.
-motion-retract-none = no axis can retract the torch along its own direction on { $move }: it leaves sideways
+motion-retract-none = no axis can retract the torch along its own direction on { $move }: it leaves laterally
     .cause = Even at a quarter of `retract_mm` the axes leave their ranges or reach, so the transfer move starts at the weld.
     .cure = Watch this move in a dry run with a low override, and place the part where the torch can retract.
 motion-cure-retract = make sure that nothing stands beside the seam there, or ask for a smaller retract

@@ -236,7 +236,7 @@ cell-fault-form = неверный отказ; разрешено DEVICE:KIND@TI
 cell-fault-no-device = устройства «{ $name }» нет; разрешено { $names }
 cell-fault-no-kind = отказа «{ $name }» нет; разрешено { $names }
 cell-fault-no-time = неверное время «{ $text }»; разрешено число секунд, 0 или больше
-cell-campaign-summary =
+cell-fault-injection-summary =
     { $kept } из { $all } случаев заканчиваются как требуется ({ $faults } аварией); процесс выключен не позднее чем через { $cycles ->
         [one] { $cycles } цикл
         [few] { $cycles } цикла

@@ -236,7 +236,7 @@ cell-fault-form = неправильна відмова; дозволено DEVI
 cell-fault-no-device = пристрою «{ $name }» немає; дозволено { $names }
 cell-fault-no-kind = відмови «{ $name }» немає; дозволено { $names }
 cell-fault-no-time = неправильний час «{ $text }»; дозволено число секунд, 0 або більше
-cell-campaign-summary =
+cell-fault-injection-summary =
     { $kept } з { $all } випадків закінчуються як належить ({ $faults } аварією); процес вимкнено щонайпізніше за { $cycles ->
         [one] { $cycles } цикл
         [few] { $cycles } цикли

@@ -12,11 +12,20 @@ const TOTAL_S: f64 = 30.189;
 fn main() {
     let job = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ellipse.toml");
     report("motion", "set-point", |millions| {
-        start(&["motion", job, "--period-ms", &(TOTAL_S / millions * 1e-3).to_string()])
+        start(&["tools", "motion", job, "--period-ms", &(TOTAL_S / millions * 1e-3).to_string()])
     });
     report("follow", "point 0.02 mm from the one before", |millions| {
-        let mut child =
-            start(&["follow", "-", "--machine", "table-tilting-xyzac", "--speed-mm-s", "20", "--period-ms", "10"]);
+        let mut child = start(&[
+            "tools",
+            "follow",
+            "-",
+            "--machine",
+            "table-tilting-xyzac",
+            "--speed-mm-s",
+            "20",
+            "--period-ms",
+            "10",
+        ]);
         let input = child.stdin.take().expect("it is piped");
         std::thread::spawn(move || turns(BufWriter::new(input), (millions * 1e6) as u32));
         child

@@ -63,7 +63,7 @@ pub struct SourceFile {
     pub out_s: Option<NonNegative>,
     /// Longest time from switching off until arc or beam is out, s; 0.3 if missing.
     pub off_s: Option<Positive>,
-    /// Greatest part by which a process value may differ from what is asked; 0.1 if missing.
+    /// Maximum relative difference of a process value from the requested one; 0.1 if missing.
     pub within: Option<Positive>,
     /// For how long, s; 1 if missing.
     pub within_s: Option<Positive>,

@@ -91,7 +91,7 @@ pub struct TorchFile {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DeflectionFile {
-    /// Greatest deflection, mm.
+    /// Maximum deflection, mm.
     pub range_mm: Positive,
     /// Highest speed, mm/s.
     pub max_speed_mm_s: Positive,
@@ -121,9 +121,9 @@ const USUAL_LATENCY_US: f64 = 75.0;
 pub struct TipFile {
     /// Highest speed, mm/s.
     pub max_speed_mm_s: Option<Positive>,
-    /// Greatest acceleration in whatever direction, mm/s^2.
+    /// Maximum acceleration in any direction, mm/s^2.
     pub max_acceleration_mm_s2: Option<Positive>,
-    /// Greatest jerk in whatever direction, mm/s^3.
+    /// Maximum jerk in any direction, mm/s^3.
     pub max_jerk_mm_s3: Option<Positive>,
 }
 
@@ -170,7 +170,7 @@ impl MachineFile {
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LinkClearanceFile {
-    /// Least distance of two links, mm; 5 if missing.
+    /// Minimum distance of two links, mm; 5 if missing.
     pub least_mm: Option<Positive>,
     /// Pairs of links that may touch.
     #[serde(default)]
@@ -190,7 +190,7 @@ pub struct ZoneFile {
     pub on: Option<String>,
     /// Links that it holds for, also `part` and `fixtures`; everything that moves against it if missing.
     pub watch: Option<Vec<String>>,
-    /// Least distance from a forbidden zone, or least room to the surface of a permitted one, mm; 1 if missing.
+    /// Minimum distance outside a forbidden zone, or inside a permitted one, mm; 1 if missing.
     pub least_mm: Option<Positive>,
     /// Its volume; boxes, cylinders, spheres and half-spaces if it is permitted.
     pub solids: Vec<SolidFile>,

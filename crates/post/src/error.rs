@@ -27,7 +27,7 @@ pub enum Error {
     Nothing,
     /// The tolerance cannot be kept.
     TooFine {
-        /// Where, mm.
+        /// Path length, mm.
         s: f64,
     },
     /// The control cannot take a step.

@@ -74,7 +74,7 @@ pub enum What {
     },
     /// Switches an output or shows a message: `at_once`, or with the start of the next move.
     Event {
-        /// What.
+        /// The output or message.
         event: Event,
         /// Whether it does not wait for a move.
         at_once: bool,

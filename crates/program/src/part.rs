@@ -50,7 +50,7 @@ impl Part {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Clearance {
-    /// Least distance, mm; 1 if missing.
+    /// Minimum distance, mm; 1 if missing.
     pub least_mm: Positive,
 }
 

@@ -32,8 +32,8 @@ pub struct Pass {
     /// Behaviour where an axis cannot keep the requested speed.
     #[serde(default)]
     pub on_limit: OnLimit,
-    /// The procedure's least speed while the arc is on, mm/s; less than the asked speed. Run-up and run-down are not
-    /// held against it.
+    /// The procedure's minimum speed while the arc is on, mm/s; less than the requested speed. Acceleration and
+    /// deceleration phases are exempt.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_speed_mm_s: Option<Positive>,
     /// Behaviour at a corner inside the weld.

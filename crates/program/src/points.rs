@@ -93,7 +93,7 @@ impl Along {
     }
 }
 
-/// Something switched or said when a point is reached. Exactly one of its keys beside `after`, but for `on`, which goes
+/// Something switched or reported when a point is reached. Exactly one of its keys beside `after`, but for `on`, which goes
 /// with `output`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -8,11 +8,11 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SpareAxes {
-    /// Welding position wanted, where axes to spare can turn or tilt the work.
+    /// Requested welding position, if redundant axes can turn or tilt the work.
     pub position: Position,
     /// The flat position is good enough within this angle, degrees; 5 if missing.
     pub flat_within_deg: NonNegative,
-    /// Axes to spare that stand still, by name: their positions, mm or degrees.
+    /// Positions of redundant axes that stand still, by name, mm or degrees.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub hold: BTreeMap<String, Finite>,
     /// Weights of the criteria against each other.

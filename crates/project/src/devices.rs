@@ -159,7 +159,7 @@ fn failure(error: &ModbusError) -> Failure {
 }
 
 /// The traffic, as in `run.json`.
-pub fn told(lines: &Lines) -> Vec<Value> {
+pub fn traffic_report(lines: &Lines) -> Vec<Value> {
     let one = |(name, line): &(String, TrafficView)| {
         let traffic = line.get();
         let round = &traffic.round;

@@ -34,7 +34,7 @@ pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<
     writeln!(out, "{}", findings_message(findings))
 }
 
-/// Returns findings for people, equal ones once, those that stand against the weld first.
+/// Returns findings for people, equal ones once, those that prevent the weld first.
 pub fn findings_message(findings: &[Finding]) -> Message {
     let groups = group_findings(findings);
     let mut lines = vec![match groups.iter().filter(|group| !group.finding.allowed).count() {

@@ -1,7 +1,7 @@
 //! Files that the user names: read, or written whole, as [`WholeFile`] does it.
 
 use crate::failure::Failure;
-use crate::within::FileRefusal;
+use crate::file_scope::FileRefusal;
 use seamwright_message::Message;
 use seamwright_record::{ClosedFile, WholeFile};
 use std::fs;

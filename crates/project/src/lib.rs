@@ -24,6 +24,7 @@ pub mod csv;
 pub mod devices;
 pub mod examples;
 pub mod failure;
+mod file_scope;
 pub mod files;
 pub mod load;
 pub mod offset;
@@ -39,6 +40,5 @@ pub mod run_rows;
 mod steps;
 pub mod teaching;
 pub mod weld_events;
-mod within;
 
 pub use failure::Failure;

@@ -2,10 +2,10 @@
 
 use crate::examples::{EXAMPLES, example};
 use crate::failure::{Failure, with_hint};
+use crate::file_scope::FileScope;
 use crate::files::{self, io_error};
 use crate::outside::Beside;
 use crate::planning::{Clocked, Planning};
-use crate::within::Within;
 use seamwright_cell::{Error, check_drives};
 use seamwright_document::{Document, closest};
 use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
@@ -40,7 +40,7 @@ pub fn load(path: &Path) -> Result<Loaded, Failure> {
     }
     if let Some(example) = example.filter(|_| missing || found.is_ok_and(|found| found.is_dir())) {
         // A shipped example uses the shipped machine: a machine file in this folder may be another machine.
-        let (name, here) = (format!("{}.toml", example.name), Within::open(Path::new(".")));
+        let (name, here) = (format!("{}.toml", example.name), FileScope::open(Path::new(".")));
         return load_within(&name, example.text, &here, Own::Never);
     }
     load_text(&path.display().to_string(), &files::read(path)?, path.parent().unwrap_or(Path::new(".")))
@@ -60,15 +60,15 @@ fn no_such_job(path: &Path) -> Failure {
 
 /// The same from text; machine files are looked for from `folder`.
 pub fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
-    load_within(name, text, &Within::open(folder), Own::First)
+    load_within(name, text, &FileScope::open(folder), Own::First)
 }
 
 /// The same for a text whose author may not read all files: only plain files in `folder` and below are read.
 pub fn load_foreign(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
-    load_within(name, text, &Within::fenced(folder), Own::First)
+    load_within(name, text, &FileScope::fenced(folder), Own::First)
 }
 
-fn load_within(name: &str, text: &str, within: &Within<'_>, own: Own) -> Result<Loaded, Failure> {
+fn load_within(name: &str, text: &str, within: &FileScope<'_>, own: Own) -> Result<Loaded, Failure> {
     let welding = Welding::read_with(name, text, &Beside::new(within.clone()))?;
     let wanted = &welding.program.value.machine;
     let stl = StlFiles::default();
@@ -133,7 +133,7 @@ fn check_registers(welding: &Welding, machine: &Machine) -> Result<(), Failure> 
 struct StlFiles(RefCell<Vec<(String, PathBuf)>>);
 
 impl StlFiles {
-    fn read(&self, within: &Within<'_>, name: &str) -> std::io::Result<Vec<u8>> {
+    fn read(&self, within: &FileScope<'_>, name: &str) -> std::io::Result<Vec<u8>> {
         let path = within.file(name)?;
         let bytes = std::fs::read(&path)?;
         self.0.borrow_mut().push((name.to_owned(), path));
@@ -155,7 +155,7 @@ fn machine_names() -> Message {
 }
 
 /// The machine that a job names; `None` if it is missing.
-pub(crate) fn machine_beside(name: &str, within: &Within<'_>) -> Result<Option<Machine>, Failure> {
+pub(crate) fn machine_beside(name: &str, within: &FileScope<'_>) -> Result<Option<Machine>, Failure> {
     Ok(described(name, within, &StlFiles::default(), Own::First)?.map(|found| found.machine))
 }
 
@@ -164,7 +164,7 @@ pub(crate) fn machine_beside(name: &str, within: &Within<'_>) -> Result<Option<M
 /// # Errors
 /// An unreadable machine file, or one outside the folder.
 pub fn machine_among(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
-    machine_beside(name, &Within::fenced(folder))
+    machine_beside(name, &FileScope::fenced(folder))
 }
 
 /// A cell's own copy of a shipped machine, relative to its jobs: it holds the results of calibration and tuning.
@@ -188,7 +188,7 @@ struct Described {
 }
 
 /// The machine called `name`, or in the file `name`; `None` without either.
-fn described(name: &str, within: &Within<'_>, stl: &StlFiles, own: Own) -> Result<Option<Described>, Failure> {
+fn described(name: &str, within: &FileScope<'_>, stl: &StlFiles, own: Own) -> Result<Option<Described>, Failure> {
     let mut wanted = name.to_owned();
     if let Some(shipped) = shipped(name) {
         wanted = own_copy(shipped.name);
@@ -215,14 +215,14 @@ fn described(name: &str, within: &Within<'_>, stl: &StlFiles, own: Own) -> Resul
 /// # Errors
 /// Any fault of the text.
 pub fn machine_foreign(name: &str, text: &str, folder: &Path) -> Result<Machine, Failure> {
-    checked(name, text, &Within::fenced(folder), &StlFiles::default()).map(|(machine, _)| machine)
+    checked(name, text, &FileScope::fenced(folder), &StlFiles::default()).map(|(machine, _)| machine)
 }
 
 /// A machine file with its drives checked too, so that no later step is the first to stumble over them.
 fn checked(
     file: &str,
     text: &str,
-    within: &Within<'_>,
+    within: &FileScope<'_>,
     stl: &StlFiles,
 ) -> Result<(Machine, Document<MachineFile>), Failure> {
     let machine = Machine::read_with(file, text, &|name| stl.read(within, name))?;
@@ -240,7 +240,7 @@ pub fn machine(name: &str) -> Result<Machine, Failure> {
 
 /// The machine that a command line names, with its file.
 pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), Failure> {
-    let found = described(name, &Within::open(Path::new(".")), &StlFiles::default(), Own::Never)?;
+    let found = described(name, &FileScope::open(Path::new(".")), &StlFiles::default(), Own::Never)?;
     found.map(|found| (found.machine, found.document)).ok_or_else(|| {
         let message = Message::new("project-no-such-machine").text("name", name);
         let message = match machine_meant(name) {

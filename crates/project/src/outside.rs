@@ -2,9 +2,9 @@
 
 use crate::csv::CsvReader;
 use crate::failure::Failure;
+use crate::file_scope::FileScope;
 use crate::files::io_error;
 use crate::load;
-use crate::within::Within;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::AxisKind;
@@ -26,13 +26,13 @@ const MAX_ROWS: usize = 20_000;
 
 /// Files and machines as a job names them.
 pub(crate) struct Beside<'a> {
-    within: Within<'a>,
+    within: FileScope<'a>,
     /// The machine asked for last.
     machine: RefCell<Option<(String, Machine)>>,
 }
 
 impl<'a> Beside<'a> {
-    pub(crate) fn new(within: Within<'a>) -> Self {
+    pub(crate) fn new(within: FileScope<'a>) -> Self {
         Self { within, machine: RefCell::new(None) }
     }
 

@@ -41,7 +41,7 @@ impl From<Failure> for Unproven {
 /// The part program of a planned weld, with its proof in the header.
 ///
 /// # Errors
-/// What cannot be posted, or does not hold when it is read back.
+/// A motion that cannot be posted, or a program that deviates when it is read back.
 pub fn proven(
     loaded: &Loaded,
     motion: &WeldMotion,

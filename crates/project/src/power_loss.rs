@@ -17,7 +17,7 @@ const JOURNAL_S: f64 = 0.05;
 /// Decides when the position of the weld is recorded.
 #[derive(Debug)]
 pub struct Watch {
-    /// When it was kept last, s.
+    /// Time of its last storage, s.
     last: f64,
 }
 
@@ -168,7 +168,7 @@ impl Places {
     /// The weld ended in order.
     ///
     /// # Errors
-    /// What kept the journal from being written.
+    /// The journal could not be written.
     pub fn end(mut self) -> Result<(), Failure> {
         self.waiting.tell(|slot| slot.ended = true);
         let gone = || Failure::Environment(Message::new("project-journal-thread-failed"));

@@ -31,7 +31,7 @@ const REPLACED: [&str; 9] = [
 pub struct Contents {
     /// Welds.
     pub welds: usize,
-    /// When the newest of them began.
+    /// Start of the newest of them.
     pub newest: Option<Moment>,
     /// Files of jobs.
     pub jobs: usize,

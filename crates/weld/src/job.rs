@@ -102,8 +102,8 @@ pub struct Weld {
     /// Behaviour where an axis cannot keep that speed.
     #[serde(default)]
     pub on_limit: OnLimit,
-    /// The procedure's least speed while the arc is on, mm/s; less than `speed_mm_s`. Run-up and run-down are not held
-    /// against it.
+    /// The procedure's minimum speed while the arc is on, mm/s; less than `speed_mm_s`. Acceleration and
+    /// deceleration phases are exempt.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_speed_mm_s: Option<Positive>,
     /// Behaviour at a corner inside the weld.

@@ -10,7 +10,7 @@ const PLACES: u32 = 720;
 const MIN_PROGRESS: f64 = 0.1;
 
 impl PassPath<'_> {
-    /// Everything that stands against the pass, the `number`-th from 1.
+    /// All findings against the pass, the `number`-th from 1.
     pub fn findings(&self, number: usize) -> Vec<Finding> {
         let mut findings = self.access_findings(number);
         let turns = torch_jumps(self, number);

@@ -58,7 +58,7 @@ impl PassKeys {
     }
 
     /// The key of the file from which `key` of the pass has its value: of where it runs (`begin_mm`, `bead.s_mm[3]`,
-    /// `spans[0].to_mm`), of its torch or of its axes to spare (`spare_axes.hold.r`); the pass itself if empty.
+    /// `spans[0].to_mm`), of its torch or of its redundant axes (`spare_axes.hold.r`); the pass itself if empty.
     pub fn of(&self, key: &str) -> String {
         match &self.0 {
             Source::Listed(i) if key.is_empty() => format!("passes[{i}]"),

@@ -2,7 +2,7 @@
 //! the same positions come back, and both times in one run.
 //!
 //! Theirs answers a whole frame in closed form with all branches; ours a point and a direction (the torch may turn
-//! about itself) by Newton's method from the neighbour, with the axis to spare held.
+//! about itself) by Newton's method from the neighbour, with the redundant axis held.
 
 use rs_opw_kinematics::kinematic_traits::{Kinematics, Pose};
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;

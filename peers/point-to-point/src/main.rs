@@ -1,5 +1,5 @@
 //! Plans the cases on standard input, one a line: for each axis position, speed, acceleration, target and the highest
-//! speed, acceleration and jerk. Prints for each the duration (s), the greatest share of a limit that is used, how
+//! speed, acceleration and jerk. Prints for each the duration (s), the maximum share of a limit that is used, how
 //! far it ends from its target, and the time of planning (us; the best of five).
 
 use seamwright_motion::jog::{AxisLimits, PointToPoint, State};

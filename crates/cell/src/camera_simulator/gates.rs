@@ -155,7 +155,7 @@ fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
         Kind::End => {
             gate("frames without the end told", count(&|o| o.end != End::JointEnd), Limit::Most(0.0), "");
             gate(
-                "greatest end error",
+                "maximum end error",
                 outcomes.iter().filter_map(|o| o.end_error).reduce(f64::max).unwrap_or(f64::INFINITY),
                 Limit::Most(3.0),
                 "px",

@@ -46,7 +46,7 @@ pub enum FaultKind {
 pub enum When {
     /// At this time after the start, s.
     At(f64),
-    /// When the flag of [`Faulty::told_by`] is set.
+    /// As soon as the flag of [`Faulty::told_by`] is set.
     Told,
 }
 

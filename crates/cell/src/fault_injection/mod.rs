@@ -110,7 +110,7 @@ pub fn summary(outcomes: &[Outcome]) -> Message {
     let bound = 100.0 * outcomes.iter().map(|o| o.stop_part).fold(0.0, f64::max);
     let cycles = outcomes.iter().map(|o| o.off_cycles).max().unwrap_or(0);
     let faults = outcomes.iter().filter(|o| o.mode == Mode::Fault).count();
-    Message::new("cell-campaign-summary")
+    Message::new("cell-fault-injection-summary")
         .number("kept", kept as f64, 0)
         .number("all", outcomes.len() as f64, 0)
         .number("faults", faults as f64, 0)

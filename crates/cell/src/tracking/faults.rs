@@ -107,7 +107,7 @@ fn named(weld: &str, failing: Failing, speed: f64, worst: [f64; FIGURES]) -> Vec
         |what, value, limit, unit| Gate { frames: weld.to_owned(), what, value, limit: Limit::Most(limit), unit };
     let [alarm, rest] = rows.map(|(what, value, limit)| gate(what, value, limit, "mm"));
     vec![
-        gate("greatest miss", missed, (1e3 * (explained + SLACK)).round() / 1e3, "mm"),
+        gate("maximum miss", missed, (1e3 * (explained + SLACK)).round() / 1e3, "mm"),
         gate("missed beyond the seam's own course", beyond, SLACK, "mm"),
         alarm,
         rest,

@@ -36,12 +36,12 @@ fn whatever_fails_the_cell_ends_as_it_must() {
         let cases = fault_injection::cases(&stage).into_iter().filter(|case| !takes_long(*case));
         let outcomes: Vec<Outcome> = cases.map(|case| fault_injection::run(stage, case, 0, false).unwrap()).collect();
         println!("{}\n{}", fault_injection::summary(&outcomes), fault_injection::table(stage.machine, &outcomes));
-        let failed: Vec<String> = outcomes.iter().filter(|o| !o.is_kept()).map(told).collect();
+        let failed: Vec<String> = outcomes.iter().filter(|o| !o.is_kept()).map(describe_outcome).collect();
         assert!(failed.is_empty(), "{} of {}:\n{}", failed.len(), outcomes.len(), failed.join("\n"));
     });
 }
 
-fn told(outcome: &Outcome) -> String {
+fn describe_outcome(outcome: &Outcome) -> String {
     format!("{outcome:?}\n    expected {:?}", fault_injection::expected(outcome.case))
 }
 
@@ -67,7 +67,9 @@ fn thousands_of_moments_of_every_fault() {
             let outcomes = moments(stage, seed);
             let mut done = done.lock().unwrap();
             done.0 += 1;
-            done.2.extend(outcomes.iter().filter(|o| !o.is_kept()).map(|o| format!("seed {seed}: {}", told(o))));
+            done.2.extend(
+                outcomes.iter().filter(|o| !o.is_kept()).map(|o| format!("seed {seed}: {}", describe_outcome(o))),
+            );
             done.1.extend(outcomes);
         }
     };

@@ -2,7 +2,7 @@
 
 use crate::modbus_cell::{MAP, PERIOD_S, VALUES, device, parts, welder};
 use crate::modbus_server::{Bank, TestServer};
-use seamwright_cell::devices::modbus::{Looker, ModbusInputs, ModbusParts, ModbusSource, connect};
+use seamwright_cell::devices::modbus::{ModbusInputs, ModbusParts, ModbusSource, RegisterInspector, connect};
 use seamwright_cell::devices::{InputBits, Inputs as _, Source as _};
 use seamwright_cell::executive::{ProcessOrders, SourceReport};
 use std::time::{Duration, Instant};
@@ -315,10 +315,10 @@ fn looking_changes_nothing() {
         bank.holes.insert(10);
         (bank.holding[0], bank.coils[0]) = (777, true);
     }
-    let mut looker = Looker::new(&device(&server.address.to_string(), MAP));
-    looker.look().unwrap();
+    let mut inspector = RegisterInspector::new(&device(&server.address.to_string(), MAP));
+    inspector.look().unwrap();
     assert_eq!(server.bank().writes, 0);
-    let row = |name: &str| looker.rows().find(|row| row.register.name == name).unwrap();
+    let row = |name: &str| inspector.rows().find(|row| row.register.name == name).unwrap();
     let current = row("set.current_a");
     assert_eq!(current.raw.map(f64::to_bits), Some(777f64.to_bits()));
     assert!((current.value.unwrap() - 77.7).abs() < 1e-12 && current.age_s < 5.0 && current.register.unit == "a");

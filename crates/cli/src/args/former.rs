@@ -93,3 +93,58 @@ impl Former {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Cli;
+    use super::*;
+    use clap::error::ErrorKind;
+    use clap::{CommandFactory, Parser};
+    use std::collections::BTreeSet;
+
+    /// Former names, each with arguments that it takes.
+    const CASES: [(&str, &str); 18] = [
+        ("seam", "saddle --points 5"),
+        ("section", "saddle --points 2"),
+        ("motion", "saddle --period-ms 4"),
+        ("pulses", "saddle --period-ms 4"),
+        ("follow", "- --machine ellipse-xy --speed-mm-s 5"),
+        ("reduce", "points.csv --tolerance-mm 1"),
+        ("interpolate", "--curve ellipse --summary"),
+        ("bench", "tracking --seeds 1"),
+        ("latency", "--seconds 1"),
+        ("io", "ellipse-xy"),
+        ("kinematics", "ellipse-xy --forward"),
+        ("move", "ellipse-xy --to x=1"),
+        ("machines", ""),
+        ("machines", "ellipse-xy"),
+        ("procedures", ""),
+        ("read", "part.ngc --machine ellipse-xy"),
+        ("find-joint", "frame.png --start 1,1 --direction-deg 0"),
+        ("stripe", "stripe.png --joint v"),
+    ];
+
+    fn parse(verb: &str, arguments: &str) -> Result<Cli, clap::Error> {
+        Cli::try_parse_from(format!("seamwright {verb} {arguments}").split_whitespace())
+    }
+
+    #[test]
+    fn every_former_name_is_its_present_verb() {
+        for (name, arguments) in CASES {
+            let cli = parse(name, arguments).unwrap_or_else(|e| panic!("{name} {arguments}: {e}"));
+            let Some(Verb::Former(former)) = cli.verb else { panic!("{name} is no former name") };
+            let (old, present, verb) = former.renamed();
+            assert_eq!(old, name);
+            let expected = parse(present, arguments).unwrap_or_else(|e| panic!("{present} {arguments}: {e}"));
+            assert_eq!(format!("{verb:?}"), format!("{:?}", expected.verb.unwrap()), "{name}");
+            for verb in [name, present] {
+                assert_eq!(parse(verb, "--help").unwrap_err().kind(), ErrorKind::DisplayHelp, "{verb}");
+            }
+        }
+        let all = Former::augment_subcommands(clap::Command::new("former"));
+        let all: BTreeSet<&str> = all.get_subcommands().map(clap::Command::get_name).collect();
+        assert_eq!(CASES.iter().map(|(name, _)| *name).collect::<BTreeSet<_>>(), all);
+        let shown = Cli::command();
+        assert!(shown.get_subcommands().filter(|verb| all.contains(verb.get_name())).all(clap::Command::is_hide_set));
+    }
+}

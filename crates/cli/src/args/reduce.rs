@@ -10,7 +10,7 @@ use std::path::PathBuf;
   seamwright tools reduce examples/taught-joint.csv --tolerance-mm 0.05 --axis-tolerance 0.1 --svg joint.svg
 Points are x_mm,y_mm,z_mm; every further column is an axis that goes along linearly by path length. Out: a row a line
 or arc, from point `first` to point `last` (counted from 0), with the arc's centre, radius and the unit normal about
-which it goes counter-clockwise, and the greatest distance of its points from it. Between points too no span leaves the
+which it goes counter-clockwise, and the maximum distance of its points from it. Between points too no span leaves the
 polyline by more than the tolerance; points may turn back by up to the tolerance. A full circle takes two arcs."
 )]
 pub(crate) struct ReduceArgs {

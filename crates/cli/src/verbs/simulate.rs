@@ -194,7 +194,7 @@ impl Port for Watched<'_> {
     }
 
     fn note(&mut self, t: f64, note: Note) {
-        self.desk.noted(t, note);
+        self.desk.handle_note(t, note);
     }
 }
 

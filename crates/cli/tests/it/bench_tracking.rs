@@ -4,7 +4,7 @@ use crate::common::{bad, good};
 use serde_json::Value;
 
 fn table(name: &str) -> Value {
-    let text = good(&["bench", "tracking", "--seeds", "1", "--json", "--table", name]);
+    let text = good(&["tools", "bench", "tracking", "--seeds", "1", "--json", "--table", name]);
     serde_json::from_str(&text).unwrap()
 }
 
@@ -26,9 +26,9 @@ fn faults_and_beam_mode_are_kept() {
 
 #[test]
 fn as_markdown_and_what_cannot_be() {
-    let text = good(&["bench", "tracking", "--seeds", "1", "--table", "beam"]);
+    let text = good(&["tools", "bench", "tracking", "--seeds", "1", "--table", "beam"]);
     assert!(text.starts_with("## Beam mode at 10 mm/s\n") && text.contains("replayed beside the tracked pass"));
     assert!(!text.contains("**no**"), "{text}");
-    assert!(bad(2, &["bench", "tracking", "--seeds", "0"]).contains("1..=1000"));
-    assert!(bad(2, &["bench", "tracking", "--table", "sems"]).contains("seams, parts, faults, beam"));
+    assert!(bad(2, &["tools", "bench", "tracking", "--seeds", "0"]).contains("1..=1000"));
+    assert!(bad(2, &["tools", "bench", "tracking", "--table", "sems"]).contains("seams, parts, faults, beam"));
 }

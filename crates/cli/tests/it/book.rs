@@ -81,4 +81,9 @@ fn every_page_is_in_the_navigation_once() {
         let listed = entries.iter().filter(|entry| **entry == name || entry.ends_with(&titled)).count();
         assert_eq!(listed, 1, "{name} in the nav of mkdocs.yml");
     }
+    // An entry is `PAGE.md` or `Title: PAGE.md`.
+    let listed = entries.iter().filter_map(|entry| entry.rsplit(' ').next()).filter(|name| name.ends_with(".md"));
+    for name in listed {
+        assert!(folder.join(name).is_file(), "the nav of mkdocs.yml names {name}, which is missing");
+    }
 }

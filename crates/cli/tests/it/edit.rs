@@ -143,7 +143,7 @@ fn wrong_use_is_told_and_writes_nothing() {
 #[test]
 fn repeated_passes_and_variables_are_planned() {
     let (_folder, _path, name) = file();
-    let rows = common::table(&good(&["motion", &name, "--period-ms", "100"]));
+    let rows = common::table(&good(&["tools", "motion", &name, "--period-ms", "100"]));
     let pass = common::column(&rows, "pass");
     assert!(pass.contains(&1.0) && pass.contains(&2.0) && !pass.contains(&3.0));
 }

@@ -70,7 +70,7 @@ fn painted() -> String {
 fn a_painted_joint_as_rows_json_and_picture() {
     let image = painted();
     let png = file("seen.png", b"");
-    let arguments = ["find-joint", &image, "--start", "12,121", "--direction-deg", "3", "--overlay", &png];
+    let arguments = ["vision", "joint", &image, "--start", "12,121", "--direction-deg", "3", "--overlay", &png];
     let output = run(&arguments);
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(String::from_utf8(output.stderr).unwrap().lines().last(), Some("left-image"));
@@ -85,20 +85,20 @@ fn a_painted_joint_as_rows_json_and_picture() {
     assert_eq!((picture.width(), picture.height()), (320, 256));
     let colours = picture.to_rgb8().pixels().filter(|p| p.0[0] != p.0[1]).count();
     assert!(colours > 1000, "{colours}");
-    let json: Value = serde_json::from_str(&good(&[&arguments[..6], &["--json"]].concat())).unwrap();
+    let json: Value = serde_json::from_str(&good(&[&arguments[..7], &["--json"]].concat())).unwrap();
     assert_eq!(json["end"], "left-image");
     let all = json["rows"].as_array().unwrap();
     assert_eq!(all.len(), found.len());
     assert!((all[9]["y_px"].as_f64().unwrap() - found[9].y).abs() < 1e-9);
     // The zone ends the line.
-    let zoned = rows(&good(&[&arguments[..6], &["--zone-px", "0,0,150,255"]].concat()));
+    let zoned = rows(&good(&[&arguments[..7], &["--zone-px", "0,0,150,255"]].concat()));
     assert!(!zoned.is_empty() && zoned.iter().all(|r| r.x <= 150.0));
 }
 
 #[test]
 fn no_joint_is_lost_at_once() {
     let blank = pgm("blank.pgm", 200, 200, |x, y| 130.0 + 8.0 * even(x, y));
-    let told = bad(1, &["find-joint", &blank, "--start", "20,100", "--direction-deg", "0"]);
+    let told = bad(1, &["vision", "joint", &blank, "--start", "20,100", "--direction-deg", "0"]);
     assert_eq!(told.lines().last(), Some("lost"), "{told}");
     assert!(told.contains("no joint at the start"), "{told}");
 }
@@ -115,7 +115,7 @@ fn photographs() {
         let ([y, x, _], [to_y, to_x, _]) = (points[0], points[1]);
         let image = folder.join(name).display().to_string();
         let (start, direction) = (format!("{x},{y}"), (to_y - y).atan2(to_x - x).to_degrees().to_string());
-        let found = rows(&good(&["find-joint", &image, "--start", &start, "--direction-deg", &direction]));
+        let found = rows(&good(&["vision", "joint", &image, "--start", &start, "--direction-deg", &direction]));
         assert!(widths.contains(&found[20].width), "{name}: {}", found[20].width);
         assert!(
             found.last().is_some_and(|row| row.y > points[points.len() - 1][0]),
@@ -153,8 +153,15 @@ fn photographs_from_other_directions() {
         let image = folder.join(name).display().to_string();
         for off in [-3.0, -1.5, -0.5, 0.5, 1.5, 3.0] {
             let direction = ((to_y - y).atan2(to_x - x).to_degrees() + off).to_string();
-            let found =
-                rows(&good(&["find-joint", &image, "--start", &format!("{x},{y}"), "--direction-deg", &direction]));
+            let found = rows(&good(&[
+                "vision",
+                "joint",
+                &image,
+                "--start",
+                &format!("{x},{y}"),
+                "--direction-deg",
+                &direction,
+            ]));
             for [y, x, u] in &points {
                 let near = found.iter().filter(|r| (r.y - y).abs() < 8.0 && r.confidence >= CONFIDENT);
                 let nearest = near.min_by(|a, b| (a.y - y).abs().total_cmp(&(b.y - y).abs()));
@@ -169,7 +176,7 @@ fn photographs_from_other_directions() {
 fn bad_input_is_named() {
     let image = painted();
     let place = ["--start", "12,121", "--direction-deg", "0"];
-    let of = |image: &str| bad(2, &[&["find-joint", image], &place[..]].concat());
+    let of = |image: &str| bad(2, &[&["vision", "joint", image], &place[..]].concat());
     let photograph = std::fs::read(root().join("tests/data/images/x3.jpg")).unwrap();
     for (name, bytes, says) in [
         ("head.jpg", &photograph[..300], "unreadable image"),
@@ -196,15 +203,15 @@ fn bad_input_is_named() {
         (["--start", "a,2", "--direction-deg", "0"], "--start"),
         (["--start", "9,9", "--direction-deg", "inf"], "--direction-deg"),
     ] {
-        let told = bad(2, &[&["find-joint", &image], &more[..]].concat());
+        let told = bad(2, &[&["vision", "joint", &image], &more[..]].concat());
         assert!(told.contains(says), "{more:?}: {told}");
     }
     for more in [["--width-px", "0"], ["--width-px", "-3"], ["--width-px", "nan"], ["--width-px", "401"]] {
-        let told = bad(2, &[&["find-joint", &image], &place[..], &more[..]].concat());
+        let told = bad(2, &[&["vision", "joint", &image], &place[..], &more[..]].concat());
         assert!(told.contains("--width-px") && told.contains("1 to 400"), "{told}");
     }
     for zone in ["0,0,400,255", "50,0,10,255", "0,0,9", "100,0,300,255"] {
-        let told = bad(2, &[&["find-joint", &image], &place[..], &["--zone-px", zone]].concat());
+        let told = bad(2, &[&["vision", "joint", &image], &place[..], &["--zone-px", zone]].concat());
         assert!(told.contains("allowed:"), "{told}");
     }
 }

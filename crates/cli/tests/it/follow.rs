@@ -16,7 +16,7 @@ fn saddle(count: u32) -> String {
 }
 
 fn follow(points: &str, more: &[&str]) -> std::process::Output {
-    let arguments = ["follow", "-", "--machine", "table-tilting-xyzac"];
+    let arguments = ["tools", "follow", "-", "--machine", "table-tilting-xyzac"];
     run_with(&[&arguments[..], more].concat(), points)
 }
 
@@ -103,7 +103,7 @@ fn what_is_wrong_is_named() {
     let output = follow("x_mm,y_mm,z_mm\n0,0,200\n0,0,-150\n", &["--speed-mm-s", "20"]);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.code() == Some(1) && told.contains("comes too near to"), "{told}");
-    let output = run(&["follow", "nowhere.csv", "--machine", "ellipse-xy", "--speed-mm-s", "5"]);
+    let output = run(&["tools", "follow", "nowhere.csv", "--machine", "ellipse-xy", "--speed-mm-s", "5"]);
     assert!(output.status.code() == Some(2) && output.stdout.is_empty());
     // Impossible speed: reported, and within the limits (250 mm/s).
     let output = follow(&format!("{head}300,0,50,0,0\n"), &["--speed-mm-s", "1e6"]);
@@ -119,7 +119,7 @@ fn what_is_wrong_is_named() {
 
 #[test]
 fn points_as_seam_writes_them_keep_the_torch_on_the_bisector() {
-    let seam = common::good(&["seam", &common::example("trunnion-saddle"), "--every-mm", "1"]);
+    let seam = common::good(&["tools", "seam", &common::example("trunnion-saddle"), "--every-mm", "1"]);
     let output = follow(&seam, &["--speed-mm-s", "8", "--period-ms", "20"]);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let t = table(&String::from_utf8(output.stdout).unwrap());

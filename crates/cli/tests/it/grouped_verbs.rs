@@ -58,6 +58,33 @@ fn former_names_do_the_same_with_a_note() {
     assert_eq!(former.stdout, run_with(&["machine", "kinematics", "ellipse-xy", "--forward"], poses).stdout);
 }
 
+/// Each fails on its first input, which is cheap; `bench` has none.
+#[test]
+fn every_former_name_prints_its_note() {
+    let cases: [(&[&str], &str); 13] = [
+        (&["section", "nowhere.toml"], "tools section"),
+        (&["motion", "nowhere.toml"], "tools motion"),
+        (&["pulses", "nowhere.toml"], "tools pulses"),
+        (&["follow", "nowhere.csv", "--machine", "torch-5axis", "--speed-mm-s", "5"], "tools follow"),
+        (&["reduce", "nowhere.csv", "--tolerance-mm", "1"], "tools reduce"),
+        (&["latency", "--period-ms", "0.1"], "machine latency"),
+        (&["io", "ellipse-xy"], "machine io"),
+        (&["kinematics", "nowhere.toml", "--forward"], "machine kinematics"),
+        (&["move", "torch-5axis", "--to", "q=1"], "machine move"),
+        (&["machines", "nowhere"], "machine show"),
+        (&["read", "nowhere.ngc", "--machine", "torch-5axis"], "import"),
+        (&["find-joint", "nowhere.png", "--start", "1,1", "--direction-deg", "0"], "vision joint"),
+        (&["stripe", "nowhere.png", "--joint", "v"], "vision stripe"),
+    ];
+    for (former, present) in cases {
+        let text = bad(2, former);
+        let (note, error) = text.split_once('\n').unwrap();
+        assert_eq!(note, format!("note: `seamwright {}` is now `seamwright {present}`", former[0]));
+        let present: Vec<&str> = present.split(' ').collect();
+        assert_eq!(error, bad(2, &[&present[..], &former[1..]].concat()), "{former:?}");
+    }
+}
+
 /// Runs a command with these variables of the locale.
 fn in_locale(arguments: &[&str], locale: &[(&str, &str)]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_seamwright"));

@@ -6,7 +6,7 @@ use toml_edit::DocumentMut;
 
 /// The file of a machine that ships with the keys of `snippet` in its drives.
 fn pasted(machine: &str, snippet: &str) -> String {
-    let mut document: DocumentMut = good(&["machines", machine]).parse().unwrap();
+    let mut document: DocumentMut = good(&["machine", "show", machine]).parse().unwrap();
     let keys: DocumentMut = snippet.parse().unwrap();
     for (axis, table) in keys["drives"].as_table().unwrap() {
         for (key, value) in table.as_table().unwrap() {

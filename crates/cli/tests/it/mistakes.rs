@@ -152,22 +152,22 @@ fn files_and_folders() {
 fn numbers_on_the_command_line() {
     for bad in ["0", "-1", "nan", "inf"] {
         let period = format!("--period-ms={bad}");
-        assert_eq!(run(&["motion", &example("ellipse"), &period]).status.code(), Some(2), "{bad}");
+        assert_eq!(run(&["tools", "motion", &example("ellipse"), &period]).status.code(), Some(2), "{bad}");
         let every = format!("--every-mm={bad}");
-        assert_eq!(run(&["seam", &example("ellipse"), &every]).status.code(), Some(2), "{bad}");
+        assert_eq!(run(&["tools", "seam", &example("ellipse"), &every]).status.code(), Some(2), "{bad}");
         let tolerance = format!("--tolerance-mm={bad}");
         let post = ["post", &example("ellipse"), "--dialect", "linuxcnc", &tolerance];
         assert_eq!(run(&post).status.code(), Some(2), "{bad}");
         for flag in ["--a-mm", "--pulse-mm", "--speed-mm-s", "--period-ms"] {
             let argument = format!("{flag}={bad}");
-            let interpolate = ["interpolate", "--curve", "ellipse", "--method", "dda", &argument];
+            let interpolate = ["tools", "interpolate", "--curve", "ellipse", "--method", "dda", &argument];
             assert_eq!(run(&interpolate).status.code(), Some(2), "{argument}");
         }
     }
-    assert_eq!(run(&["seam", &example("ellipse"), "--points", "1"]).status.code(), Some(2));
+    assert_eq!(run(&["tools", "seam", &example("ellipse"), "--points", "1"]).status.code(), Some(2));
     assert_eq!(run(&["post", &example("ellipse"), "--dialect", "fanuc"]).status.code(), Some(2));
     assert_eq!(run(&["weld", &example("ellipse")]).status.code(), Some(2));
-    assert_eq!(run(&["seam", &example("ellipse"), "--phi-deg", "nan"]).status.code(), Some(2));
+    assert_eq!(run(&["tools", "seam", &example("ellipse"), "--phi-deg", "nan"]).status.code(), Some(2));
     assert_eq!(run(&["--help"]).status.code(), Some(0));
 }
 
@@ -179,7 +179,7 @@ fn tables_on_standard_input() {
         ("x_mm,y_mm,z_mm,ax,ay,az\n1,2,three,0,0,-1\n", "standard input:2: z_mm = `three`: not a finite number"),
         ("x_mm,y_mm,z_mm,ax,ay,az\n1,2\n", "standard input:2: z_mm = ``"),
     ] {
-        let output = run_with(&["kinematics", "ellipse-xy", "--inverse"], input);
+        let output = run_with(&["machine", "kinematics", "ellipse-xy", "--inverse"], input);
         let text = String::from_utf8(output.stderr).unwrap();
         assert!(output.status.code() == Some(2) && text.contains(words), "{text}");
         assert!(output.stdout.is_empty());

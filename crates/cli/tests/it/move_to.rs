@@ -4,7 +4,8 @@ use crate::common::{column, good, run, table};
 
 #[test]
 fn goes_from_rest_to_rest_within_limits() {
-    let arguments = ["move", "torch-5axis", "--from=x=-100,z=150", "--to", "x=200,b=-15", "--period-ms", "1"];
+    let arguments =
+        ["machine", "move", "torch-5axis", "--from=x=-100,z=150", "--to", "x=200,b=-15", "--period-ms", "1"];
     let t = table(&good(&arguments));
     assert_eq!(t.0.first().map(String::as_str), Some("t_s"));
     let (x, b, z) = (column(&t, "x"), column(&t, "b"), column(&t, "z"));
@@ -28,7 +29,7 @@ fn goes_from_rest_to_rest_within_limits() {
 #[test]
 fn what_would_collide_is_refused_and_mistakes_are_named() {
     // The torch through the cradle of the tilting table.
-    let output = run(&["move", "table-tilting-xyzac", "--to", "z=-290"]);
+    let output = run(&["machine", "move", "table-tilting-xyzac", "--to", "z=-290"]);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.code() == Some(1) && output.stdout.is_empty(), "{told}");
     assert!(told.contains("finding (clearance)") && told.contains("torch") && told.contains("where: t ="), "{told}");
@@ -44,7 +45,7 @@ fn what_would_collide_is_refused_and_mistakes_are_named() {
         (vec!["--to", "x=1", "--period-ms", "0"], vec!["--period-ms 0"]),
         (vec!["--to", "x=1", "--period-ms", "1e-9"], vec!["set-points", "a longer period"]),
     ] {
-        let output = run(&[&["move", "torch-5axis"], &arguments[..]].concat());
+        let output = run(&[&["machine", "move", "torch-5axis"], &arguments[..]].concat());
         let told = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(output.status.code() == Some(2) && output.stdout.is_empty(), "{arguments:?}: {told}");
         assert!(words.iter().all(|w| told.contains(w)), "{arguments:?}: {told}");

@@ -14,7 +14,7 @@ fn run_in(folder: &std::path::Path, arguments: &[&str]) -> Output {
 #[test]
 fn an_example_is_taken_by_its_name() {
     let folder = tempfile::tempdir().unwrap();
-    let seam = |job: &str| run_in(folder.path(), &["seam", job, "--points", "5"]);
+    let seam = |job: &str| run_in(folder.path(), &["tools", "seam", job, "--points", "5"]);
     assert_eq!(seam("saddle").stdout, seam(&fs::canonicalize(example("saddle")).unwrap().display().to_string()).stdout);
     assert!(run_in(folder.path(), &["check", "ellipse"]).status.success());
     // A file of that name comes first.
@@ -46,7 +46,7 @@ fn what_is_no_job_says_what_is_meant() {
     }
     let told = bad(2, &["check", "nothing-like-it"]);
     assert!(!told.contains("there is an example") && told.contains("thick-saddle"), "{told}");
-    let told = bad(2, &["kinematics", "torch-5-axis", "--forward"]);
+    let told = bad(2, &["machine", "kinematics", "torch-5-axis", "--forward"]);
     assert!(told.contains("did you mean `torch-5axis`?"), "{told}");
 }
 
@@ -110,12 +110,12 @@ fn what_is_named_and_missing_is_bad_input_everywhere() {
         &["teach", &job, "--frames", "nowhere", "-o", "taught.toml"][..],
         &["teach", &job, "--semi-manual", "nowhere.csv", "-o", "taught.toml"],
         &["check", "nowhere.toml"],
-        &["reduce", "nowhere.csv", "--tolerance-mm", "1"],
-        &["stripe", "nowhere.png", "--joint", "v"],
-        &["find-joint", "nowhere.png", "--start", "1,1", "--direction-deg", "0"],
-        &["read", "nowhere.ngc", "--machine", "torch-5axis"],
+        &["tools", "reduce", "nowhere.csv", "--tolerance-mm", "1"],
+        &["vision", "stripe", "nowhere.png", "--joint", "v"],
+        &["vision", "joint", "nowhere.png", "--start", "1,1", "--direction-deg", "0"],
+        &["import", "nowhere.ngc", "--machine", "torch-5axis"],
         &["edit", "nowhere.toml", "history"],
-        &["follow", "nowhere.csv", "--machine", "torch-5axis", "--speed-mm-s", "5"],
+        &["tools", "follow", "nowhere.csv", "--machine", "torch-5axis", "--speed-mm-s", "5"],
         &["machine", "check", "nowhere.toml"],
         &["records", "restore", "nowhere.tar", "--data", "nowhere"],
         &["simulate", "ellipse", "-o", "nowhere", "--distortion", "nowhere.toml"],
@@ -134,7 +134,7 @@ fn outputs_follow_links_and_are_written_to_pipes() {
     let at = |name: &str| folder.path().join(name);
     let section = |svg: &str| {
         let svg = at(svg).display().to_string();
-        good(&["section", "thick-saddle", "--points", "2", "--svg", &svg])
+        good(&["tools", "section", "thick-saddle", "--points", "2", "--svg", &svg])
     };
     std::os::unix::fs::symlink("there.svg", at("link.svg")).unwrap();
     section("link.svg");

@@ -35,7 +35,7 @@ fn a_radiator_is_welded_back_and_forth() {
 
 #[test]
 fn the_torch_goes_around_each_tube_at_its_place() {
-    let rows = table(&good(&["motion", &example("radiator"), "--period-ms", "50"]));
+    let rows = table(&good(&["tools", "motion", &example("radiator"), "--period-ms", "50"]));
     let [pass, x, y] = ["pass", "x", "y"].map(|name| column(&rows, name));
     let mut centres = Vec::new();
     for number in 1..=12 {

@@ -53,12 +53,14 @@ fn four_passes_go_through_every_verb() {
 #[test]
 fn the_tip_runs_along_each_bead_as_asked() {
     let program = root().join("tests/data/passes.toml").display().to_string();
-    let csv = good(&["motion", &program, "--period-ms", "2"]);
+    let csv = good(&["tools", "motion", &program, "--period-ms", "2"]);
     let rows = table(&csv);
     let (pass, s, v, t) =
         (column(&rows, "pass"), column(&rows, "s_mm"), column(&rows, "speed_mm_s"), column(&rows, "t_s"));
-    let poses =
-        table(&String::from_utf8(run_with(&["kinematics", "table-tilting-xyzac", "--forward"], &csv).stdout).unwrap());
+    let poses = table(
+        &String::from_utf8(run_with(&["machine", "kinematics", "table-tilting-xyzac", "--forward"], &csv).stdout)
+            .unwrap(),
+    );
     let tip: Vec<[f64; 3]> = poses.1.iter().map(|p| [p[0], p[1], p[2]]).collect();
     // One turn of the root: the seam itself.
     let root: Vec<usize> = (0..tip.len()).filter(|&i| (pass[i] - 1.0).abs() < 0.5).collect();
@@ -97,7 +99,7 @@ fn the_tip_runs_along_each_bead_as_asked() {
         let near = |i: &usize| (s[*i] - place).abs();
         (0..tip.len()).filter(|&i| pass[i] as usize == p).min_by(|a, b| near(a).total_cmp(&near(b))).unwrap()
     };
-    let seam = good(&["seam", &program, "--every-mm", "1"]);
+    let seam = good(&["tools", "seam", &program, "--every-mm", "1"]);
     let length = {
         let rows = table(&seam);
         column(&rows, "s_mm").into_iter().fold(0.0, f64::max) - 15.0

@@ -118,7 +118,7 @@ fn three_points_three_faces_and_a_chuck() {
 
 #[test]
 fn axis_positions_are_as_good_as_points() {
-    let kinematics = ["kinematics", "saddle-4axis", "--forward"];
+    let kinematics = ["machine", "kinematics", "saddle-4axis", "--forward"];
     let axes =
         "theta,s,h,beta\n0,-100,50,0\n60,-90,60,5\n120,-100,40,0\n180,-110,50,-5\n250,-100,70,0\n300,-100,50,3\n";
     let points = String::from_utf8(run_with(&kinematics, axes).stdout).unwrap();
@@ -141,11 +141,11 @@ fn the_job_written_again_keeps_its_words_and_stands_where_it_was_touched() {
     // The seam stands shifted in the machine: its set-points through forward kinematics, away from those of the old
     // job.
     let tip = |job: &str| -> Vec<f64> {
-        let motion = good(&["motion", job, "--period-ms", "1000"]);
+        let motion = good(&["tools", "motion", job, "--period-ms", "1000"]);
         let table = common::table(&motion);
         let columns = ["theta", "s", "h", "beta"].map(|n| common::column(&table, n)[0]);
         let row = format!("theta,s,h,beta\n{},{},{},{}\n", columns[0], columns[1], columns[2], columns[3]);
-        let out = run_with(&["kinematics", "saddle-4axis", "--forward"], &row).stdout;
+        let out = run_with(&["machine", "kinematics", "saddle-4axis", "--forward"], &row).stdout;
         common::table(&String::from_utf8(out).unwrap()).1[0][..3].to_vec()
     };
     let (old, shifted) = (tip(&example("saddle")), tip(&new));

@@ -111,7 +111,7 @@ fn bad_procedures_have_an_address() {
 
 #[test]
 fn procedures_are_listed_and_printed() {
-    assert!(good(&["procedures"]).contains("135 MAG welding with solid wire"));
+    assert!(good(&["examples", "--procedures"]).contains("135 MAG welding with solid wire"));
     let text = fs::read_to_string(root().join("examples/procedures/135-saddle.toml")).unwrap();
-    assert_eq!(good(&["procedures", "135-saddle"]), text);
+    assert_eq!(good(&["examples", "--procedures", "135-saddle"]), text);
 }

@@ -69,10 +69,10 @@ fn the_dump_counts_to_every_set_point() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("weld.vcd");
     let (job, shown) = (example("head-nozzle"), file.display().to_string());
-    let summary = good(&["pulses", &job, "--period-ms", "4", "--air", "--json", "-o", &shown]);
+    let summary = good(&["tools", "pulses", &job, "--period-ms", "4", "--air", "--json", "-o", &shown]);
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
     let dump = parse(&fs::read_to_string(&file).unwrap());
-    let motion = table(&good(&["motion", &job, "--period-ms", "4", "--air"]));
+    let motion = table(&good(&["tools", "motion", &job, "--period-ms", "4", "--air"]));
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     for axis in summary["axes"].as_array().unwrap() {
         let name = axis["axis"].as_str().unwrap();
@@ -115,9 +115,9 @@ fn the_dump_counts_to_every_set_point() {
 #[test]
 fn rows_say_the_same_as_the_summary() {
     let job = example("head-nozzle");
-    let summary = good(&["pulses", &job, "--period-ms", "10", "--json"]);
+    let summary = good(&["tools", "pulses", &job, "--period-ms", "10", "--json"]);
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
-    let csv = good(&["pulses", &job, "--period-ms", "10"]);
+    let csv = good(&["tools", "pulses", &job, "--period-ms", "10"]);
     let mut lines = csv.lines();
     assert_eq!(lines.next(), Some("t_s,axis,event,direction,steps"));
     let mut state: BTreeMap<String, (i64, i64, u64)> = BTreeMap::new();
@@ -168,7 +168,8 @@ fn changed(changes: &[(&str, &str)], arguments: &[&str]) -> (i32, String, bool) 
     fs::write(folder.path().join("mine.toml"), machine).unwrap();
     let path = |name: &str| folder.path().join(name).display().to_string();
     let output =
-        run(&[&["pulses", &path("job.toml"), "--period-ms", "20", "-o", &path("weld.vcd")], arguments].concat());
+        run(&[&["tools", "pulses", &path("job.toml"), "--period-ms", "20", "-o", &path("weld.vcd")], arguments]
+            .concat());
     let text = [output.stdout, output.stderr].map(|b| String::from_utf8(b).unwrap()).concat();
     println!("{text}");
     (output.status.code().unwrap(), text, Path::new(&path("weld.vcd")).exists())
@@ -213,7 +214,7 @@ fn weak_motors_lose_steps() {
 fn bad_input() {
     let job = example("head-nozzle");
     let refused = |arguments: &[&str], word: &str| {
-        let output = run(&[&["pulses", &job], arguments].concat());
+        let output = run(&[&["tools", "pulses", &job], arguments].concat());
         let text = String::from_utf8(output.stderr).unwrap();
         assert!(output.status.code() == Some(2) && output.stdout.is_empty() && text.contains(word), "{text}");
     };
@@ -229,7 +230,7 @@ fn bad_input() {
     refused(&["-o", &path("pulses")], "ends in .vcd");
     refused(&["-o", &path("none/pulses.vcd")], "there is no such folder");
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-    let output = run(&["pulses", &example("saddle")]);
+    let output = run(&["tools", "pulses", &example("saddle")]);
     let text = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.code() == Some(2) && text.contains("saddle.toml:") && text.contains("stepper"), "{text}");
 }
@@ -240,7 +241,8 @@ fn bad_input() {
 fn a_cell_whose_drives_are_pulses() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
-    let machine = format!("{}\n[devices.drives.steps]\nstream = \"pulses.vcd\"\n", good(&["machines", "torch-5axis"]));
+    let machine =
+        format!("{}\n[devices.drives.steps]\nstream = \"pulses.vcd\"\n", good(&["machine", "show", "torch-5axis"]));
     fs::write(at("stepped.toml"), machine).unwrap();
     let job = fs::read_to_string(example("head-nozzle")).unwrap();
     let named = job.replace("machine = \"torch-5axis\"", "machine = \"stepped.toml\"");

@@ -24,7 +24,7 @@ fn ramped() -> (TempDir, String) {
 #[test]
 fn values_ramp_in_step_with_the_motion() {
     let (_folder, job) = ramped();
-    let t = table(&good(&["motion", &job, "--period-ms", "10"]));
+    let t = table(&good(&["tools", "motion", &job, "--period-ms", "10"]));
     let [time, s, arc, current, voltage] =
         ["t_s", "s_mm", "arc", "current_a", "voltage_v"].map(|name| column(&t, name));
     let length = s[s.len() - 1];
@@ -70,7 +70,7 @@ fn energy_and_trace_have_the_ramp() {
     assert!((energy(1) / (27.0 * 0.240 / 10.0) - 1.0).abs() < 1e-2, "{}", energy(1));
     // The program is the job.
     let program = format!("{out}/program.toml");
-    let motion = |file: &str| good(&["motion", file, "--period-ms", "50"]);
+    let motion = |file: &str| good(&["tools", "motion", file, "--period-ms", "50"]);
     assert_eq!(motion(&program), motion(&job));
     assert!(fs::read_to_string(format!("{out}/report.html")).unwrap().contains("120 to 240"));
 }

@@ -15,11 +15,11 @@ fn the_electron_beam_welder_s_program_reads_welds_and_comes_back() {
     let program = dir.path().join("fig1.toml");
     let path = program.to_str().unwrap();
     let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ebw-fig1.mpf");
-    let read = seamwright(&["read", example, "--machine", "ebw-7axis", "-o", path]);
+    let read = seamwright(&["import", example, "--machine", "ebw-7axis", "-o", path]);
     assert!(read.status.success(), "{}", text(&read.stderr));
     assert!(text(&read.stderr).contains("46.739 s by its feeds"), "{}", text(&read.stderr));
 
-    let motion = seamwright(&["motion", path, "--period-ms", "100"]);
+    let motion = seamwright(&["tools", "motion", path, "--period-ms", "100"]);
     assert!(motion.status.success(), "{}", text(&motion.stderr));
     let out = text(&motion.stdout);
     let mut lines = out.lines();
@@ -65,7 +65,7 @@ fn the_electron_beam_welder_s_program_reads_welds_and_comes_back() {
     assert!(!posted.contains("A_OUT"), "the beam is switched by its current: {posted}");
     let again = dir.path().join("again.mpf");
     fs::write(&again, &posted).unwrap();
-    let second = seamwright(&["read", again.to_str().unwrap(), "--machine", "ebw-7axis"]);
+    let second = seamwright(&["import", again.to_str().unwrap(), "--machine", "ebw-7axis"]);
     assert!(second.status.success(), "{}", text(&second.stderr));
     let points = |toml: &str| -> Vec<String> {
         toml.lines().filter(|l| l.trim_start().starts_with('[') && l.ends_with("],")).map(str::to_owned).collect()
@@ -92,7 +92,7 @@ fn mistakes_have_line_and_column() {
     let read = |name: &str, program: &str, more: &[&str]| {
         let file = dir.path().join(name);
         fs::write(&file, program).unwrap();
-        let mut args = vec!["read", file.to_str().unwrap(), "--machine", "table-tilting-xyzac"];
+        let mut args = vec!["import", file.to_str().unwrap(), "--machine", "table-tilting-xyzac"];
         args.extend(more);
         let out = seamwright(&args);
         (out.status.code().unwrap(), text(&out.stderr).to_string())
@@ -114,7 +114,7 @@ fn mistakes_have_line_and_column() {
         let (code, told) = read("a.ngc", "G1 X10 F100\n", &more);
         assert!(code == 2 && told.contains("--blend-mm"), "{told}");
     }
-    let out = seamwright(&["read", "nowhere.ngc", "--machine", "saddle-4axis"]);
+    let out = seamwright(&["import", "nowhere.ngc", "--machine", "saddle-4axis"]);
     assert_eq!(out.status.code(), Some(2));
 }
 
@@ -173,7 +173,7 @@ fn a_plan_comes_with_its_part_programs() {
     let count = |name: &str, word: &str| fs::read_to_string(name).unwrap().matches(word).count();
     let (poly, plain) = (count(path, " POLY "), folder.join("sinumerik.mpf"));
     assert!(poly > 10 && 2 * poly < count(plain.to_str().unwrap(), "F="), "{poly}");
-    let back = seamwright(&["read", path, "--machine", "table-tilting-xyzac"]);
+    let back = seamwright(&["import", path, "--machine", "table-tilting-xyzac"]);
     assert!(back.status.success() && text(&back.stdout).contains("along = \"cubic\""), "{}", text(&back.stderr));
 }
 
@@ -184,7 +184,7 @@ fn reposted(text: &str, dialect: &str, edits: &[&[&str]]) -> String {
     fs::write(&source, text).unwrap();
     let (source, program) = (source.to_str().unwrap(), program.to_str().unwrap());
     let from = if text.contains("CIP") || text.contains("$A") { "sinumerik" } else { "linuxcnc" };
-    let out = seamwright(&["read", source, "--machine", "table-tilting-xyzac", "--dialect", from, "-o", program]);
+    let out = seamwright(&["import", source, "--machine", "table-tilting-xyzac", "--dialect", from, "-o", program]);
     assert!(out.status.success(), "{}", self::text(&out.stderr));
     for edit in edits {
         let out = seamwright(&[&["edit", program], *edit].concat());

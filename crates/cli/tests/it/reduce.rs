@@ -65,6 +65,7 @@ fn the_drawing_shows_points_lines_and_arcs() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("joint.svg");
     good(&[
+        "tools",
         "reduce",
         &joint(),
         "--tolerance-mm",

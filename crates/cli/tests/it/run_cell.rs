@@ -110,18 +110,18 @@ fn what_cannot_be() {
     assert!(bad(2, &["simulate", &job, "-o", "x", "--fault", "drives:silent"]).contains("DEVICE:KIND@TIME"));
     assert!(bad(2, &["run", "missing.toml", "-o", "x"]).contains("missing.toml"));
     assert!(bad(2, &["run", &job]).contains("--output"));
-    assert!(bad(2, &["latency", "--period-ms", "0.1"]).contains("0.25 to 4"));
-    assert!(bad(2, &["latency", "--seconds=-1"]).contains("seconds"));
+    assert!(bad(2, &["machine", "latency", "--period-ms", "0.1"]).contains("0.25 to 4"));
+    assert!(bad(2, &["machine", "latency", "--seconds=-1"]).contains("seconds"));
 }
 
 #[test]
 fn latency_is_measured() {
-    let told: Value = serde_json::from_str(&good(&["latency", "--seconds", "0.5", "--json"])).unwrap();
+    let told: Value = serde_json::from_str(&good(&["machine", "latency", "--seconds", "0.5", "--json"])).unwrap();
     let counted = told["cycles"].as_u64().unwrap() + told["missed"].as_u64().unwrap();
     assert!((500..=501).contains(&counted) || told["missed"].as_u64().unwrap() > 0, "{told}");
     let sum: u64 = told["histogram"].as_array().unwrap().iter().map(|b| b["cycles"].as_u64().unwrap()).sum();
     assert_eq!(sum, told["cycles"].as_u64().unwrap());
-    assert!(good(&["latency", "--seconds", "0.2"]).contains("begin at most"));
+    assert!(good(&["machine", "latency", "--seconds", "0.2"]).contains("begin at most"));
 }
 
 /// The power fails in a weld: its position is known to a millimetre, and the weld continues only from a position given

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 /// The example ellipse on a machine whose device is at `address`, with `map`.
 fn job(folder: &Path, address: &str, map: &str) -> String {
-    let machine = good(&["machines", "ellipse-xy"]);
+    let machine = good(&["machine", "show", "ellipse-xy"]);
     std::fs::write(
         folder.join("cell.toml"),
         format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\n{map}"),
@@ -80,19 +80,19 @@ fn what_cannot_be_connected_is_told_and_nothing_is_written() {
     let job_path = job(folder.path(), &address, MAP);
     let message = bad(3, &["run", &job_path, "-o", &out_text]);
     assert!(
-        message.contains("`welder`") && message.contains(&address) && message.contains("seamwright io"),
+        message.contains("`welder`") && message.contains(&address) && message.contains("seamwright machine io"),
         "{message}"
     );
     let machine = folder.path().join("cell.toml").display().to_string();
-    assert!(bad(3, &["io", &machine]).contains(&address));
+    assert!(bad(3, &["machine", "io", &machine]).contains(&address));
     // A value that is never set.
     let server = TestServer::new(welder);
     let job_path = job(folder.path(), &server.address.to_string(), &MAP.replace("voltage_v", "volts_v"));
     let message = bad(2, &["run", &job_path, "-o", &out_text]);
     assert!(message.contains("voltage_v") && message.contains("[devices.welder.modbus.set]"), "{message}");
     assert!(!out.exists());
-    assert!(bad(2, &["io", "ellipse-xy"]).contains("[devices.NAME.modbus]"));
-    assert!(bad(2, &["io", &machine, "--every-s", "0"]).contains("--every-s"));
+    assert!(bad(2, &["machine", "io", "ellipse-xy"]).contains("[devices.NAME.modbus]"));
+    assert!(bad(2, &["machine", "io", &machine, "--every-s", "0"]).contains("--every-s"));
 }
 
 #[test]
@@ -102,13 +102,14 @@ fn registers_by_name() {
     let folder = tempfile::tempdir().unwrap();
     job(folder.path(), &server.address.to_string(), MAP);
     let machine = folder.path().join("cell.toml").display().to_string();
-    let text = good(&["io", &machine]);
+    let text = good(&["machine", "io", &machine]);
     assert!(text.starts_with("t_s,device,register,place,raw,value,unit,age_s,trouble\n"), "{text}");
     assert!(text.contains(",welder,set.current_a,holding 0 u16,905,90.5,a,"), "{text}");
     assert!(text.contains(",welder,inputs.gas_ok,discrete 2,1,1,,"), "{text}");
     assert_eq!(text.lines().count(), 10);
     let rows: Value =
-        serde_json::from_str(&good(&["io", &machine, "--json", "--every-s", "0.05", "--times", "3"])).unwrap();
+        serde_json::from_str(&good(&["machine", "io", &machine, "--json", "--every-s", "0.05", "--times", "3"]))
+            .unwrap();
     let rows = rows.as_array().unwrap();
     assert_eq!(rows.len(), 27);
     assert!(rows[26]["t_s"].as_f64().unwrap() >= 0.1 && rows[26]["age_s"].as_f64().unwrap() < 5.0);

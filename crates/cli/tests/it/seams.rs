@@ -16,7 +16,7 @@ fn with(verb: &str, text: &str) -> (i32, String, String) {
     fs::write(&path, text).unwrap();
     let out = folder.path().join("out").display().to_string();
     let path = path.display().to_string();
-    let arguments = if verb == "seam" { vec![verb, &path] } else { vec![verb, &path, "-o", &out] };
+    let arguments = if verb == "seam" { vec!["tools", verb, &path] } else { vec![verb, &path, "-o", &out] };
     let output = run(&arguments);
     let words = |bytes| String::from_utf8(bytes).unwrap();
     (output.status.code().unwrap(), words(output.stdout), words(output.stderr))
@@ -64,7 +64,7 @@ fn the_tube_plate_welds_as_printed_and_with_every_choice() {
     // Its corners, from lines into arcs, are blended within less than a micrometre, so no blend is reported.
     assert_eq!(blends, 0, "{report:#}");
     // Everywhere within 0.05 mm of the rounded rectangle.
-    let t = table(&good(&["motion", &example("tube-plate"), "--period-ms", "5"]));
+    let t = table(&good(&["tools", "motion", &example("tube-plate"), "--period-ms", "5"]));
     let (x, y) = (column(&t, "x"), column(&t, "y"));
     let away = |(x, y): (&f64, &f64)| (((x.abs() - 22.0).max(0.0)).hypot((y.abs() - 12.0).max(0.0)) - 8.0).abs();
     let worst = x.iter().zip(&y).map(away).fold(0.0, f64::max);

@@ -18,7 +18,7 @@ fn the_torchs_angles_are_drawn_and_listed() {
     let folder = tempfile::tempdir().unwrap();
     let [upright, leaning] = [0.0, 40.0].map(|angle| {
         let svg = folder.path().join(format!("{angle}.svg"));
-        let rows = good(&["section", &job(folder.path(), angle), "--svg", &svg.display().to_string()]);
+        let rows = good(&["tools", "section", &job(folder.path(), angle), "--svg", &svg.display().to_string()]);
         (table(&rows), std::fs::read_to_string(svg).unwrap())
     });
     assert_ne!(upright.1, leaning.1, "the same drawing");
@@ -43,7 +43,7 @@ fn a_joint_without_beads_shows_the_torch_of_its_weld() {
     let path = folder.path().join("v.toml");
     std::fs::write(&path, text).unwrap();
     let svg = folder.path().join("v.svg").display().to_string();
-    let rows = table(&good(&["section", &path.display().to_string(), "--svg", &svg]));
+    let rows = table(&good(&["tools", "section", &path.display().to_string(), "--svg", &svg]));
     assert!(column(&rows, "torch_work_angle_deg").iter().all(|angle| (angle - 11.0).abs() < 1e-9));
     assert!(std::fs::read_to_string(&svg).unwrap().contains("class=\"wire-tip\""));
 }

@@ -47,7 +47,7 @@ fn periods() {
         ("1e6", "pass 1"),
         ("1e300", "pass 1"),
     ] {
-        let output = run(&["motion", &job, "--period-ms", period]);
+        let output = run(&["tools", "motion", &job, "--period-ms", period]);
         let text = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{period}: {text}");
         assert!(output.stdout.is_empty());
@@ -71,7 +71,7 @@ fn speeds_beyond_any_possibility() {
         let (code, found) = findings(&job);
         assert_eq!(code, 0, "{found:?}");
         let file = folder.path().join("c.json").display().to_string();
-        let output = run(&["motion", &job, "--period-ms", "20", "--certificate", &file]);
+        let output = run(&["tools", "motion", &job, "--period-ms", "20", "--certificate", &file]);
         assert_eq!(output.status.code(), Some(0));
         let certificate: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
         let number = |key: &str| certificate["passes"][0][key].as_f64().unwrap();
@@ -94,8 +94,8 @@ fn limits_of_machine_files() {
     ] {
         let name = key.split(' ').next().unwrap();
         let (_folder, job) = changed("saddle", "saddle-4axis", &[], &[(key, &format!("{name} = {value}"))]);
-        for verb in ["check", "motion"] {
-            let output = run(&[verb, &job]);
+        for verb in [&["check"][..], &["tools", "motion"]] {
+            let output = run(&[verb, &[job.as_str()]].concat());
             let text = String::from_utf8(output.stderr).unwrap();
             assert_eq!(output.status.code(), Some(2), "{text}");
             assert!(output.stdout.is_empty());
@@ -132,11 +132,11 @@ fn the_procedure_s_least_speed() {
         assert!(f["cure"].as_str().unwrap().contains("least_speed_mm_s"));
     }
     // At the start and at the end of the second stretch the tip has that speed.
-    let output = run(&["motion", &path, "--period-ms", "20"]);
+    let output = run(&["tools", "motion", &path, "--period-ms", "20"]);
     assert_eq!((output.status.code(), output.stdout.len()), (Some(1), 0));
     let ends = ["from_mm", "to_mm"].map(|key| forbidding[1][key].as_f64().unwrap());
     let (_folder, path) = job("speed_mm_s = 60\non_limit = \"slow\"");
-    let rows = common::table(&common::good(&["motion", &path, "--period-ms", "1"]));
+    let rows = common::table(&common::good(&["tools", "motion", &path, "--period-ms", "1"]));
     let (s, v) = (common::column(&rows, "s_mm"), common::column(&rows, "speed_mm_s"));
     for end in ends {
         let i = s.partition_point(|s| *s < end);

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 /// The example ellipse on a machine whose process source is at `address`.
 pub(crate) fn job(folder: &Path, address: &str) -> String {
-    let machine = good(&["machines", "ellipse-xy"]);
+    let machine = good(&["machine", "show", "ellipse-xy"]);
     let machine = format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 1\n{MAP}");
     std::fs::write(folder.join("cell.toml"), machine).unwrap();
     let text = std::fs::read_to_string(example("ellipse")).unwrap();

@@ -44,7 +44,7 @@ fn a_v_groove_in_pixels_and_in_mm() {
     let image = scene.image(&StripeDisturbances::USUAL, 1);
     let truth = image.truth.joint().unwrap();
     let path = pgm("v.pgm", &image.image);
-    let text = good(&["stripe", &path, "--joint", "v", "--mm-per-px", "0.05"]);
+    let text = good(&["vision", "stripe", &path, "--joint", "v", "--mm-per-px", "0.05"]);
     let t = table(&text);
     assert!(text.starts_with("feature,x_px,y_px,confidence,value,unit,y_mm,z_mm\njoint,"), "{text}");
     let (y, z) = (column(&t, "y_mm")[0], column(&t, "z_mm")[0]);
@@ -55,7 +55,7 @@ fn a_v_groove_in_pixels_and_in_mm() {
     let cells: Vec<&str> = gap.split(',').collect();
     assert!((cells[4].parse::<f64>().unwrap() - 1.0).abs() < 0.1 && cells[5] == "mm", "{gap}");
     // In pixels it is the same point, and lengths are in pixels.
-    let in_px = good(&["stripe", &path, "--joint", "v", "--json"]);
+    let in_px = good(&["vision", "stripe", &path, "--joint", "v", "--json"]);
     let v: Value = serde_json::from_str(&in_px).unwrap();
     assert!((v["points"]["joint"]["x_px"].as_f64().unwrap() - px.x).abs() < 2.0, "{in_px}");
     assert!((v["values"]["gap_px"].as_f64().unwrap() - 20.0).abs() < 2.0, "{in_px}");
@@ -83,11 +83,13 @@ fn a_fillet_through_the_sensor_of_a_machine() {
     assert!((v["values"]["angle_deg"].as_f64().unwrap() - 1.5f64.to_degrees()).abs() < 0.3, "{v}");
     assert!((v["values"]["gap_mm"].as_f64().unwrap() - 0.8).abs() < 0.1, "{v}");
     let small = pgm("small.pgm", &self::scene().image(&StripeDisturbances::CLEAN, 1).image);
-    let told = bad(2, &["stripe", &small, "--joint", "v", "--machine", "dual-laser-10axis", "--sensor", "left"]);
+    let told =
+        bad(2, &["vision", "stripe", &small, "--joint", "v", "--machine", "dual-laser-10axis", "--sensor", "left"]);
     assert!(told.contains("1024 x 512") && told.contains("1280 x 1024"), "{told}");
-    let told = bad(2, &["stripe", &path, "--joint", "v", "--machine", "dual-laser-10axis", "--sensor", "lift"]);
+    let told =
+        bad(2, &["vision", "stripe", &path, "--joint", "v", "--machine", "dual-laser-10axis", "--sensor", "lift"]);
     assert!(told.contains("left, right"), "{told}");
-    let told = bad(2, &["stripe", &path, "--joint", "v", "--machine", "torch-5axis", "--sensor", "left"]);
+    let told = bad(2, &["vision", "stripe", &path, "--joint", "v", "--machine", "torch-5axis", "--sensor", "left"]);
     assert!(told.contains("none"), "{told}");
 }
 
@@ -101,7 +103,7 @@ fn a_profile_with_holes() {
             _ => csv += &format!("{},{},\n", p.y, p.x),
         }
     }
-    let output = run_with(&["stripe", "-", "--joint", "v"], &csv);
+    let output = run_with(&["vision", "stripe", "-", "--joint", "v"], &csv);
     let text = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let t = table(&text);
@@ -114,7 +116,7 @@ fn a_profile_with_holes() {
 fn the_overlay_is_a_picture_of_the_same_size() {
     let path = pgm("overlay.pgm", &scene().image(&StripeDisturbances::USUAL, 4).image);
     let png = file("overlay.png", b"");
-    good(&["stripe", &path, "--joint", "v", "--overlay", &png]);
+    good(&["vision", "stripe", &path, "--joint", "v", "--overlay", &png]);
     let picture = image::open(&png).unwrap().into_rgb8();
     assert_eq!(picture.dimensions(), (1024, 512));
     let coloured = picture.pixels().filter(|p| p.0[0].abs_diff(p.0[2]) > 100).count();
@@ -130,20 +132,20 @@ fn no_such_joint_ends_with_1_and_says_why() {
     for (joint, why) in
         [("fillet", "no corner"), ("v", "no groove"), ("lap", "no step"), ("butt", "no gap"), ("u", "no groove")]
     {
-        let told = bad(1, &["stripe", &path, "--joint", joint]);
+        let told = bad(1, &["vision", "stripe", &path, "--joint", joint]);
         assert!(told.contains(why), "{joint}: {told}");
     }
     let dark = pgm("dark.pgm", &Image::U8 { width: 300, height: 200, pixels: vec![7; 60000] });
-    assert!(bad(1, &["stripe", &dark, "--joint", "v"]).contains("no stripe"));
+    assert!(bad(1, &["vision", "stripe", &dark, "--joint", "v"]).contains("no stripe"));
     let white = pgm("white.pgm", &Image::U8 { width: 300, height: 200, pixels: vec![255; 60000] });
-    assert!(bad(1, &["stripe", &white, "--joint", "v"]).contains("saturated"));
-    let output = run(&["stripe", &white, "--joint", "v", "--json"]);
+    assert!(bad(1, &["vision", "stripe", &white, "--joint", "v"]).contains("saturated"));
+    let output = run(&["vision", "stripe", &white, "--joint", "v", "--json"]);
     let v: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert!(v["found"] == false && v["reason"].as_str().unwrap().contains("saturated"));
     let one = file("one.csv", b"y_mm,z_mm\n1,2\n");
-    assert!(bad(1, &["stripe", &one, "--joint", "v"]).contains("1 usable points"));
+    assert!(bad(1, &["vision", "stripe", &one, "--joint", "v"]).contains("1 usable points"));
     let same = format!("y_mm,z_mm\n{}", "1,2\n".repeat(100));
-    assert!(bad(1, &["stripe", &file("same.csv", same.as_bytes()), "--joint", "v"]).contains("points"));
+    assert!(bad(1, &["vision", "stripe", &file("same.csv", same.as_bytes()), "--joint", "v"]).contains("points"));
 }
 
 /// An image with its last row first.
@@ -158,15 +160,18 @@ fn an_image_upside_down_gets_a_hint() {
     let upright = scene().image(&StripeDisturbances::USUAL, 1).image;
     let path = pgm("upside-down.pgm", &upside_down(&upright));
     for scale in [&["--mm-per-px", "0.05"][..], &[]] {
-        let told = bad(1, &[&["stripe", &path, "--joint", "v"], scale].concat());
+        let told = bad(1, &[&["vision", "stripe", &path, "--joint", "v"], scale].concat());
         assert!(told.contains("hint: upside down the joint is there"), "{told}");
     }
     let mut csv = "y_mm,z_mm\n".to_owned();
     scene().profile(0.02, 0.0, 0.0, 3).iter().for_each(|p| csv += &format!("{},{}\n", p.x, -p.y));
-    assert!(bad(1, &["stripe", &file("turned.csv", csv.as_bytes()), "--joint", "v"]).contains("hint: upside down"));
+    assert!(
+        bad(1, &["vision", "stripe", &file("turned.csv", csv.as_bytes()), "--joint", "v"])
+            .contains("hint: upside down")
+    );
     // An image without a joint in either orientation gets no hint.
     let dark = pgm("dark.pgm", &Image::U8 { width: 300, height: 200, pixels: vec![7; 60000] });
-    assert!(!bad(1, &["stripe", &dark, "--joint", "v"]).contains("hint"));
+    assert!(!bad(1, &["vision", "stripe", &dark, "--joint", "v"]).contains("hint"));
 }
 
 #[test]
@@ -181,39 +186,45 @@ fn a_joint_that_may_not_be_followed_ends_with_1_and_says_why() {
         row[from..to].fill(0);
     }
     let path = pgm("hole.pgm", &image);
-    let output = run(&["stripe", &path, "--joint", "v"]);
+    let output = run(&["vision", "stripe", &path, "--joint", "v"]);
     let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
     assert_eq!(output.status.code(), Some(1), "{out}{err}");
     assert!(out.contains("\njoint,"), "{out}");
     assert!(err.contains("is below 0.5") && err.contains("dark places"), "{err}");
-    let json: Value = serde_json::from_slice(&run(&["stripe", &path, "--joint", "v", "--json"]).stdout).unwrap();
+    let json: Value =
+        serde_json::from_slice(&run(&["vision", "stripe", &path, "--joint", "v", "--json"]).stdout).unwrap();
     assert!(json["confident"] == false && json["doubt"].as_str().unwrap().contains("dark places"), "{json}");
 }
 
 #[test]
 fn bad_input_is_named() {
     let path = pgm("good.pgm", &scene().image(&StripeDisturbances::USUAL, 6).image);
-    let told = bad(2, &["stripe", &path, "--joint", "w"]);
+    let told = bad(2, &["vision", "stripe", &path, "--joint", "w"]);
     assert!(told.contains("fillet, v, lap, butt, u, j"), "{told}");
     let bytes = std::fs::read(&path).unwrap();
     let cut = file("cut.pgm", &bytes[..bytes.len() / 2]);
-    assert!(bad(2, &["stripe", &cut, "--joint", "v"]).contains("cut.pgm: unreadable image"));
+    assert!(bad(2, &["vision", "stripe", &cut, "--joint", "v"]).contains("cut.pgm: unreadable image"));
     let absurd = file("absurd.pgm", b"P5\n99999999 99999999\n255\n0");
-    assert!(bad(2, &["stripe", &absurd, "--joint", "v"]).contains("absurd.pgm"));
-    assert!(bad(2, &["stripe", &file("bytes.bin", &[0xff, 0xfe, 0, 1]), "--joint", "v"]).contains("neither an image"));
-    assert!(bad(2, &["stripe", &file("wrong.csv", b"x_mm,z_mm\n1,2\n"), "--joint", "v"]).contains("y_mm"));
-    let told = bad(2, &["stripe", &file("text.csv", b"y_mm,z_mm\n1,2\n1,two\n"), "--joint", "v"]);
+    assert!(bad(2, &["vision", "stripe", &absurd, "--joint", "v"]).contains("absurd.pgm"));
+    assert!(
+        bad(2, &["vision", "stripe", &file("bytes.bin", &[0xff, 0xfe, 0, 1]), "--joint", "v"])
+            .contains("neither an image")
+    );
+    assert!(bad(2, &["vision", "stripe", &file("wrong.csv", b"x_mm,z_mm\n1,2\n"), "--joint", "v"]).contains("y_mm"));
+    let told = bad(2, &["vision", "stripe", &file("text.csv", b"y_mm,z_mm\n1,2\n1,two\n"), "--joint", "v"]);
     assert!(told.contains("text.csv:3: z_mm = `two`"), "{told}");
-    assert!(bad(2, &["stripe", &file("far.csv", b"y_mm,z_mm\n1,1e300\n"), "--joint", "v"]).contains("far.csv:2"));
-    assert!(bad(2, &["stripe", "nowhere.png", "--joint", "v"]).contains("nowhere.png: cannot be read"));
-    assert!(bad(2, &["stripe", &root().display().to_string(), "--joint", "v"]).contains("cannot be read"));
+    assert!(
+        bad(2, &["vision", "stripe", &file("far.csv", b"y_mm,z_mm\n1,1e300\n"), "--joint", "v"]).contains("far.csv:2")
+    );
+    assert!(bad(2, &["vision", "stripe", "nowhere.png", "--joint", "v"]).contains("nowhere.png: cannot be read"));
+    assert!(bad(2, &["vision", "stripe", &root().display().to_string(), "--joint", "v"]).contains("cannot be read"));
     for scale in ["0", "-1", "nan", "inf"] {
-        assert!(bad(2, &["stripe", &path, "--joint", "v", "--mm-per-px", scale]).contains("--mm-per-px"));
+        assert!(bad(2, &["vision", "stripe", &path, "--joint", "v", "--mm-per-px", scale]).contains("--mm-per-px"));
     }
-    let told = bad(2, &["stripe", &path, "--joint", "lap", "--thickness-mm", "0"]);
+    let told = bad(2, &["vision", "stripe", &path, "--joint", "lap", "--thickness-mm", "0"]);
     assert!(told.contains("--thickness-mm"), "{told}");
     let csv = file("profile.csv", b"y_mm,z_mm\n1,2\n");
-    assert!(bad(2, &["stripe", &csv, "--joint", "v", "--mm-per-px", "0.05"]).contains("a profile is in mm"));
-    let told = bad(2, &["stripe", &path, "--joint", "v", "--overlay", "/nowhere/at/all.png"]);
+    assert!(bad(2, &["vision", "stripe", &csv, "--joint", "v", "--mm-per-px", "0.05"]).contains("a profile is in mm"));
+    let told = bad(2, &["vision", "stripe", &path, "--joint", "v", "--overlay", "/nowhere/at/all.png"]);
     assert!(told.contains("cannot be written"), "{told}");
 }

@@ -39,8 +39,8 @@ fn the_taught_saddle_plans_without_a_stop() {
 #[test]
 fn recorded_positions_are_the_points() {
     let text = fs::read_to_string(example("taught-saddle")).unwrap();
-    let job_seam = table(&good(&["seam", &example("taught-saddle"), "--every-mm", "1"]));
-    let motion = table(&good(&["motion", &example("taught-saddle"), "--period-ms", "20"]));
+    let job_seam = table(&good(&["tools", "seam", &example("taught-saddle"), "--every-mm", "1"]));
+    let motion = table(&good(&["tools", "motion", &example("taught-saddle"), "--period-ms", "20"]));
     let (s, axes) = (column(&motion, "s_mm"), ["theta", "s", "h", "beta"].map(|a| column(&motion, a)));
     let rows: Vec<String> = [350.0, 390.0, 430.0, 470.0]
         .map(|place: f64| {
@@ -52,7 +52,7 @@ fn recorded_positions_are_the_points() {
     let recorded = format!("{head}axes = [{}]\n[sequence]{tail}", rows.join(", "));
     let folder = tempfile::tempdir().unwrap();
     let job = write(folder.path(), "job.toml", &recorded);
-    let seam = table(&good(&["seam", &job, "--every-mm", "1"]));
+    let seam = table(&good(&["tools", "seam", &job, "--every-mm", "1"]));
     // Other points of the same curve: nearly the same spline.
     let near = ["x_mm", "y_mm", "z_mm"].map(|name| {
         let pairs = column(&seam, name);
@@ -93,7 +93,7 @@ fn tables_weld_and_programs_hold_their_points() {
     let alone = tempfile::tempdir().unwrap();
     let program = fs::read_to_string(folder.path().join("out/program.toml")).unwrap();
     let moved = write(alone.path(), "program.toml", &program);
-    assert_eq!(good(&["seam", &moved]), good(&["seam", &path]));
+    assert_eq!(good(&["tools", "seam", &moved]), good(&["tools", "seam", &path]));
 
     let refused = |csv: &str, words: &[&str]| {
         write(folder.path(), "joint.csv", csv);

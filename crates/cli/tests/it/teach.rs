@@ -372,11 +372,11 @@ fn reduced_to_a_spline_with_the_torch_at_its_angles() {
 /// Positions and directions of the torch all along the planned motion of a job or program on the EBW machine.
 fn poses(job: &str) -> Vec<(DVec3, DVec3)> {
     let axes = ["x", "y", "z", "v", "q", "u", "w"];
-    let motion = common::table(&good(&["motion", job, "--period-ms", "20"]));
+    let motion = common::table(&good(&["tools", "motion", job, "--period-ms", "20"]));
     let columns = axes.map(|name| common::column(&motion, name));
     let rows = (0..columns[0].len()).map(|i| columns.iter().map(|c| c[i].to_string()).collect::<Vec<_>>().join(","));
     let input = std::iter::once(axes.join(",")).chain(rows).map(|row| row + "\n").collect::<String>();
-    let output = run_with(&["kinematics", "ebw-7axis", "--forward"], &input);
+    let output = run_with(&["machine", "kinematics", "ebw-7axis", "--forward"], &input);
     let poses = common::table(&String::from_utf8(output.stdout).unwrap());
     let at = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"].map(|name| common::column(&poses, name));
     let vector = |i: usize, k: usize| DVec3::new(at[k][i], at[k + 1][i], at[k + 2][i]);

@@ -7,9 +7,9 @@ const AXES: [&str; 4] = ["theta", "s", "h", "beta"];
 #[test]
 fn fine_set_points_pass_through_the_coarse_ones() {
     let job = example("saddle");
-    let fine = table(&good(&["motion", &job, "--period-ms", "5", "--coarse-ms", "20"]));
-    let coarse = table(&good(&["motion", &job, "--period-ms", "20"]));
-    let exact = table(&good(&["motion", &job, "--period-ms", "5"]));
+    let fine = table(&good(&["tools", "motion", &job, "--period-ms", "5", "--coarse-ms", "20"]));
+    let coarse = table(&good(&["tools", "motion", &job, "--period-ms", "20"]));
+    let exact = table(&good(&["tools", "motion", &job, "--period-ms", "5"]));
     assert_eq!(fine.0, exact.0);
     assert_eq!(fine.1.len(), 4 * (coarse.1.len() - 1) + 1);
     let t = column(&fine, "t_s");
@@ -33,8 +33,8 @@ fn fine_set_points_pass_through_the_coarse_ones() {
 fn spline1_passes_through_the_set_points() {
     for (name, air) in [("saddle", false), ("ellipse", true)] {
         let job = example(name);
-        let arguments = ["motion", &job, "--period-ms", "10", "--air"];
-        let arguments = if air { &arguments[..] } else { &arguments[..4] };
+        let arguments = ["tools", "motion", &job, "--period-ms", "10", "--air"];
+        let arguments = if air { &arguments[..] } else { &arguments[..5] };
         let control = table(&good(&[arguments, &["--export", "spline1"]].concat()));
         let exact = table(&good(arguments));
         assert_eq!((control.1.len(), &control.0), (exact.1.len() + 48, &exact.0));
@@ -58,8 +58,8 @@ fn spline1_passes_through_the_set_points() {
 /// Positions and speeds are those of one curve without jumps in acceleration.
 #[test]
 fn pvt_has_continuous_accelerations() {
-    let exact = table(&good(&["motion", &example("saddle"), "--period-ms", "10"]));
-    let pvt = table(&good(&["motion", &example("saddle"), "--period-ms", "10", "--export", "pvt"]));
+    let exact = table(&good(&["tools", "motion", &example("saddle"), "--period-ms", "10"]));
+    let pvt = table(&good(&["tools", "motion", &example("saddle"), "--period-ms", "10", "--export", "pvt"]));
     let h = 0.01;
     for (name, speed) in AXES.iter().zip(["theta_deg_s", "s_mm_s", "h_mm_s", "beta_deg_s"]) {
         let (q, v) = (column(&pvt, name), column(&pvt, speed));
@@ -81,7 +81,7 @@ fn pvt_has_continuous_accelerations() {
 fn bad_input() {
     let job = example("ellipse");
     let refused = |arguments: &[&str], word: &str| {
-        let output = run(&[&["motion", &job], arguments].concat());
+        let output = run(&[&["tools", "motion", &job], arguments].concat());
         let text = String::from_utf8(output.stderr).unwrap();
         assert!(output.status.code() == Some(2) && output.stdout.is_empty() && text.contains(word), "{text}");
     };

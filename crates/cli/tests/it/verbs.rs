@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 
 #[test]
 fn seam_has_the_contract_s_columns_and_the_reference_s_values() {
-    let csv = good(&["seam", &example("saddle"), "--phi-deg", "0,90,-30"]);
+    let csv = good(&["tools", "seam", &example("saddle"), "--phi-deg", "0,90,-30"]);
     let t = table(&csv);
     assert_eq!(t.0.join(","), "s_mm,phi_deg,x_mm,y_mm,z_mm,tx,ty,tz,n1x,n1y,n1z,n2x,n2y,n2z,bx,by,bz,dihedral_deg");
     assert_eq!(column(&t, "phi_deg"), [0.0, 90.0, -30.0]);
@@ -19,19 +19,19 @@ fn seam_has_the_contract_s_columns_and_the_reference_s_values() {
 
 #[test]
 fn seam_points_are_equally_far_apart() {
-    let t = table(&good(&["seam", &example("ellipse"), "--points", "50"]));
+    let t = table(&good(&["tools", "seam", &example("ellipse"), "--points", "50"]));
     let s = column(&t, "s_mm");
     assert_eq!(s.len(), 50);
     let step = (s[49] - s[0]) / 49.0;
     assert!(s.windows(2).all(|w| (w[1] - w[0] - step).abs() < 1e-12));
-    let t = table(&good(&["seam", &example("ellipse"), "--every-mm", "10"]));
+    let t = table(&good(&["tools", "seam", &example("ellipse"), "--every-mm", "10"]));
     assert_eq!(t.1.len(), 13);
     assert!((column(&t, "s_mm")[12] - s[49]).abs() < 1e-12);
 }
 
 #[test]
 fn json_says_the_same_as_csv() {
-    let arguments = ["seam", &example("ellipse"), "--points", "5"];
+    let arguments = ["tools", "seam", &example("ellipse"), "--points", "5"];
     let t = table(&good(&arguments));
     let json: Value = serde_json::from_str(&good(&[&arguments[..], &["--json"]].concat())).unwrap();
     let rows = json.as_array().unwrap();
@@ -52,10 +52,10 @@ fn motion_through_forward_kinematics_keeps_the_speed() {
         ("trunnion-saddle", "table-tilting-xyzac", 8.0),
         ("oblique-girth", "ebw-7axis", 10.0),
     ] {
-        let csv = good(&["motion", &example(name), "--period-ms", "20"]);
+        let csv = good(&["tools", "motion", &example(name), "--period-ms", "20"]);
         let t = table(&csv);
         assert_eq!(t.0[..3], ["t_s", "pass", "s_mm"]);
-        let poses = run_with(&["kinematics", machine, "--forward"], &csv);
+        let poses = run_with(&["machine", "kinematics", machine, "--forward"], &csv);
         let p = table(&String::from_utf8(poses.stdout).unwrap());
         assert_eq!(p.0.join(","), "x_mm,y_mm,z_mm,ax,ay,az");
         let (s, v) = (column(&t, "s_mm"), column(&t, "speed_mm_s"));
@@ -73,7 +73,7 @@ fn motion_through_forward_kinematics_keeps_the_speed() {
 
 #[test]
 fn process_columns_follow_the_arc() {
-    let t = table(&good(&["motion", &example("saddle"), "--period-ms", "100"]));
+    let t = table(&good(&["tools", "motion", &example("saddle"), "--period-ms", "100"]));
     let (arc, current) = (column(&t, "arc"), column(&t, "current_a"));
     assert!(arc.iter().zip(&current).all(|(a, c)| (*c - 240.0 * a).abs() < 1e-12));
     assert!(arc[0] < 0.5 && arc[10] > 0.5 && arc[arc.len() - 1] < 0.5);
@@ -91,7 +91,7 @@ fn plan_and_simulate_leave_whole_files() {
     assert_eq!(names, ["program.toml", "report.html", "report.json"]);
     // The program welds as the job does.
     let program = out.join("program.toml").display().to_string();
-    let motion = |file: &str| good(&["motion", file, "--period-ms", "50"]);
+    let motion = |file: &str| good(&["tools", "motion", file, "--period-ms", "50"]);
     assert_eq!(motion(&program), motion(&example("ellipse")));
     let report: Value = serde_json::from_str(&good(&["simulate", &program, "-o", &shown, "--json"])).unwrap();
     // Length by speed, and the loss of the acceleration and deceleration phases.
@@ -131,15 +131,20 @@ fn the_same_seed_gives_the_same_weld() {
 #[test]
 fn kinematics_come_back() {
     let csv = "a,x,y,z,c\n8,7.1077,33.3687,32.0754,60\n-20,1,2,3,-60\n";
-    let poses = run_with(&["kinematics", "table-tilting-xyzac", "--forward"], csv);
-    let back = run_with(&["kinematics", "table-tilting-xyzac", "--inverse"], &String::from_utf8(poses.stdout).unwrap());
+    let poses = run_with(&["machine", "kinematics", "table-tilting-xyzac", "--forward"], csv);
+    let back = run_with(
+        &["machine", "kinematics", "table-tilting-xyzac", "--inverse"],
+        &String::from_utf8(poses.stdout).unwrap(),
+    );
     let t = table(&String::from_utf8(back.stdout).unwrap());
     assert_eq!(t.0.join(","), "x,y,z,a,c,error,attitude_error_deg");
     for (row, want) in t.1.iter().zip([[7.1077, 33.3687, 32.0754, 8.0, 60.0], [1.0, 2.0, 3.0, -20.0, -60.0]]) {
         assert!(row.iter().zip(want).all(|(a, b)| (a - b).abs() < 1e-9), "{row:?}");
     }
-    let far =
-        run_with(&["kinematics", "ellipse-xy", "--inverse"], "x_mm,y_mm,z_mm,ax,ay,az\n700,0,0,0,0,-1\n1,2,5,0,0,-1\n");
+    let far = run_with(
+        &["machine", "kinematics", "ellipse-xy", "--inverse"],
+        "x_mm,y_mm,z_mm,ax,ay,az\n700,0,0,0,0,-1\n1,2,5,0,0,-1\n",
+    );
     let text = String::from_utf8(far.stdout).unwrap();
     assert!(
         text.contains("axis x would be at 700") && text.contains("100.000000 mm beyond its limit 600 mm"),
@@ -151,7 +156,7 @@ fn kinematics_come_back() {
 #[test]
 fn interpolation_steps_are_what_they_say() {
     let exact = |curve: &str, step: &str| {
-        let arguments = ["interpolate", "--curve", curve, "--step", step, "--full-turn"];
+        let arguments = ["tools", "interpolate", "--curve", curve, "--step", step, "--full-turn"];
         table(&good(&arguments))
     };
     for (curve, wanted) in [("ellipse", 0.05), ("saddle", 0.2)] {
@@ -159,7 +164,7 @@ fn interpolation_steps_are_what_they_say() {
         let chords = column(&t, "chord_mm");
         assert!(chords[1..chords.len() - 1].iter().all(|c| (c / wanted - 1.0).abs() < 1e-9), "{curve}");
     }
-    let summary = table(&good(&["interpolate", "--curve", "ellipse", "--method", "all", "--summary"]));
+    let summary = table(&good(&["tools", "interpolate", "--curve", "ellipse", "--method", "all", "--summary"]));
     let (low, high) = (column(&summary, "chord_min_percent"), column(&summary, "chord_max_percent"));
     // ELLIPSE-2015 as printed: -20 % to +25 %; polar up to 2.5 %; tangent up to 0.032 %.
     assert!((low[1] + 20.0).abs() < 0.01 && (high[1] - 25.0).abs() < 0.01);
@@ -170,8 +175,8 @@ fn interpolation_steps_are_what_they_say() {
 #[test]
 fn lists_and_copies() {
     for name in ["saddle-4axis", "torch-5axis", "ellipse-xy", "table-tilting-xyzac"] {
-        assert!(good(&["machines"]).contains(name));
-        let text = good(&["machines", name]);
+        assert!(good(&["machine", "list"]).contains(name));
+        let text = good(&["machine", "show", name]);
         assert_eq!(text, fs::read_to_string(root().join("machines").join(format!("{name}.toml"))).unwrap());
     }
     let listed = good(&["examples"]);
@@ -241,6 +246,6 @@ fn several_jobs_keep_their_exit_code_without_a_reader() {
 #[test]
 fn a_far_point_is_out_of_reach_and_no_axis_of_the_wrist_is_blamed() {
     let far = "x_mm,y_mm,z_mm,ax,ay,az\n1e9,0,0,0,1,-0.3\n";
-    let text = String::from_utf8(run_with(&["kinematics", "torch-5axis", "--inverse"], far).stdout).unwrap();
+    let text = String::from_utf8(run_with(&["machine", "kinematics", "torch-5axis", "--inverse"], far).stdout).unwrap();
     assert!(text.contains("out of reach by 99") && text.contains("axis x"), "{text}");
 }

@@ -8,7 +8,7 @@
 //! `v = x - e (x^2 - near^2)`, d within the angle `asin(near / |v|)` of v, that is `|d x v| <= near` and `d . v > 0`.
 //!
 //! A point nearer than that to O or E imposes no condition. With `near` = 0 in v, `|d x v|` is thus the distance from
-//! the arc to first order: the sum of its squares is least for the eigenvector of the sum of v v' with the greatest
+//! the arc to first order: the sum of its squares is least for the eigenvector of the sum of v v' with the largest
 //! eigenvalue.
 
 use super::discs::{Chart, Disc, apart, common};

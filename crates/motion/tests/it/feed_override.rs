@@ -14,7 +14,7 @@ struct Seen {
     speed: f64,
     acceleration: f64,
     jerk: f64,
-    /// Greatest step of the path length against the speeds at its ends, mm.
+    /// Maximum step of the path length against the speeds at its ends, mm.
     jump: f64,
     periods: u64,
     on_faster: u64,

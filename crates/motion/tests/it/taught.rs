@@ -53,7 +53,7 @@ fn cut(machine: &Machine, step: f64) -> Vec<Joints> {
 struct Run {
     duration: f64,
     stops: usize,
-    /// Greatest use of speeds, accelerations and jerks.
+    /// Maximum use of speeds, accelerations and jerks.
     used: [f64; 3],
     /// Instant, speed of the tip, positions.
     rows: Vec<(f64, f64, Joints)>,

@@ -106,7 +106,7 @@ impl Profile {
         self.duration - self.down
     }
 
-    /// Greatest speed, acceleration and jerk of each axis on a dense grid with both sides of the borders.
+    /// Maximum speed, acceleration and jerk of each axis on a dense grid with both sides of the borders.
     fn uses(&self) -> Vec<[f64; 3]> {
         let mut most = vec![[0.0f64; 3]; self.axes.len()];
         let mut see = |t: f64, before: bool| {

@@ -71,7 +71,7 @@ impl Weld {
         (self.machine.forward(&r.q).point - self.welding.path(0).pose(r.tip.s).point).length()
     }
 
-    /// Greatest speed, acceleration and jerk of any axis as part of its limit.
+    /// Maximum speed, acceleration and jerk of any axis as part of its limit.
     pub(crate) fn use_of_limits(&self, r: &Rates) -> f64 {
         let axes = self.machine.axes.iter().enumerate();
         let parts = axes.map(|(i, axis)| {

@@ -12,8 +12,8 @@ pub(super) struct FeedMode {
 }
 
 impl FeedMode {
-    /// Words needed before a move: the mode, if it changes, and the feed. In inverse time every block needs its own.
-    pub(super) fn said(
+    /// Returns the words needed before a move: the mode, if it changes, and the feed. In inverse time every block needs its own.
+    pub(super) fn words_before(
         &mut self,
         w: &Writer,
         step: &Move,

@@ -67,7 +67,7 @@ impl Rs274 {
 
     /// The feed to be written, after its mode.
     fn feed(&mut self, w: &mut Writer, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
-        let (mode, feed) = self.mode.said(w, step, arc, to);
+        let (mode, feed) = self.mode.words_before(w, step, arc, to);
         mode.into_iter().for_each(|mode| w.text.line(mode));
         feed
     }

@@ -39,7 +39,7 @@ impl Sinumerik {
     /// The feed to be written, after its mode: in the same block, since words that wait for the next block must meet
     /// the motion.
     fn feed(&mut self, w: &mut Writer, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
-        let (mode, feed) = self.mode.said(w, step, arc, to);
+        let (mode, feed) = self.mode.words_before(w, step, arc, to);
         mode.into_iter().for_each(|mode| w.text.word(mode));
         feed
     }

@@ -11,7 +11,7 @@ pub struct Report {
     pub words: Message,
     /// False if the document was so already.
     pub changed: bool,
-    /// Where.
+    /// Changed positions.
     pub touched: Vec<Touched>,
 }
 

@@ -70,10 +70,10 @@ pub struct Run {
     /// Welding positions allowed (ISO 6947); any if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub positions: Option<Vec<WeldingPosition>>,
-    /// Speed of the torch tip along the seam between run-up and run-down, mm/s.
+    /// Speed of the torch tip along the seam between acceleration and deceleration phase, mm/s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub speed_mm_s: Option<Window>,
-    /// Heat input between run-up and run-down, kJ/mm.
+    /// Heat input between acceleration and deceleration phase, kJ/mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heat_input_kj_mm: Option<Window>,
     /// Travel angle of the torch as the axes reach it, degrees: positive drags, negative pushes.

@@ -78,7 +78,7 @@ pub struct PositionLimits {
     pub fillet_up_to_deg: NonNegative,
 }
 
-/// Greatest rotation of the positions of butt welds, degrees. Overhead (PE) goes from there to 180.
+/// Maximum rotation of the positions of butt welds, degrees. Overhead (PE) goes from there to 180.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ButtLimits {
@@ -88,7 +88,7 @@ pub struct ButtLimits {
     pub pc_deg: NonNegative,
 }
 
-/// Greatest rotation of the positions of fillet welds, degrees. Overhead (PE) goes from there to 180.
+/// Maximum rotation of the positions of fillet welds, degrees. Overhead (PE) goes from there to 180.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct FilletLimits {

@@ -24,10 +24,10 @@ pub struct Alarm {
     /// Cause.
     #[serde(serialize_with = "stored::english")]
     pub cause: Message,
-    /// Where.
+    /// Position.
     #[serde(flatten)]
     pub place: Place,
-    /// When.
+    /// Time.
     #[serde(serialize_with = "crate::moment::written")]
     pub raised: Moment,
     /// It was the first of those that came together.
@@ -44,13 +44,13 @@ fn acknowledged<S: serde::Serializer>(value: &Option<(String, Moment)>, out: S) 
 /// An event that is no alarm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Event {
-    /// When.
+    /// Time.
     #[serde(serialize_with = "crate::moment::written")]
     pub at: Moment,
-    /// What.
+    /// Description.
     #[serde(flatten, serialize_with = "stored::text")]
     pub text: Message,
-    /// Where.
+    /// Position.
     #[serde(flatten)]
     pub place: Place,
 }

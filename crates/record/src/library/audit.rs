@@ -6,13 +6,13 @@ use seamwright_message::Message;
 /// A command with its user and station.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AuditEntry {
-    /// When.
+    /// Time.
     pub at: Moment,
     /// User of the command.
     pub user: String,
-    /// Where from.
+    /// Station of the command.
     pub station: String,
-    /// What.
+    /// The command.
     pub command: String,
     /// The value before; may be empty.
     pub old: String,

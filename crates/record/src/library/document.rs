@@ -41,7 +41,7 @@ pub struct Document {
     pub sha256: String,
     /// The text.
     pub text: String,
-    /// When it was first seen.
+    /// Time of its first use.
     pub added: Moment,
 }
 

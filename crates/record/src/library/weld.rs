@@ -85,7 +85,7 @@ pub struct NewWeld {
     pub procedure: Option<i64>,
     /// Name of the welder.
     pub welder: Option<String>,
-    /// When.
+    /// Start.
     pub begun: Moment,
     /// Inputs of the figures.
     pub basis: Basis,
@@ -109,7 +109,7 @@ pub struct WeldFile {
 /// End of a weld.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WeldEnd {
-    /// When.
+    /// End.
     pub ended: Moment,
     /// Result of the weld.
     pub result: WeldResult,
@@ -136,10 +136,10 @@ pub struct WeldRecord {
     pub title: String,
     /// No metal was welded.
     pub simulated: bool,
-    /// When it began.
+    /// Start.
     #[serde(serialize_with = "crate::moment::written")]
     pub begun: Moment,
-    /// When it ended.
+    /// End.
     #[serde(serialize_with = "crate::moment::written_option")]
     pub ended: Option<Moment>,
     /// Result of the weld.

@@ -40,7 +40,7 @@ fn weld_for_ever(folder: &Path) {
 }
 
 /// Number in the last line of output that starts with `what`.
-fn said(lines: &[String], what: &str) -> Option<u32> {
+fn last_number(lines: &[String], what: &str) -> Option<u32> {
     lines.iter().rev().find_map(|l| l.strip_prefix(what)?.trim().parse().ok())
 }
 
@@ -68,7 +68,7 @@ fn kill_at(after: Duration) -> bool {
     let mut data = DataFolder::open(folder.path()).unwrap();
     assert_eq!(data.library().integrity().unwrap(), []);
     let last = data.journal().unwrap().last();
-    if let Some(i) = said(&lines, "position") {
+    if let Some(i) = last_number(&lines, "position") {
         let s = last.unwrap().s;
         assert!(s >= f64::from(i) && s <= f64::from(i + 50), "{s}, said {i}");
         let recovered = data.recover().unwrap();
@@ -77,7 +77,7 @@ fn kill_at(after: Duration) -> bool {
         assert_eq!(record.result, WeldResult::Interrupted);
         let events = data.library().events(record.id).unwrap();
         assert!(
-            said(&lines, "event")
+            last_number(&lines, "event")
                 .is_none_or(|i| events.iter().any(|e| e.text == Message::verbatim(format!("row {i}"))))
         );
         // Every row equals the written one, up to the last second of the clock.

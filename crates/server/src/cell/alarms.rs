@@ -50,7 +50,7 @@ impl Mirror {
     }
 
     /// Updates the list from a note. Returns true if it changed; `user` gave the command, if there is one.
-    pub(super) fn noted(&mut self, note: &Note, user: &str) -> bool {
+    pub(super) fn update(&mut self, note: &Note, user: &str) -> bool {
         let mut changed = false;
         match note {
             Note::Alarm(raised) => self.came(raised),
@@ -261,7 +261,7 @@ mod tests {
         for of in Alarm::ALL {
             let mirror = &mut Mirror::new(&[]);
             assert!(mirror.shelve(&names, &asked(of, 5), "ada").is_err(), "it is not there");
-            mirror.noted(&alarm(of), "");
+            mirror.update(&alarm(of), "");
             let tells = of.entry().reaction == Reaction::Tell && of != Alarm::Interlock;
             assert_eq!(mirror.shelve(&names, &asked(of, 5), "ada").is_ok(), tells, "{of:?}");
             assert!(mirror.shelve(&names, &asked(of, MAX_MINUTES + 1), "ada").is_err());
@@ -276,10 +276,10 @@ mod tests {
     fn a_shelf_hides_nothing_that_grows_worse() {
         let names = names();
         let mirror = &mut Mirror::new(&[]);
-        mirror.noted(&alarm(Alarm::JogStopped), "");
+        mirror.update(&alarm(Alarm::JogStopped), "");
         mirror.shelve(&names, &asked(Alarm::JogStopped, 1), "ada").unwrap();
-        mirror.noted(&Note::Taken(seamwright_cell::executive::Command::of(Ask::Acknowledge)), "eve");
-        mirror.noted(&Note::Cleared(Alarm::JogStopped, 0), "");
+        mirror.update(&Note::Taken(seamwright_cell::executive::Command::of(Ask::Acknowledge)), "eve");
+        mirror.update(&Note::Cleared(Alarm::JogStopped, 0), "");
         let views = mirror.views(&names);
         assert_eq!((views.len(), views[0].state.as_str()), (1, "gone"));
         assert!(mirror.expire().is_empty());
@@ -289,9 +289,9 @@ mod tests {
         // A tracking warning, followed by its stop while still active.
         let Note::Alarm(told) = alarm(Alarm::Tracking) else { unreachable!() };
         let told = Raised { reaction: Reaction::Tell, ..told };
-        mirror.noted(&Note::Alarm(told), "");
+        mirror.update(&Note::Alarm(told), "");
         mirror.shelve(&names, &asked(Alarm::Tracking, 60), "ada").unwrap();
-        mirror.noted(&Note::Alarm(Raised { reaction: Reaction::Stop, ..told }), "");
+        mirror.update(&Note::Alarm(Raised { reaction: Reaction::Stop, ..told }), "");
         assert_eq!(mirror.views(&names).pop().unwrap().shelved, None);
     }
 
@@ -301,17 +301,17 @@ mod tests {
         let names = names();
         let mirror = &mut Mirror::new(&[]);
         let one = |alarm| Note::Taken(seamwright_cell::executive::Command::of(Ask::AcknowledgeOne(alarm, 0)));
-        mirror.noted(&alarm(Alarm::JogStopped), "");
-        mirror.noted(&alarm(Alarm::PanelSilent), "");
-        assert!(mirror.noted(&one(Alarm::PanelSilent), "ada"));
+        mirror.update(&alarm(Alarm::JogStopped), "");
+        mirror.update(&alarm(Alarm::PanelSilent), "");
+        assert!(mirror.update(&one(Alarm::PanelSilent), "ada"));
         let by = |mirror: &Mirror| -> Vec<Option<String>> {
             mirror.views(&names).into_iter().map(|view| view.acknowledged.map(|who| who.by)).collect()
         };
         assert_eq!(by(mirror), [None, Some("ada".to_owned())]);
-        mirror.noted(&Note::Taken(seamwright_cell::executive::Command::of(Ask::Acknowledge)), "eve");
+        mirror.update(&Note::Taken(seamwright_cell::executive::Command::of(Ask::Acknowledge)), "eve");
         assert_eq!(by(mirror), [Some("eve".to_owned()), Some("ada".to_owned())]);
-        mirror.noted(&Note::Cleared(Alarm::PanelSilent, 0), "");
-        mirror.noted(&alarm(Alarm::PanelSilent), "");
+        mirror.update(&Note::Cleared(Alarm::PanelSilent, 0), "");
+        mirror.update(&alarm(Alarm::PanelSilent), "");
         assert_eq!(by(mirror), [Some("eve".to_owned()), None]);
     }
 }

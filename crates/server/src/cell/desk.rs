@@ -1,7 +1,7 @@
 use super::alarms::Mirror;
 use super::archive::Archive;
-use super::around::Around;
 use super::connection::Connection;
+use super::display_distances::Around;
 use super::happening::{Happening, happening};
 use super::hub::Hub;
 use super::names::{Extra, Names};
@@ -220,7 +220,7 @@ impl Desk {
             self.drop_task(done);
         }
         while let Ok((t, note)) = self.outside.notes.pop() {
-            self.noted(t, note);
+            self.handle_note(t, note);
         }
         while let Ok(shown) = self.outside.cycles.pop() {
             self.cycle(&shown);

@@ -1,5 +1,5 @@
-use super::around::Around;
 use super::connection::Connection;
+use super::display_distances::Around;
 use super::happening::Happening;
 use crate::view::written;
 use crate::wire::{AlarmView, EventView, FromCell, NearView, Role, Status, TeachView, WorkView};
@@ -104,13 +104,13 @@ impl Hub {
     }
 
     /// Locks the shared state, which stays consistent even if a thread panicked.
-    fn told(&self) -> MutexGuard<'_, Told> {
+    fn lock(&self) -> MutexGuard<'_, Told> {
         self.told.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Connects a client. `None`: too many, in total or of its kind.
     pub(crate) fn connect(&self, user: &str, role: Role) -> Option<Connected> {
-        let mut told = self.told();
+        let mut told = self.lock();
         let watches = role < Role::Operator;
         if !told.has_place(user, watches) {
             return None;
@@ -136,12 +136,12 @@ impl Hub {
     /// Number of clients.
     #[cfg(test)]
     pub(crate) fn clients(&self) -> usize {
-        self.told().clients.len()
+        self.lock().clients.len()
     }
 
     /// Disconnects a client; its control token becomes free.
     pub(crate) fn disconnect(&self, station: u32) {
-        let mut told = self.told();
+        let mut told = self.lock();
         told.clients.remove(&station);
         if told.control.as_ref().is_some_and(|h| h.station == station) {
             told.give(None);
@@ -181,7 +181,7 @@ impl Hub {
 
     /// Sends an event to all clients.
     pub(crate) fn event(&self, t: f64, happened: Happening) {
-        let mut told = self.told();
+        let mut told = self.lock();
         told.numbers += 1;
         let event = happened.view(told.numbers, t, written(Moment::now()));
         told.events.push_back(event.clone());
@@ -192,7 +192,7 @@ impl Hub {
     }
 
     pub(crate) fn alarms(&self, list: Vec<AlarmView>) {
-        let mut told = self.told();
+        let mut told = self.lock();
         told.alarms = list;
         let message = told.alarms();
         told.all(&message);
@@ -200,7 +200,7 @@ impl Hub {
 
     /// Publishes the state of teaching by camera.
     pub(crate) fn teaches(&self, view: TeachView) {
-        let mut told = self.told();
+        let mut told = self.lock();
         if told.teach != view {
             told.teach = view.clone();
             told.all(&FromCell::Teach(view));
@@ -209,39 +209,39 @@ impl Hub {
 
     pub(crate) fn set_work(&self, work: Option<Arc<WorkView>>) {
         let message = text(&FromCell::Work { work: work.as_deref().cloned() });
-        let mut told = self.told();
+        let mut told = self.lock();
         (told.work, told.work_text) = (work, Some(message.clone()));
         told.everybody(&message);
     }
 
     /// Machine of the cell.
     pub(crate) fn machine(&self) -> Option<Arc<Machine>> {
-        self.told().machine.clone()
+        self.lock().machine.clone()
     }
 
     pub(crate) fn set_machine(&self, machine: &Machine) {
-        let mut told = self.told();
+        let mut told = self.lock();
         told.machine = Some(Arc::new(machine.clone()));
         told.all(&FromCell::Machine);
     }
 
     /// Machine and process values that the devices serve.
     pub(crate) fn connection(&self) -> Option<Connection> {
-        self.told().connection.clone()
+        self.lock().connection.clone()
     }
 
     pub(super) fn set_connection(&self, to: &Connection) {
-        self.told().connection = Some(to.clone());
+        self.lock().connection = Some(to.clone());
     }
 
     /// Sets the surroundings that the machine must keep clear of.
     pub(crate) fn set_around(&self, around: Arc<Around>) {
-        self.told().around = Some(around);
+        self.lock().around = Some(around);
         self.set_near(None);
     }
 
     pub(super) fn around(&self) -> Option<Arc<Around>> {
-        self.told().around.clone()
+        self.lock().around.clone()
     }
 
     /// Sets the smallest distance for later statuses.
@@ -250,29 +250,29 @@ impl Hub {
     }
 
     pub(crate) fn work(&self) -> Option<Arc<WorkView>> {
-        self.told().work.clone()
+        self.lock().work.clone()
     }
 
     /// Sends a message to one client.
     pub(crate) fn tell(&self, station: u32, message: &FromCell) {
-        self.told().one(station, text(message));
+        self.lock().one(station, text(message));
     }
 
     /// Name of the user at a station.
     pub(crate) fn user(&self, station: u32) -> Option<String> {
-        self.told().clients.get(&station).map(|c| c.user.clone())
+        self.lock().clients.get(&station).map(|c| c.user.clone())
     }
 
     /// Name of the holder of the control token.
     pub(crate) fn holder(&self) -> Option<String> {
-        let told = self.told();
+        let told = self.lock();
         told.control.as_ref().and_then(|h| told.clients.get(&h.station)).map(|c| c.user.clone())
     }
 
     /// Returns the holder of the control token if it is not `user`, or not the page `page` of that user. A script
     /// without a page is known by its user only.
     pub(crate) fn held_by_other(&self, user: &str, page: &str) -> Option<Control> {
-        let told = self.told();
+        let told = self.lock();
         let held = told.control.as_ref()?;
         let by = Control { station: held.station, user: told.clients.get(&held.station)?.user.clone() };
         let is_own = by.user == user && (page.is_empty() || page == by.station.to_string());
@@ -281,14 +281,14 @@ impl Hub {
 
     /// Records a heartbeat.
     pub(crate) fn beat(&self, station: u32) {
-        if let Some(holder) = self.told().control.as_mut().filter(|h| h.station == station) {
+        if let Some(holder) = self.lock().control.as_mut().filter(|h| h.station == station) {
             holder.beat = Instant::now();
         }
     }
 
     /// Returns true if this station may command; `jogs`: it moves axes by hand.
     pub(crate) fn controls(&self, station: u32, jogs: bool) -> bool {
-        let mut told = self.told();
+        let mut told = self.lock();
         let Some(holder) = told.control.as_mut().filter(|h| h.station == station) else { return false };
         if jogs {
             holder.jogs_until = Instant::now() + Duration::from_millis(300);
@@ -298,7 +298,7 @@ impl Hub {
 
     /// Gives the control token to `station`.
     pub(crate) fn take_control(&self, station: u32, over: bool) -> Result<(), Refusal> {
-        let mut told = self.told();
+        let mut told = self.lock();
         let now = Instant::now();
         if let Some(holder) = told.control.as_ref().filter(|h| h.station != station) {
             if holder.jogs_until > now {
@@ -317,7 +317,7 @@ impl Hub {
 
     /// Takes the token back from `station`, if it has it.
     pub(crate) fn give_control(&self, station: u32) {
-        let mut told = self.told();
+        let mut told = self.lock();
         if told.control.as_ref().is_some_and(|h| h.station == station) {
             told.give(None);
         }
@@ -325,7 +325,7 @@ impl Hub {
 
     /// Takes the token from a silent holder. Returns true if it was lost.
     pub(crate) fn forget_silent(&self) -> bool {
-        let mut told = self.told();
+        let mut told = self.lock();
         let silent = told.control.as_ref().is_some_and(|h| h.beat.elapsed() > BEAT);
         if silent {
             told.give(None);

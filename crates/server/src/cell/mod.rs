@@ -2,10 +2,10 @@
 
 mod alarms;
 mod archive;
-mod around;
 mod connection;
 mod cycle;
 mod desk;
+mod display_distances;
 mod guiding;
 mod happening;
 mod hub;
@@ -21,9 +21,9 @@ mod stillness;
 mod stored;
 
 pub(crate) use archive::{Change, hides};
-pub(crate) use around::Around;
 pub(crate) use connection::{CellDevices, Connection};
 pub(crate) use desk::{Loading, ToDesk};
+pub(crate) use display_distances::Around;
 pub(crate) use happening::happening;
 pub(crate) use hub::{Connected, Hub, Refusal, Text};
 pub(crate) use names::WHY;

@@ -12,8 +12,8 @@ use seamwright_cell::realtime::Footing;
 use seamwright_message::{Message, Unit};
 
 impl Desk {
-    pub(super) fn noted(&mut self, t: f64, note: Note) {
-        self.recorder.noted(t, &note);
+    pub(super) fn handle_note(&mut self, t: f64, note: Note) {
+        self.recorder.add_note(t, &note);
         // Name in the library; available only while the alarm is listed.
         let one = match note {
             Note::Taken(Command { ask: Ask::AcknowledgeOne(alarm, detail), .. }) => {
@@ -22,7 +22,7 @@ impl Desk {
             _ => None,
         };
         let asked = if let Note::Taken(command) = note { self.hub.user(command.origin.station) } else { None };
-        if self.mirror.noted(&note, asked.as_deref().unwrap_or_default()) {
+        if self.mirror.update(&note, asked.as_deref().unwrap_or_default()) {
             self.hub.alarms(self.mirror.views(&self.names));
         }
         match note {

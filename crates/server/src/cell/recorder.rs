@@ -151,7 +151,8 @@ impl Recorder {
         trouble
     }
 
-    pub(super) fn noted(&mut self, t: f64, note: &Note) {
+    /// Adds the event of a note to the open record, if there is one.
+    pub(super) fn add_note(&mut self, t: f64, note: &Note) {
         let Some(open) = &mut self.open else { return };
         open.events.extend(weld_events::event(t, note, open.here));
         match note {

@@ -1,9 +1,9 @@
 use super::alarms::Mirror;
 use super::archive::Archive;
-use super::around::{self, Around};
 use super::connection::CellDevices;
 use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, Records, ToDesk};
+use super::display_distances::{self, Around};
 use super::happening::happening;
 use super::hub::Hub;
 use super::names::Names;
@@ -115,7 +115,7 @@ impl Cell {
         let its_shutdown = shutdown.clone();
         let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished(), &its_shutdown));
         let watched = Arc::downgrade(&hub);
-        std::thread::spawn(move || around::watch(&watched));
+        std::thread::spawn(move || display_distances::watch(&watched));
         let devices = (machine.devices.clone(), beside.to_owned());
         Ok(Self { hub, archive, urgent, desk, devices, safe_outputs, thread: Mutex::new(Some(thread)) })
     }

@@ -3,6 +3,7 @@
 mod answer;
 mod assets;
 mod audit;
+mod cell_views;
 mod choices;
 mod client;
 mod edit;
@@ -11,7 +12,6 @@ mod hand;
 mod health;
 mod jobs;
 mod login;
-mod look;
 mod openapi;
 mod panel;
 mod place;

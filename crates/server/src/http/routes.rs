@@ -1,8 +1,8 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
-    assets, audit, choices, edit, health, jobs, login, look, openapi, plan, records, restore, sensors, setup, socket,
-    stop, teach, users,
+    assets, audit, cell_views, choices, edit, health, jobs, login, openapi, plan, records, restore, sensors, setup,
+    socket, stop, teach, users,
 };
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobKept,
@@ -99,23 +99,35 @@ pub(super) fn routes() -> Vec<Route> {
         stop,
         Route::write("post", "/api/logout", "watch", "Ends the session", post(login::logout)),
         Route::get("/api/session", "watch", "The logged-in user", shape::<SessionView>(), get(login::session)),
-        Route::get("/api/machine", "watch", "The machine of the cell", shape::<MachineView>(), get(look::machine)),
+        Route::get(
+            "/api/machine",
+            "watch",
+            "The machine of the cell",
+            shape::<MachineView>(),
+            get(cell_views::machine),
+        ),
         Route::get(
             "/api/machine/of-job",
             "plan",
             "The machine that a job names",
             shape::<MachineView>(),
-            get(look::machine_of_job),
+            get(cell_views::machine_of_job),
         ),
         Route::get(
             "/api/devices",
             "watch",
             "Inputs, outputs and lines to devices",
             shape::<Vec<DeviceView>>(),
-            get(look::devices),
+            get(cell_views::devices),
         ),
-        Route::get("/api/work", "watch", "The program in the cell", shape::<Option<WorkView>>(), get(look::work)),
-        Route::get("/api/alarms/catalogue", "watch", "All alarms", shape::<Vec<AlarmEntry>>(), get(look::catalogue)),
+        Route::get("/api/work", "watch", "The program in the cell", shape::<Option<WorkView>>(), get(cell_views::work)),
+        Route::get(
+            "/api/alarms/catalogue",
+            "watch",
+            "All alarms",
+            shape::<Vec<AlarmEntry>>(),
+            get(cell_views::catalogue),
+        ),
         Route::get("/api/live", "watch", "The socket: status, events, commands", None, get(socket::live)),
         Route::get("/api/jobs", "jobs.read", "Jobs and examples", shape::<Vec<JobRow>>(), get(jobs::list)),
         Route::get(

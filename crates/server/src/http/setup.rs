@@ -78,7 +78,7 @@ pub(super) async fn parameters(State(panel): State<Arc<Panel>>) -> Answer<Parame
 }
 
 /// Formats keys with their values for the audit log.
-fn said<'a>(values: impl Iterator<Item = (&'a str, Option<f64>)>) -> String {
+fn format_values<'a>(values: impl Iterator<Item = (&'a str, Option<f64>)>) -> String {
     let one = |(key, value): (&str, Option<f64>)| value.map_or_else(|| format!("{key} -"), |v| format!("{key} {v}"));
     values.map(one).collect::<Vec<_>>().join(", ")
 }
@@ -118,8 +118,8 @@ pub(super) async fn change(
         let before = parameters_view(&of.own, &of.machine)?;
         let row = before.axes.iter().find(|row| row.name == asked.axis);
         let was = |key: &str| row.and_then(|row| row.values.iter().find(|v| v.key == key)).and_then(|v| v.value);
-        let mut old = said(asked.values.iter().map(|(key, _)| (key.as_str(), was(key))));
-        let mut new = said(asked.values.iter().map(|(key, value)| (key.as_str(), *value)));
+        let mut old = format_values(asked.values.iter().map(|(key, _)| (key.as_str(), was(key))));
+        let mut new = format_values(asked.values.iter().map(|(key, value)| (key.as_str(), *value)));
         if let Some(notches) = &asked.notches {
             let number = |key, number| (key, Setting::Number(Some(number)));
             let table =

@@ -176,7 +176,7 @@ fn crawl(
         let axes = look.frame.axes.clone().unwrap_or_default();
         looks.push(axes.clone());
         let panel = station.hand.panel;
-        panel.teaching.change(&panel.cell.hub, |state| told(state, look, &looks, nominal));
+        panel.teaching.change(&panel.cell.hub, |state| update_view(state, look, &looks, nominal));
         let q = seamwright_cell::teach::joints(machine, &axes);
         station.show(&q, look.view.height, || Picture::of(look, table));
         Ok(())
@@ -187,7 +187,7 @@ fn crawl(
 }
 
 /// Updates the pages' view from a frame.
-fn told(state: &mut State, look: &Look, axes: &[Vec<f64>], nominal: &SeamLine) {
+fn update_view(state: &mut State, look: &Look, axes: &[Vec<f64>], nominal: &SeamLine) {
     let (line, notes) = (look.crawl.line(), look.crawl.notes());
     let view = &mut state.view;
     view.phase = TeachPhase::Runs;

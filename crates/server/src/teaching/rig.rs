@@ -121,7 +121,7 @@ impl Station<'_> {
     /// Returns the start of the joint, marked by the operator; `None` if the session is stopped before.
     pub(super) fn place(&self) -> Option<DVec3> {
         self.teaching().change(self.hub(), |state| state.view.phase = TeachPhase::Places);
-        let said = self.watch(|teaching| match teaching.said() {
+        let said = self.watch(|teaching| match teaching.take_answer() {
             Some(Answer::Point(point, _)) => Some(point),
             _ => None,
         });
@@ -207,7 +207,7 @@ impl Operator for Asked<'_, '_> {
         teaching.change(hub, |state| {
             (state.view.phase, state.view.why) = (TeachPhase::Asks, Some(why.into()));
         });
-        let said = self.station.watch(Teaching::said);
+        let said = self.station.watch(Teaching::take_answer);
         self.station.runs();
         self.ended |= said == Some(Answer::End);
         said.unwrap_or(Answer::End)

@@ -192,7 +192,7 @@ impl Teaching {
     }
 
     /// Takes the operator's answer.
-    pub(super) fn said(&self) -> Option<Answer> {
+    pub(super) fn take_answer(&self) -> Option<Answer> {
         self.state().said.take()
     }
 

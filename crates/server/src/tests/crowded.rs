@@ -40,7 +40,7 @@ impl Probe {
     }
 }
 
-fn told(what: &str, latency: &Latency) {
+fn print_latency(what: &str, latency: &Latency) {
     let [half, p99, p999] = [0.5, 0.99, 0.999].map(|part| latency.quantile_us(part));
     println!(
         "{what}: {} cycles, late {half:.0} us (half), {p99:.0} us (p99), {p999:.0} us (p99.9), {:.0} us (most), {} missed",
@@ -145,9 +145,9 @@ async fn many_watch_and_one_never_reads() {
     let after = after.end();
 
     println!("period {:.3} ms, {WATCHERS} watch and one never reads, {} s", period_s * 1e3, seconds());
-    told("nobody watches, before", &before);
-    told("they watch            ", &with);
-    told("nobody watches, after ", &after);
+    print_latency("nobody watches, before", &before);
+    print_latency("they watch            ", &with);
+    print_latency("nobody watches, after ", &after);
     println!(
         "the cell itself missed {} cycles alone, {} with them",
         missed_alone - missed_before,

@@ -207,7 +207,7 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     page.taken(json!({ "do": "here", "px": px, "at": null })).await;
     page.phase("ended").await;
     assert_eq!(page.taught["key"], "joint-end", "{}", page.taught);
-    kept(&served, &owner).await;
+    assert_programs_are_stored(&served, &owner).await;
     // Loading the same job keeps the result; another job's seam discards it.
     page.order("hold").await;
     page.mode("ready").await;
@@ -360,7 +360,7 @@ fn joint_in_picture(served: &Served, page: &Page) -> [f64; 2] {
 }
 
 /// Checks that taught points are reported, become a program, are kept, and can be planned.
-async fn kept(served: &Served, owner: &super::Visitor) {
+async fn assert_programs_are_stored(served: &Served, owner: &super::Visitor) {
     let bench = &served.bench;
     let (_, taught) = bench.ask(owner.request("GET", "/api/teach", None)).await;
     let points = taught["points"].as_array().unwrap();

@@ -105,7 +105,7 @@ impl Weld {
                 wrong(self.s, &mut exposed, &mut due, &mut seen);
                 self.under_way.push((due, exposed, seen));
             }
-            if welds && !self.told(&orders) {
+            if welds && !self.apply(&orders) {
                 return false;
             }
             self.carried = orders.carried_mm;
@@ -113,7 +113,7 @@ impl Weld {
         true
     }
 
-    fn told(&mut self, orders: &Orders) -> bool {
+    fn apply(&mut self, orders: &Orders) -> bool {
         self.misses.push((self.s, self.carried + orders.deflection_mm - beside(self.s)));
         self.alarms.extend(orders.alarm.map(|alarm| (self.s, alarm)));
         orders.feed_override > 0.0

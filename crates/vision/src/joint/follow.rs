@@ -1,9 +1,9 @@
-use super::again::{COARSE, NARROWER};
 use super::axis::Axis;
 use super::end::{Cut, cut};
 use super::levels::{Levels, Picture, from_level, to_level};
 use super::midline::Midline;
 use super::rims::{self, Rims};
+use super::second_attempt::{COARSE, NARROWER};
 use super::straight_on::{Hidden, is_passed};
 use super::trail::{Limits, Look, ROWS, Trail};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge, make_room};

@@ -10,11 +10,9 @@
 //! 4. A lost joint is followed again with the edges of light removed (`again`, `top_hat`). It is also followed
 //!    straight on behind the point where another line led it aside (`straight_on`).
 
-mod again;
 mod axis;
 mod bend;
 mod end;
-mod even;
 mod follow;
 mod judge;
 mod lattice;
@@ -26,6 +24,8 @@ mod profile;
 mod readings;
 mod rims;
 mod sample;
+mod second_attempt;
+mod sliding_parabola;
 mod straight_on;
 mod strip;
 #[cfg(test)]

@@ -1,10 +1,12 @@
 //! Turns too sharp for a joint, at the rim of a tack or at a junction, are left again: the joint may continue straight
 //! behind the object that hides it.
 
-use super::again::{HEADING, Lengths, STRETCH, last_sure, rim, same_within, start_at, to_rim, top_hat_level, way};
 use super::axis::length;
 use super::bend;
 use super::follow::{Follower, Inside};
+use super::second_attempt::{
+    HEADING, Lengths, STRETCH, last_sure, rim, same_within, start_at, to_rim, top_hat_level, way,
+};
 use super::trail::{Look, ROWS};
 use super::{End, Row, State};
 use crate::Frame;

@@ -14,7 +14,7 @@ pub struct WeldOrder {
     pub parts: Parts,
     /// Overlap of a part onto the one that it meets, mm; not at corners.
     pub tie_in_mm: NonNegative,
-    /// True: where that makes the air moves shorter, a copy is welded from the seam's end to its start. On seams that
+    /// True: where that makes the transfer moves shorter, a copy is welded from the seam's end to its start. On seams that
     /// are not welded all round.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub either_end: bool,
@@ -44,7 +44,7 @@ pub enum Rule {
     BackAndForth,
     /// In each row every n-th, then those between.
     Skip(usize),
-    /// With short air moves.
+    /// With short transfer moves.
     Shortest,
 }
 

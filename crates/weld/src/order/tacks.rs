@@ -21,7 +21,7 @@ pub struct Tacks {
     /// Number of tacks on the seam, at least 2; or `pitch_mm`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub count: Option<u32>,
-    /// Greatest distance from a tack's middle to the next one's, mm; or `count`.
+    /// Maximum distance from a tack's middle to the next one's, mm; or `count`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pitch_mm: Option<Positive>,
     /// Distance of tacks from the weld's start, and on an open seam from its end, mm.

@@ -1,6 +1,6 @@
 use super::block::{Block, Shape};
 use super::knots::{Knots, Timed};
-use super::thin::kept;
+use super::thin::keep_points;
 use super::{MachineAxes, Numbers, PointPath, Row};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, NonNegative, Positive};
@@ -259,7 +259,7 @@ impl Builder<'_> {
             ways.push(ways[k] + self.way(&chord.block));
         }
         let points = match span.along {
-            Along::Taught => kept(&at, &rows, &self.near()),
+            Along::Taught => keep_points(&at, &rows, &self.near()),
             _ => (0..rows.len()).collect(),
         };
         let chord = |gap: &[usize]| (at[gap[1]] - at[gap[0]], ways[gap[1]] - ways[gap[0]]);

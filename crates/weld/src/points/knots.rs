@@ -16,7 +16,7 @@ pub(super) struct Knots {
     pub(super) rows: Vec<Row>,
     /// Their numbers among the span's points, 0 at its start.
     pub(super) points: Vec<usize>,
-    /// When each is reached, s.
+    /// Time at each, s.
     pub(super) at: Vec<f64>,
     /// Duration, s, and length, mm, of the chords from each knot to the next.
     pub(super) chords: Vec<(f64, f64)>,

@@ -5,7 +5,7 @@ use seamwright_geometry::CubicSpline;
 
 /// Indices of points kept of a recorded run, its first and last among them. The spline through those kept has the
 /// parameters `at`. It is within `tolerance` (a value for each column) of every point left out, at the same parameter.
-pub(super) fn kept(at: &[f64], rows: &[Row], tolerance: &Row) -> Vec<usize> {
+pub(super) fn keep_points(at: &[f64], rows: &[Row], tolerance: &Row) -> Vec<usize> {
     let mut kept = vec![0, rows.len() - 1];
     loop {
         let splines = splines(at, rows, &kept);
@@ -51,7 +51,7 @@ mod tests {
             };
             let rows: Vec<Row> = at.iter().enumerate().map(row).collect();
             let tolerance = [0.02; 12];
-            let kept = kept(&at, &rows, &tolerance);
+            let kept = keep_points(&at, &rows, &tolerance);
             assert!(kept.len() < 60, "{}", kept.len());
             let splines = splines(&at, &rows, &kept);
             for (t, row) in at.iter().zip(&rows) {

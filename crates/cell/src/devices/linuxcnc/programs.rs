@@ -137,7 +137,7 @@ impl Program {
     }
 
     /// Returns its output on standard error.
-    pub(super) fn said(&self) -> Message {
+    pub(super) fn error_output(&self) -> Message {
         self.said.message()
     }
 
@@ -200,13 +200,13 @@ impl Keeper {
             let _ = open.write_all(b"show thread\n");
         }
         if from.recv_timeout(BEGINS).is_err() {
-            return Err(LinuxCncError::Failed { what: Symptom::NoStart, said: keeper.said() });
+            return Err(LinuxCncError::Failed { what: Symptom::NoStart, said: keeper.error_output() });
         }
         Ok(keeper)
     }
 
     /// Returns its output on standard error.
-    pub(super) fn said(&self) -> Message {
+    pub(super) fn error_output(&self) -> Message {
         self.program.said.message()
     }
 
@@ -250,11 +250,11 @@ pub(super) fn take(user: &User, commands: Commands<'_>) -> Result<(), LinuxCncEr
     }
     match program.ends_within(TAKES) {
         Some(true) => Ok(()),
-        Some(false) => Err(LinuxCncError::Refused { file, said: program.said() }),
+        Some(false) => Err(LinuxCncError::Refused { file, said: program.error_output() }),
         None => {
             program.end(Duration::ZERO);
             let said = Message::new("cell-hal-too-slow").value("time", TAKES.as_secs_f64(), Unit::S);
-            let said = said.message("said", program.said());
+            let said = said.message("said", program.error_output());
             Err(LinuxCncError::Refused { file, said })
         }
     }

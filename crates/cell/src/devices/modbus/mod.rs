@@ -13,8 +13,8 @@ mod batches;
 mod client;
 mod coding;
 mod image;
+mod inspector;
 mod link;
-mod look;
 mod orders;
 #[cfg(test)]
 mod random_map;
@@ -22,7 +22,7 @@ mod reports;
 mod traffic;
 mod wire;
 
-pub use look::{Looked, Looker};
+pub use inspector::{InspectedRegister, RegisterInspector};
 pub use traffic::{Traffic, TrafficView};
 
 use super::{InputBits, Inputs, Source};

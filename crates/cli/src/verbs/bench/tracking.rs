@@ -19,7 +19,7 @@ use serde::Serialize;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Whose cross slides weld.
+/// Machine with cross slides.
 const MACHINE: &str = "dual-laser-10axis";
 const SADDLE: &str = include_str!("../../../../../examples/saddle.toml");
 

@@ -24,7 +24,7 @@ struct AxisSummary {
     axis: String,
     unit: &'static str,
     microsteps: u32,
-    /// What decided: `resolution`, `frequency` or `driver`.
+    /// Deciding limit: `resolution`, `frequency` or `driver`.
     decided_by: &'static str,
     /// Way of a pulse, in the unit.
     resolution: f64,

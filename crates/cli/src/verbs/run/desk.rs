@@ -243,8 +243,8 @@ impl Desk {
         self.ended && self.lines.is_empty()
     }
 
-    /// Something happened.
-    pub(in crate::verbs) fn noted(&mut self, t: f64, note: Note) {
+    /// Adds a note of the cycle to the record and the events.
+    pub(in crate::verbs) fn handle_note(&mut self, t: f64, note: Note) {
         let here = self.now.map_or_else(Place::default, |now| now.place);
         let event = weld_events::event(t, &note, here);
         let text = event.as_ref().map_or_else(Message::default, |event| event.text.clone());
@@ -406,7 +406,7 @@ impl Desk {
             "ended_by": self.ended_by.map(|cause| english(&cause.message())),
             "refused": self.refused.as_ref().map(english),
             "timing": timing,
-            "devices": devices::told(&ended.lines),
+            "devices": devices::traffic_report(&ended.lines),
         });
         [("events.jsonl", lines), ("run.json", format!("{run:#}\n"))]
     }

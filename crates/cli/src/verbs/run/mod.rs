@@ -282,7 +282,7 @@ fn look(outside: &mut Outside, typed: &Receiver<String>, desk: &mut Desk) {
         desk.shown(&shown);
     }
     while let Ok((t, note)) = outside.notes.pop() {
-        desk.noted(t, note);
+        desk.handle_note(t, note);
     }
     loop {
         match typed.try_recv() {

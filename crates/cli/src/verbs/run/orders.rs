@@ -12,7 +12,7 @@ pub(in crate::verbs) enum Line {
     Seconds(f64),
     /// Waits until the torch is there, mm along the pass.
     Place(f64),
-    /// Where is the cell?
+    /// Position and mode of the cell.
     State,
 }
 

@@ -72,7 +72,7 @@ impl<'a> Terminal<'a> {
                 // Standard input has ended.
                 _ => return Said::Stop,
             }
-            match self.said(line.trim()) {
+            match self.parse_answer(line.trim()) {
                 Ok(said) => return said,
                 Err(why) => {
                     let message = in_file(&format!("{:?}", line.trim()), why);
@@ -91,7 +91,7 @@ impl<'a> Terminal<'a> {
         Ok(true)
     }
 
-    fn said(&self, line: &str) -> Result<Said, Message> {
+    fn parse_answer(&self, line: &str) -> Result<Said, Message> {
         match line {
             "end" => return Ok(Said::End),
             "stop" => return Ok(Said::Stop),

@@ -72,12 +72,13 @@ pub struct Motion {
 pub fn motion(job: &str, machine: &str, machine_text: &str, period_ms: &str) -> Motion {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("certificate.json");
-    let csv = good(&["motion", job, "--period-ms", period_ms, "--certificate", &file.display().to_string()]);
+    let csv = good(&["tools", "motion", job, "--period-ms", period_ms, "--certificate", &file.display().to_string()]);
     let claim: Value = serde_json::from_str(&std::fs::read_to_string(Path::new(&file)).unwrap()).unwrap();
     assert_eq!(claim["passes"].as_array().unwrap().len(), 1);
     let rows = table(&csv);
     let limits = limits(machine_text);
-    let poses = table(&String::from_utf8(run_with(&["kinematics", machine, "--forward"], &csv).stdout).unwrap());
+    let poses =
+        table(&String::from_utf8(run_with(&["machine", "kinematics", machine, "--forward"], &csv).stdout).unwrap());
     Motion {
         period: period_ms.parse::<f64>().unwrap() * 1e-3,
         t: column(&rows, "t_s"),

@@ -2,11 +2,11 @@
 
 use super::{AROUND, Midline, SLOWLY};
 use crate::joint::axis::Station;
-use crate::joint::even;
 use crate::joint::lattice::column_about;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::Profile;
 use crate::joint::readings::Window;
+use crate::joint::sliding_parabola;
 use crate::joint::strip::MID;
 use crate::wide::{LANES, Simd, Work, wide};
 
@@ -17,7 +17,7 @@ const USUAL: f32 = 1.6;
 /// ... plus this part of the depth.
 const LIKE: f32 = 0.06;
 /// Minimum and maximum rows before and after for the parabola through the middles.
-const LINE: (usize, usize) = (6, even::MAX_REACH);
+const LINE: (usize, usize) = (6, sliding_parabola::MAX_REACH);
 /// Maximum length of a parabola as a part of the picture's shorter side: longer ones do not follow a winding joint.
 const LONGEST: f32 = 0.14;
 /// Target for the midline's standard error, pixels of the frame.
@@ -200,7 +200,7 @@ impl Midline {
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
         // Computes all rows, several at a time, then selects the seen ones.
         let (scale, first) = (1.0 / (reach + 1) as f32, near.start as i32 - i as i32);
-        let mut local = [[0.0f32; 2 * even::MAX_REACH + 1]; 3];
+        let mut local = [[0.0f32; 2 * sliding_parabola::MAX_REACH + 1]; 3];
         let [us, vs, weights] = &mut local;
         let places = self.places.places(near.clone());
         for (k, (((u, v), weight), [x, y])) in us.iter_mut().zip(vs).zip(weights).zip(places).enumerate() {

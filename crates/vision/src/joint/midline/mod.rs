@@ -1,12 +1,12 @@
 mod centres;
 
 use super::axis::{Station, length};
-use super::even::{Even, Rows};
 use super::lattice::Lattice;
 use super::levels::Picture;
 use super::make_room;
 use super::profile::{Profile, about};
 use super::readings::Readings;
+use super::sliding_parabola::{Rows, SlidingParabola};
 use super::strip::{COLS, MID, Strip, lesser};
 use super::trail::{Look, Place, Trail};
 use crate::wide::Scalar;
@@ -63,7 +63,7 @@ pub(super) struct Midline {
     readings: Readings,
     /// Middles of the rows, in the picture.
     places: Rows,
-    even: Even,
+    even: SlidingParabola,
     /// Rows before and after for a parabola.
     line: usize,
     /// Number of seen rows before each row.

@@ -141,7 +141,7 @@ mod tests {
 
     /// Random runs are as rare as expected: no more frequent, and not much rarer, for single holes and for runs.
     #[test]
-    fn chance_runs_are_as_often_as_told() {
+    fn chance_runs_are_as_often_as_expected() {
         let mut random = Pcg64Mcg::seed_from_u64(5);
         for (begins, goes_on) in [(0.05, 0.05), (0.2, 0.2), (0.03, 0.3), (0.04, 0.45)] {
             let mut unlikely = [0; 3];
@@ -167,7 +167,7 @@ mod tests {
     }
 
     /// Expected runs for a gap with `other` in its middle, in 400 columns with these dark runs.
-    fn told(runs: &[(usize, usize)], gap: std::ops::Range<usize>, other: f64) -> f64 {
+    fn runs_of_columns(runs: &[(usize, usize)], gap: std::ops::Range<usize>, other: f64) -> f64 {
         let mut on = [1.0; 400];
         runs.iter().for_each(|(from, count)| on[*from..from + count].fill(-1.0));
         let between = Gap { left: gap.start as i32 - 1, right: gap.end as i32 };
@@ -182,16 +182,19 @@ mod tests {
         let holes: Vec<(usize, usize)> = (0..30).map(|i| (5 + 13 * i, 1 + i % 2)).collect();
         // No holes, or too few, of any length.
         for few in [&[][..], &[(20, 1)], &[(20, 3)], &[(20, 30), (90, 5), (150, 5)]] {
-            assert!(told(few, 200..206, -1.0) <= 0.0, "{few:?}");
+            assert!(runs_of_columns(few, 200..206, -1.0) <= 0.0, "{few:?}");
         }
         // 15 of 45 dark columns follow another: the ratio with its error is 0.42.
         let expected = |length: i32| 30.0 * ((15.0 + 15f64.sqrt()) / 45.0).powi(length - 1);
-        assert!((told(&holes, 204..208, -1.0) / expected(4) - 1.0).abs() < 1e-9);
-        assert!((told(&holes, 204..208, 0.0) / expected(3) - 1.0).abs() < 1e-9);
-        assert!((told(&holes[..16], 214..234, 1.0) / told(&holes[..16], 214..230, -1.0) - 1.0).abs() < 1e-9);
+        assert!((runs_of_columns(&holes, 204..208, -1.0) / expected(4) - 1.0).abs() < 1e-9);
+        assert!((runs_of_columns(&holes, 204..208, 0.0) / expected(3) - 1.0).abs() < 1e-9);
+        assert!(
+            (runs_of_columns(&holes[..16], 214..234, 1.0) / runs_of_columns(&holes[..16], 214..230, -1.0) - 1.0).abs()
+                < 1e-9
+        );
         // A very long gap is not random; at the borders one column is left on each side.
-        assert!(told(&holes[..16], 214..300, -1.0) < 1e-20);
-        assert!(told(&[], 1..399, -1.0) <= 0.0);
+        assert!(runs_of_columns(&holes[..16], 214..300, -1.0) < 1e-20);
+        assert!(runs_of_columns(&[], 1..399, -1.0) <= 0.0);
     }
 
     #[test]

@@ -54,7 +54,7 @@ impl Rows {
 /// Parabola fit across rows equally far before and after one, with parabolic weights. Holds the factors that do not
 /// depend on the rows' positions.
 #[derive(Debug, Clone)]
-pub(super) struct Even {
+pub(super) struct SlidingParabola {
     reach: usize,
     /// Weights times the rows' numbers to the powers 0 to 4, for `2 * reach + 1` rows.
     weights: [[f32; LONGEST]; 5],
@@ -62,13 +62,13 @@ pub(super) struct Even {
     moments: [f32; 3],
 }
 
-impl Default for Even {
+impl Default for SlidingParabola {
     fn default() -> Self {
         Self { reach: 0, weights: [[0.0; LONGEST]; 5], moments: [0.0; 3] }
     }
 }
 
-impl Even {
+impl SlidingParabola {
     /// Prepares for `reach` rows before and after, up to [`MAX_REACH`].
     pub(super) fn prepare(&mut self, reach: usize) {
         self.reach = reach;
@@ -167,7 +167,7 @@ mod tests {
 
     #[test]
     fn it_is_the_parabola_of_least_squares() {
-        let mut even = Even::default();
+        let mut even = SlidingParabola::default();
         for (reach, angle) in [(6usize, 0.3f32), (7, -2.0), (11, 1.2), (24, 2.9)] {
             even.prepare(reach);
             let (sin, cos) = angle.sin_cos();
@@ -198,7 +198,7 @@ mod tests {
 
     #[test]
     fn what_is_not_seen_or_not_there_does_not_count() {
-        let (mut even, mut random) = (Even::default(), random());
+        let (mut even, mut random) = (SlidingParabola::default(), random());
         for _ in 0..2000 {
             let (reach, count) = (6 + (19.0 * random()) as usize, 1 + (70.0 * random()) as usize);
             even.prepare(reach);

@@ -36,14 +36,14 @@ display_by_message!(FileRefusal);
 
 /// Location of the files that a job or a machine file names.
 #[derive(Debug, Clone)]
-pub(crate) struct Within<'a> {
+pub(crate) struct FileScope<'a> {
     /// Names are seen from here.
     folder: Cow<'a, Path>,
     /// Files outside this folder are refused; `None`: the author of the text may read all files anyway.
     fence: Option<&'a Path>,
 }
 
-impl<'a> Within<'a> {
+impl<'a> FileScope<'a> {
     /// Names lead anywhere.
     pub(crate) fn open(folder: &'a Path) -> Self {
         Self { folder: Cow::Borrowed(folder), fence: None }
@@ -104,7 +104,7 @@ mod tests {
             fs::write(scratch.path().join(file), "x").unwrap();
         }
         fs::File::create(jobs.join("large.stl")).unwrap().set_len(MAX_BYTES + 1).unwrap();
-        let within = Within::fenced(&jobs);
+        let within = FileScope::fenced(&jobs);
         for good in ["a.csv", "./a.csv", "machines/b.stl"] {
             assert!(within.file(good).unwrap().is_file(), "{good}");
         }
@@ -128,6 +128,6 @@ mod tests {
         let (there, not) = (within.file("../users.json").unwrap_err(), within.file("../nobody.json").unwrap_err());
         assert_eq!(there.to_string(), not.to_string());
         // Without a fence all files can be named.
-        assert!(Within::open(&jobs).file("../users.json").unwrap().is_file());
+        assert!(FileScope::open(&jobs).file("../users.json").unwrap().is_file());
     }
 }

@@ -9,7 +9,7 @@ use tokio::runtime::Runtime;
 
 /// Reads every register of a device, outputs too, and writes nothing: inspects a device without a cell.
 #[derive(Debug)]
-pub struct Looker {
+pub struct RegisterInspector {
     device: ModbusDevice,
     wire: Option<(Runtime, Wire)>,
     batches: Vec<Batch>,
@@ -18,7 +18,7 @@ pub struct Looker {
 
 /// A register with its last reading.
 #[derive(Debug)]
-pub struct Looked<'a> {
+pub struct InspectedRegister<'a> {
     /// The register.
     pub register: &'a Register,
     /// The unscaled number; a bit is 0 or 1. `None` if it was never read.
@@ -37,7 +37,7 @@ struct Seen {
     trouble: Option<Message>,
 }
 
-impl Looker {
+impl RegisterInspector {
     /// Creates an unconnected reader.
     pub fn new(device: &ModbusDevice) -> Self {
         let batches = batches(&device.registers, |_| true, true);
@@ -74,8 +74,8 @@ impl Looker {
     }
 
     /// Returns all registers with their last readings.
-    pub fn rows(&self) -> impl Iterator<Item = Looked<'_>> {
-        self.device.registers.iter().zip(&self.seen).map(|(register, seen)| Looked {
+    pub fn rows(&self) -> impl Iterator<Item = InspectedRegister<'_>> {
+        self.device.registers.iter().zip(&self.seen).map(|(register, seen)| InspectedRegister {
             register,
             raw: seen.read.map(|read| read.0),
             value: seen.read.map(|read| read.1),
