@@ -243,7 +243,7 @@ fn present_verbs_are_suggested() {
     let told = bad(2, &["pulse"]);
     assert!(told.contains("'pulse'") && !told.contains("'pulses'"), "{told}");
     assert!(bad(2, &["simulat"]).contains("'simulate'"));
-    assert!(bad(2, &["tools", "puls"]).contains("'pulses'"));
+    assert!(bad(2, &["tools", "pulsse"]).contains("'pulses'"));
 }
 
 #[test]
