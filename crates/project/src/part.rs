@@ -58,7 +58,7 @@ impl Part {
     /// Plans as [`Part::plan`] does, within the limits of `planning`.
     ///
     /// # Errors
-    /// A pass that cannot be planned in that time, or tracked.
+    /// A pass without a plan in that time, or without tracking.
     pub fn plan_under(&self, loaded: &Loaded, planning: &Planning) -> Result<WeldMotion, Failure> {
         let machine = &loaded.machine;
         let reserve = if self.tracking { RESERVE } else { 0.0 };

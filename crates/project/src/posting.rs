@@ -41,7 +41,7 @@ impl From<Failure> for Unproven {
 /// The part program of a planned weld, with its proof in the header.
 ///
 /// # Errors
-/// A motion that cannot be posted, or a program that deviates when it is read back.
+/// A motion without a part program, or a program that deviates when it is read back.
 pub fn proven(
     loaded: &Loaded,
     motion: &WeldMotion,

@@ -125,7 +125,11 @@ pub(super) async fn load(
     checked(&load.job)?;
     part(load.part.as_deref().unwrap_or_default())?;
     let (what, job) = (Message::new("server-audit-load").text("job", &load.job), load.job.clone());
-    let result = put_in(&panel, load, page_asking(&session, &headers)).await;
+    let page = page_asking(&session, &headers);
+    let result = match uncontrolled(&panel, &page) {
+        Ok(()) => put_in(&panel, load, page).await,
+        Err(refused) => Err(refused),
+    };
     let loaded = |_: &_| Message::new("server-audit-loaded");
     let said = result.as_ref().map_or_else(|refused| refused.message.clone(), loaded);
     panel.cell.archive.audit(
@@ -144,6 +148,13 @@ const AT_REST: [&str; 4] = ["off", "idle", "ready", "fault"];
 /// Time until the cell's status shows starts that were accepted just before a load was announced.
 const ANNOUNCED: Duration = Duration::from_millis(100);
 
+/// Refuses while a page of somebody else is in control.
+fn uncontrolled(panel: &Panel, page: &Page) -> Result<(), Refused> {
+    let Some(by) = panel.cell.hub.held_by_other(&page.user, &page.page) else { return Ok(()) };
+    let message = Message::new("server-control-held").text("user", by.user).number("page", f64::from(by.station), 0);
+    Err(Refused::new(StatusCode::CONFLICT, "control", message))
+}
+
 /// Refuses while the machine moves, welds or is held.
 fn at_rest(panel: &Panel) -> Result<(), Refused> {
     if panel.cell.hub.latest().is_some_and(|status| !AT_REST.contains(&status.mode.as_str())) {
@@ -155,11 +166,6 @@ fn at_rest(panel: &Panel) -> Result<(), Refused> {
 /// Plans a job and loads it into the cell. The job is first planned beside the cell, with limits of memory and time. A
 /// valid one is planned again in this process for the cycle; starts are refused meanwhile.
 async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkView>, Refused> {
-    if let Some(by) = panel.cell.hub.held_by_other(&page.user, &page.page) {
-        let message = Message::new("server-control-held").text("user", by.user);
-        let message = message.number("page", f64::from(by.station), 0);
-        return Err(Refused::new(StatusCode::CONFLICT, "control", message));
-    }
     at_rest(panel)?;
     let (asked, job, user) = (Arc::clone(panel), load.job.clone(), page.user.clone());
     let text = panel.reading.run(move || text(&asked, &job)).await?;
