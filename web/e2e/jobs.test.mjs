@@ -332,7 +332,7 @@ test('a joint and a procedure are added in the form; a procedure of its own is h
   const form = one.locator('.form');
   const options = await form.getByRole('combobox', { name: 'machine' }).locator('option').allTextContents();
   assert.ok(options.some((text) => text.startsWith('torch-5axis · ')), `${options}`);
-  await form.getByRole('combobox', { name: 'Add a section …' }).selectOption('joint');
+  await form.getByRole('combobox', { name: 'Add a section' }).selectOption('joint');
   await form.getByRole('button', { name: 'Add' }).click();
   await form.getByRole('textbox', { name: 'root gap [mm]' }).waitFor();
   await form.getByRole('textbox', { name: 'thickness [mm]' }).fill('8');
