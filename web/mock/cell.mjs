@@ -86,8 +86,8 @@ export class Cell {
   }
 
   ask({ do: what, part, reweld }) {
-    const [lack] = this.lacks(what);
-    if (lack) return lack;
+    const [first] = this.lacks(what);
+    if (first) return first;
     const left = this.unfinished.get(this.key());
     const [pass, s] = this.work?.from ?? [1, 0];
     const again = left && (pass < left.pass || (pass === left.pass && s < left.s_mm - this.overlap - SAME_MM));
