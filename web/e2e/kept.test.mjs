@@ -1,7 +1,7 @@
 // What an operator has written is not lost, not replaced unasked, and not taken for something else.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bench, control, keep, mode, open, quiet, ready, record, SHORT, sleep, tab } from './operator.mjs';
+import { SHORT, bench, commands, control, keep, mode, open, quiet, ready, record, sleep, tab } from './operator.mjs';
 
 const { one, cell, options } = await bench({ real: 'the mock keeps no jobs', only: true });
 const row = (name) => one.locator('li.card', { hasText: name }).first();
@@ -140,6 +140,7 @@ test('the page is not left without a question while something is not saved', opt
 
 test('points recorded by hand come back after Clear and over a reload, and belong to their machine', options, async () => {
   await tab(one, 'Jog · Teach');
+  await commands(one);
   await one.getByRole('button', { name: 'Start jogging' }).click();
   await mode(one, 'jog');
   const points = one.getByRole('button', { name: /^Remove point/ });
