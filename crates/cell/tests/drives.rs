@@ -76,9 +76,11 @@ impl<D: Drives> Bench<'_, D> {
 fn conform<D: Drives>(machine: &Machine, drives: D, own_clock: bool, wait: Box<dyn FnMut()>) {
     let told = Arc::new(AtomicBool::new(false));
     let fault = |kind, when, lasts_s| Fault { device: Device::Drives, kind, when, lasts_s, which: 0 };
-    let faults =
-        [fault(FaultKind::Silent, When::Told, SILENT_S), fault(FaultKind::Reboot, When::At(REBOOT_S), f64::INFINITY)];
-    let drives = Faulty::new(drives, Device::Drives, &faults, machine.servo_period_s).told_by(&told);
+    let faults = [
+        fault(FaultKind::Silent, When::Flagged, SILENT_S),
+        fault(FaultKind::Reboot, When::At(REBOOT_S), f64::INFINITY),
+    ];
+    let drives = Faulty::new(drives, Device::Drives, &faults, machine.servo_period_s).flagged_by(&told);
     let report = DriveReport { age_s: f64::INFINITY, ..DriveReport::default() };
     let mut bench = Bench { machine, drives, orders: Orders::default(), report, cycles: 0, wait };
 
@@ -209,7 +211,7 @@ fn linuxcnc_drives_conform() {
             std::fs::write(folder.path().join(name), text).unwrap();
         }
         match start(&format!("hal = \"{name}\"")).1 {
-            Err(LinuxCncError::Refused { file, said: all }) => {
+            Err(LinuxCncError::Refused { file, output: all }) => {
                 assert!(file.to_string().ends_with(name) && all.to_string().contains(said), "{file}: {all}");
             }
             other => panic!("{text:?}: {other:?}"),

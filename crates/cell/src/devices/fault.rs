@@ -46,8 +46,8 @@ pub enum FaultKind {
 pub enum When {
     /// At this time after the start, s.
     At(f64),
-    /// As soon as the flag of [`Faulty::told_by`] is set.
-    Told,
+    /// As soon as the flag of [`Faulty::flagged_by`] is set.
+    Flagged,
 }
 
 /// A fault of a device.
@@ -193,8 +193,8 @@ pub struct Faulty<T, R> {
     forgotten: bool,
     /// No pictures arrive.
     dark: bool,
-    /// Flag that starts the faults with [`When::Told`].
-    told: Option<Arc<AtomicBool>>,
+    /// Flag that starts the faults with [`When::Flagged`].
+    flag: Option<Arc<AtomicBool>>,
 }
 
 impl<T, R: Copy + Default> Faulty<T, R> {
@@ -211,7 +211,7 @@ impl<T, R: Copy + Default> Faulty<T, R> {
             starts: 0,
             forgotten: false,
             dark: false,
-            told: None,
+            flag: None,
         }
     }
 
@@ -220,10 +220,10 @@ impl<T, R: Copy + Default> Faulty<T, R> {
         &self.device
     }
 
-    /// Sets the flag that starts the faults with [`When::Told`].
+    /// Sets the flag that starts the faults with [`When::Flagged`].
     #[must_use]
-    pub fn told_by(mut self, told: &Arc<AtomicBool>) -> Self {
-        self.told = Some(Arc::clone(told));
+    pub fn flagged_by(mut self, flag: &Arc<AtomicBool>) -> Self {
+        self.flag = Some(Arc::clone(flag));
         self
     }
 
@@ -231,12 +231,12 @@ impl<T, R: Copy + Default> Faulty<T, R> {
     fn now(&mut self) -> Option<(Fault, bool)> {
         self.t += self.period;
         let t = self.t;
-        let told = self.told.as_ref().is_some_and(|told| told.load(Ordering::Relaxed));
+        let is_flagged = self.flag.as_ref().is_some_and(|flag| flag.load(Ordering::Relaxed));
         let mut found = None;
         for (fault, begun) in &mut self.faults {
             let comes = match fault.when {
                 When::At(at) => t >= at,
-                When::Told => told,
+                When::Flagged => is_flagged,
             };
             let first = begun.is_none() && comes;
             if first {

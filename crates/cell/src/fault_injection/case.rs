@@ -194,7 +194,7 @@ impl<'a> Trial<'a> {
         let period = machine.servo_period_s;
         let told = Arc::new(AtomicBool::new(false));
         let Case { device, kind, which, situation } = case;
-        let fault = [Fault { device, kind, when: When::Told, lasts_s: f64::INFINITY, which }];
+        let fault = [Fault { device, kind, when: When::Flagged, lasts_s: f64::INFINITY, which }];
         // The earlier fault, which trips the cell, is over when the case starts.
         let first =
             Fault { device: Device::Inputs, kind: FaultKind::Wrong, when: When::At(BEFORE_S), lasts_s: 0.05, which: 0 };
@@ -202,15 +202,15 @@ impl<'a> Trial<'a> {
         let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
         let inputs = Faulty::new(inputs, Device::Inputs, before, period);
         let devices = DeviceSet {
-            drives: Faulty::new(SimulatedDrives::new(machine, seed)?, Device::Drives, &fault, period).told_by(&told),
-            source: Faulty::new(SimulatedSource::new(seed, period), Device::Source, &fault, period).told_by(&told),
-            inputs: Faulty::new(inputs, Device::Inputs, &fault, period).told_by(&told),
+            drives: Faulty::new(SimulatedDrives::new(machine, seed)?, Device::Drives, &fault, period).flagged_by(&told),
+            source: Faulty::new(SimulatedSource::new(seed, period), Device::Source, &fault, period).flagged_by(&told),
+            inputs: Faulty::new(inputs, Device::Inputs, &fault, period).flagged_by(&told),
         };
         let sensors = match stage.tracked.filter(|_| device == Device::Sensors) {
             Some(tracked) => tracked.cell.sensors()?,
             None => SimulatedSensors::none(machine),
         };
-        let sensors = Faulty::new(sensors, Device::Sensors, &fault, period).told_by(&told);
+        let sensors = Faulty::new(sensors, Device::Sensors, &fault, period).flagged_by(&told);
         let late = (device == Device::Cycle).then(|| Arc::clone(&told));
         let devices = Late { devices: WithSensors { devices, sensors }, told: late };
         let witness = Witness::new(machine, Wishes { case, told, seed, anywhere });

@@ -1,5 +1,5 @@
 use super::carrier::Wanted;
-use super::live_head::{Step, Told, Why};
+use super::live_head::{HeadRequests, Step, Why};
 use super::tally::Watch;
 use glam::DVec2;
 use seamwright_tracking::actuator::{Alarm, HeadTracking, SlideLimits};
@@ -54,7 +54,7 @@ impl Leading {
         step: &Step,
         frame: SeamFrame,
         offset: TorchOffset,
-    ) -> (Wanted, Told, Estimate) {
+    ) -> (Wanted, HeadRequests, Estimate) {
         let TorchOffset { correction, swing } = offset;
         let Step { t, s, speed, .. } = *step;
         let orders = self.head.cycle_woven(Moment { t_s: t, s_mm: s, slide: correction + swing }, speed, swing);
@@ -63,7 +63,7 @@ impl Leading {
         let wanted = (frame, orders.slide);
         // The seam is unknown before its start.
         if s <= 0.0 {
-            return (wanted, Told::NOTHING, orders.estimate);
+            return (wanted, HeadRequests::NOTHING, orders.estimate);
         }
         let mut alarm = orders.alarm;
         // Beyond the end there is no joint to see, and none is needed. A tack may hide the end, or the part may lie a
@@ -74,6 +74,6 @@ impl Leading {
             alarm = orders.carried;
         }
         let alarm = alarm.map(|alarm| (alarm, orders.cause.map(Why::Sensor)));
-        (wanted, Told { feed_override: orders.feed_override, alarm, ..Told::NOTHING }, orders.estimate)
+        (wanted, HeadRequests { feed_override: orders.feed_override, alarm, ..HeadRequests::NOTHING }, orders.estimate)
     }
 }

@@ -1,6 +1,6 @@
 use super::beam::{BeamHead, BeamTally, END_MM, LOOK_S, STEP_MM};
 use super::carrier::Wanted;
-use super::live_head::{Step, Told, Why};
+use super::live_head::{HeadRequests, Step, Why};
 use super::pass_sensors::BeamCamera;
 use super::scenario::Seam;
 use super::tally::Watch;
@@ -118,7 +118,13 @@ impl<'a> LiveBeam<'a> {
 
     /// Runs one cycle, `left` mm before the joint ends, with the torch `off` its planned position: along, lateral,
     /// height.
-    pub(super) fn cycle(&mut self, left: f64, step: &Step, frame: SeamFrame, off: DVec3) -> (Wanted, Told, Estimate) {
+    pub(super) fn cycle(
+        &mut self,
+        left: f64,
+        step: &Step,
+        frame: SeamFrame,
+        off: DVec3,
+    ) -> (Wanted, HeadRequests, Estimate) {
         let Step { t, s, speed, welds } = *step;
         let now = Moment { t_s: t, s_mm: s + off.x, slide: DVec2::new(off.y, off.z) };
         let orders = self.head.cycle(now, speed, welds);
@@ -129,15 +135,15 @@ impl<'a> LiveBeam<'a> {
             self.tally.cycle(on, orders.deflection_mm, off.y);
         }
         let wanted = (frame, DVec2::new(orders.carried_mm, 0.0));
-        let told = Told { beam: orders.beam, deflection_mm: orders.deflection_mm, ..Told::NOTHING };
+        let requests = HeadRequests { beam: orders.beam, deflection_mm: orders.deflection_mm, ..HeadRequests::NOTHING };
         if !welds {
             self.stops = orders.alarm.filter(|_| orders.feed_override <= 0.0);
-            return (wanted, told, orders.estimate);
+            return (wanted, requests, orders.estimate);
         }
         // At the very end no part of the seam lies ahead.
         let ends = left < END_MM || (orders.alarm == Some(Alarm::Blind) && left < self.sees_mm());
         let alarm = orders.alarm.filter(|_| !ends).map(|alarm| (alarm, self.misfit()));
-        (wanted, Told { feed_override: orders.feed_override, alarm, ..told }, orders.estimate)
+        (wanted, HeadRequests { feed_override: orders.feed_override, alarm, ..requests }, orders.estimate)
     }
 
     /// Returns the distance up to which the beam looks ahead, mm.

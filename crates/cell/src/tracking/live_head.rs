@@ -139,7 +139,7 @@ impl Why {
 
 /// Requests of a head in a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Told {
+pub(super) struct HeadRequests {
     /// Maximum feed override of the torch in the next cycle.
     pub(super) feed_override: f64,
     /// Most severe alarm, and its cause.
@@ -149,7 +149,7 @@ pub(super) struct Told {
     pub(super) deflection_mm: f64,
 }
 
-impl Told {
+impl HeadRequests {
     pub(super) const NOTHING: Self = Self { feed_override: 1.0, alarm: None, beam: Beam::Weld, deflection_mm: 0.0 };
 }
 
@@ -164,7 +164,7 @@ pub(super) enum Guide<'a> {
 /// Orders for a head in a cycle.
 pub(super) struct HeadOrders {
     pub(super) wanted: Wanted,
-    pub(super) told: Told,
+    pub(super) requests: HeadRequests,
     /// Alarm that the head reports for the first time.
     pub(super) news: Option<Alarm>,
 }
@@ -251,7 +251,7 @@ impl<'a> LiveHead<'a> {
     pub(super) fn cycle(&mut self, seen: &Seen<'_>, step: &Step) -> HeadOrders {
         let frame = self.frame(step.s);
         let left = if self.seam.round_mm.is_some() { f64::INFINITY } else { self.seam.length_mm - step.s };
-        let (wanted, told, estimate) = match &mut self.guide {
+        let (wanted, requests, estimate) = match &mut self.guide {
             Guide::Leading(leading) => {
                 if let Some(measured) = &seen.reports.sensors.measured[self.number] {
                     leading.take(measured, seen.t_s);
@@ -266,9 +266,9 @@ impl<'a> LiveHead<'a> {
                 beam.cycle(left, step, frame, self.off)
             }
         };
-        (self.estimate, self.deflection_mm) = (Some(estimate), told.deflection_mm);
-        let news = told.alarm.and_then(|(alarm, why)| self.tell(step.s, alarm, why).then_some(alarm));
-        HeadOrders { wanted, told, news }
+        (self.estimate, self.deflection_mm) = (Some(estimate), requests.deflection_mm);
+        let news = requests.alarm.and_then(|(alarm, why)| self.tell(step.s, alarm, why).then_some(alarm));
+        HeadOrders { wanted, requests, news }
     }
 
     /// Records an alarm at `s`, at its first occurrence only. Returns true for the first.
@@ -327,12 +327,12 @@ impl<'a> LiveHead<'a> {
             Guide::Leading(leading) => (leading.used(), None),
             Guide::Beam(beam) => (beam.used(), Some(beam.summary())),
         };
-        let told = self.alarms.iter().map(|(at_mm, alarm, why)| AlarmAt {
+        let requests = self.alarms.iter().map(|(at_mm, alarm, why)| AlarmAt {
             at_mm: *at_mm,
             alarm: alarm.message(),
             cause: why.map(|why| why.message()),
         });
-        HeadReport { used, stopped_mm: self.stopped_mm, alarms: told.collect(), beam, found: self.found() }
+        HeadReport { used, stopped_mm: self.stopped_mm, alarms: requests.collect(), beam, found: self.found() }
     }
 }
 

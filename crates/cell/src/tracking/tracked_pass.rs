@@ -264,11 +264,11 @@ impl<'a> TrackedPass<'a> {
         let (mut feed_override, mut trouble) = (1.0f64, None);
         let mut seam = SeamOrders { pass: self.number, s_mm: step.s, weaves, ..SeamOrders::default() };
         for (number, head) in self.heads.iter_mut().enumerate() {
-            let HeadOrders { wanted: here, told, news } = head.cycle(seen, step);
+            let HeadOrders { wanted: here, requests, news } = head.cycle(seen, step);
             wanted.push(here);
-            (seam.beam, seam.deflection_mm) = (told.beam, told.deflection_mm);
-            feed_override = feed_override.min(told.feed_override);
-            if let Some((alarm, _)) = told.alarm.filter(|_| told.feed_override < SLOWEST) {
+            (seam.beam, seam.deflection_mm) = (requests.beam, requests.deflection_mm);
+            feed_override = feed_override.min(requests.feed_override);
+            if let Some((alarm, _)) = requests.alarm.filter(|_| requests.feed_override < SLOWEST) {
                 trouble = Some(Trouble::Stop(detail(number, alarm)));
             } else if let Some(alarm) = news {
                 trouble = trouble.or(Some(Trouble::Tell(detail(number, alarm))));

@@ -149,11 +149,11 @@ fn simulated(event: Event) -> Bench<impl Source, impl Inputs> {
         Event::Loss => FaultKind::Disconnect,
     };
     let told = Arc::new(AtomicBool::new(false));
-    let faults = |device| [Fault { device, kind, when: When::Told, lasts_s: 0.4, which: 0 }];
+    let faults = |device| [Fault { device, kind, when: When::Flagged, lasts_s: 0.4, which: 0 }];
     let source = SimulatedSource::new(1, PERIOD_S);
-    let source = Faulty::new(source, Device::Source, &faults(Device::Source), PERIOD_S).told_by(&told);
+    let source = Faulty::new(source, Device::Source, &faults(Device::Source), PERIOD_S).flagged_by(&told);
     let inputs =
-        Faulty::new(SimulatedInputs::new(MET), Device::Inputs, &faults(Device::Inputs), PERIOD_S).told_by(&told);
+        Faulty::new(SimulatedInputs::new(MET), Device::Inputs, &faults(Device::Inputs), PERIOD_S).flagged_by(&told);
     Bench {
         set: DeviceSet { drives: NoDrives, source, inputs },
         orders: Orders::default(),
@@ -215,9 +215,11 @@ fn faulty(kind: FaultKind) -> (Bench<FaultySource, FaultyInputs>, Arc<AtomicBool
     let server = TestServer::new(welder);
     let parts = parts(&server);
     let told = Arc::new(AtomicBool::new(false));
-    let faults = |device| [Fault { device, kind, when: When::Told, lasts_s: 0.4, which: 1 }];
-    let source = Faulty::new(parts.source.unwrap(), Device::Source, &faults(Device::Source), PERIOD_S).told_by(&told);
-    let inputs = Faulty::new(parts.inputs.unwrap(), Device::Inputs, &faults(Device::Inputs), PERIOD_S).told_by(&told);
+    let faults = |device| [Fault { device, kind, when: When::Flagged, lasts_s: 0.4, which: 1 }];
+    let source =
+        Faulty::new(parts.source.unwrap(), Device::Source, &faults(Device::Source), PERIOD_S).flagged_by(&told);
+    let inputs =
+        Faulty::new(parts.inputs.unwrap(), Device::Inputs, &faults(Device::Inputs), PERIOD_S).flagged_by(&told);
     (on_modbus(server, source, inputs), told)
 }
 

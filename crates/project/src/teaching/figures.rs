@@ -7,13 +7,13 @@ use seamwright_tracking::teach::{Curves, Reduced, Source};
 use std::f64::consts::TAU;
 
 /// Minimum distance between reported raw points along the line, mm.
-const TOLD_MM: f64 = 0.5;
+const RAW_SPACING_MM: f64 = 0.5;
 /// The reduced path is measured by points so far apart, mm.
 const STEP_MM: f64 = 0.5;
 
 /// A point of the line as it was seen.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Told {
+pub struct TaughtPoint {
     /// Way along the line, mm.
     pub way: f64,
     /// In the work frame, mm.
@@ -34,7 +34,7 @@ pub struct Told {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figures {
     /// Points of the line as it was seen.
-    pub raw: Vec<Told>,
+    pub raw: Vec<TaughtPoint>,
     /// Points of the program's path, close to each other.
     pub path: Vec<DVec3>,
 }
@@ -48,16 +48,16 @@ impl Figures {
         };
         let station = |point: &DVec3| Station { point: *point, normal: DVec3::Z };
         let path = SeamLine::through(points.iter().map(station).collect(), false);
-        let mut raw: Vec<Told> = Vec::new();
+        let mut raw: Vec<TaughtPoint> = Vec::new();
         for (p, way) in outcome.line.points().iter().zip(outcome.line.ways()) {
-            if raw.last().is_some_and(|last| way - last.way < TOLD_MM) && p.source == Source::Eye {
+            if raw.last().is_some_and(|last| way - last.way < RAW_SPACING_MM) && p.source == Source::Eye {
                 continue;
             }
             let from_program = path.foot(p.point).map_or(f64::NAN, |foot| foot.at.point.distance(p.point));
             let from_nominal = from_nominal(nominal, p.point);
             let operator = p.source == Source::Operator;
             let (point, confidence, frame) = (p.point, p.confidence, p.frame);
-            raw.push(Told { way: *way, point, confidence, frame, operator, from_program, from_nominal });
+            raw.push(TaughtPoint { way: *way, point, confidence, frame, operator, from_program, from_nominal });
         }
         Self { raw, path: points }
     }

@@ -6,7 +6,7 @@ mod ground;
 mod outcome;
 mod picture;
 
-pub use figures::{Figures, Told, bridged, from_nominal};
+pub use figures::{Figures, TaughtPoint, bridged, from_nominal};
 pub use ground::Ground;
 pub use outcome::{Outcome, finding};
 pub use picture::Picture;
@@ -75,16 +75,7 @@ pub(super) fn smooth(line: &TaughtLine, end: Option<&End>) -> Vec<LinePoint> {
     smoothed(line, EVERY_MM, WINDOW_MM, matches!(end, Some(End::Closed { .. })))
 }
 
-/// Maximum deviations of a program from the taught line.
-#[derive(Debug, Clone, Copy)]
-pub struct Limits {
-    /// Distance of the curves from the line, mm.
-    pub tolerance_mm: f64,
-    /// Angle between the torch's directions, rad.
-    pub attitude_rad: f64,
-}
-
-/// The program of a smoothed line within `limits`, and its text. The text is read back, so that other verbs accept the
+/// The program of a smoothed line within `tolerances`, and its text. The text is read back, so that other verbs accept the
 /// program. `name` appears in errors.
 ///
 /// # Errors
@@ -93,13 +84,12 @@ pub fn reduced(
     loaded: &Loaded,
     nominal: &SeamLine,
     line: &[LinePoint],
-    limits: Limits,
+    tolerances: ReductionTolerances,
     kind: Kind,
     name: &str,
 ) -> Result<(Reduced, String), Failure> {
     let torch = torch(loaded, nominal, line)?;
     let like = &loaded.welding.program.value;
-    let tolerances = ReductionTolerances { path_mm: limits.tolerance_mm, attitude_rad: limits.attitude_rad };
     let reduced = to_program(line, &torch, like, tolerances, kind)
         .map_err(|e| Failure::Input(Message::new("project-no-taught-program").message("why", e.message())))?;
     let written = reduced.program.to_toml().map_err(|e| Failure::Environment(Message::outside(&e)))?;

@@ -5,8 +5,8 @@ use glam::DVec3;
 use seamwright_geometry::reduce::Method;
 use seamwright_message::{Message, Unit};
 use seamwright_project::Failure;
-use seamwright_project::teaching::{self, Figures, Limits, bridged};
-use seamwright_tracking::teach::Kind;
+use seamwright_project::teaching::{self, Figures, bridged};
+use seamwright_tracking::teach::{Kind, ReductionTolerances};
 use std::sync::Arc;
 
 /// Converts the taught points to a program.
@@ -37,8 +37,8 @@ pub(crate) fn program(teaching: &Teaching, asked: &TeachProgram) -> Result<Taugh
     let found = found.filter(|found| found.outcome.smooth.len() > 1);
     let found = found.ok_or_else(|| Failure::input(Message::new("server-teach-nothing")))?;
     let Found { loaded, nominal, outcome } = &*found;
-    let limits = Limits { tolerance_mm: asked.tolerance_mm, attitude_rad: asked.attitude_deg.to_radians() };
-    let (reduced, text) = teaching::reduced(loaded, nominal, &outcome.smooth, limits, kind, "taught.toml")?;
+    let tolerances = ReductionTolerances { path_mm: asked.tolerance_mm, attitude_rad: asked.attitude_deg.to_radians() };
+    let (reduced, text) = teaching::reduced(loaded, nominal, &outcome.smooth, tolerances, kind, "taught.toml")?;
     let figures = Figures::new(nominal, outcome, &reduced);
     let from_nominal = figures.raw.iter().filter_map(|p| p.from_nominal);
     Ok(TaughtProgram {

@@ -131,9 +131,9 @@ impl Engine {
         let begun = Instant::now();
         while samples.is_empty() {
             if samples.is_abandoned() || begun.elapsed() > FIRST {
-                let said = Message::new("cell-hal-output").message("sampler", self.sampler.error_output());
-                let said = said.message("keeper", self.keeper.error_output());
-                return Err(LinuxCncError::Failed { what: Symptom::NoSamples, said });
+                let output = Message::new("cell-hal-output").message("sampler", self.sampler.error_output());
+                let output = output.message("keeper", self.keeper.error_output());
+                return Err(LinuxCncError::Failed { what: Symptom::NoSamples, output });
             }
             std::thread::sleep(Duration::from_millis(1));
         }

@@ -12,14 +12,14 @@ pub enum LinuxCncError {
         /// The file, or our own commands.
         file: Message,
         /// HAL's message.
-        said: Message,
+        output: Message,
     },
     /// HAL does not work.
     Failed {
         /// The symptom.
         what: Symptom,
         /// HAL's message.
-        said: Message,
+        output: Message,
     },
     /// Any other failure.
     System(Message),
@@ -40,14 +40,14 @@ impl LinuxCncError {
         match self {
             Self::NotInstalled(program) => Message::new("cell-hal-not-installed").text("program", program),
             Self::Running(owner) => Message::new("cell-hal-running").message("owner", owner.clone()),
-            Self::Refused { file, said } => {
-                Message::new("cell-hal-refused").message("file", file.clone()).message("why", said.clone())
+            Self::Refused { file, output } => {
+                Message::new("cell-hal-refused").message("file", file.clone()).message("why", output.clone())
             }
-            Self::Failed { what: Symptom::NoStart, said } => {
-                Message::new("cell-hal-no-start").message("why", said.clone())
+            Self::Failed { what: Symptom::NoStart, output } => {
+                Message::new("cell-hal-no-start").message("why", output.clone())
             }
-            Self::Failed { what: Symptom::NoSamples, said } => {
-                Message::new("cell-hal-no-samples").message("why", said.clone())
+            Self::Failed { what: Symptom::NoSamples, output } => {
+                Message::new("cell-hal-no-samples").message("why", output.clone())
             }
             Self::System(why) => Message::new("cell-hal-not-run").message("why", why.clone()),
         }

@@ -63,17 +63,17 @@ impl User {
 
 /// Output of a program on its standard error.
 #[derive(Debug, Clone, Default)]
-struct Said(Arc<Mutex<String>>);
+struct ErrorOutput(Arc<Mutex<String>>);
 
-impl Said {
+impl ErrorOutput {
     fn listen(&self, from: impl Read + Send + 'static) {
-        let said = Arc::clone(&self.0);
+        let output = Arc::clone(&self.0);
         std::thread::spawn(move || {
             for line in BufReader::new(from).lines().map_while(Result::ok) {
-                let mut said = said.lock().unwrap_or_else(PoisonError::into_inner);
-                if said.len() < KEPT && !line.starts_with("Note: Using POSIX") {
-                    *said += line.trim_end();
-                    said.push('\n');
+                let mut output = output.lock().unwrap_or_else(PoisonError::into_inner);
+                if output.len() < KEPT && !line.starts_with("Note: Using POSIX") {
+                    *output += line.trim_end();
+                    output.push('\n');
                 }
             }
         });
@@ -82,11 +82,11 @@ impl Said {
     fn message(&self) -> Message {
         // Output written just before an end takes a moment to arrive.
         std::thread::sleep(Duration::from_millis(30));
-        let said = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let said = said.trim_end();
-        match said {
+        let output = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let output = output.trim_end();
+        match output {
             "" => Message::new("cell-hal-no-output"),
-            said => Message::verbatim(said.replace('\n', "\n   ")),
+            output => Message::verbatim(output.replace('\n', "\n   ")),
         }
     }
 }
@@ -95,7 +95,7 @@ impl Said {
 #[derive(Debug)]
 pub(super) struct Program {
     child: Child,
-    said: Said,
+    output: ErrorOutput,
 }
 
 /// Starts a program. If the system grants real-time priority, `urgent` ones have it.
@@ -120,11 +120,11 @@ fn spawn(mut command: Command, program: &str, urgent: bool) -> Result<Program, L
         ErrorKind::NotFound => LinuxCncError::NotInstalled(program.to_owned()),
         _ => LinuxCncError::System(Message::verbatim(format!("{program}: {error}"))),
     })?;
-    let said = Said::default();
+    let output = ErrorOutput::default();
     if let Some(stderr) = child.stderr.take() {
-        said.listen(stderr);
+        output.listen(stderr);
     }
-    Ok(Program { child, said })
+    Ok(Program { child, output })
 }
 
 impl Program {
@@ -138,7 +138,7 @@ impl Program {
 
     /// Returns its output on standard error.
     pub(super) fn error_output(&self) -> Message {
-        self.said.message()
+        self.output.message()
     }
 
     /// Waits for its end; returns whether it succeeded, or `None` if it takes longer.
@@ -200,14 +200,14 @@ impl Keeper {
             let _ = open.write_all(b"show thread\n");
         }
         if from.recv_timeout(BEGINS).is_err() {
-            return Err(LinuxCncError::Failed { what: Symptom::NoStart, said: keeper.error_output() });
+            return Err(LinuxCncError::Failed { what: Symptom::NoStart, output: keeper.error_output() });
         }
         Ok(keeper)
     }
 
     /// Returns its output on standard error.
     pub(super) fn error_output(&self) -> Message {
-        self.program.said.message()
+        self.program.output.message()
     }
 
     /// Ends HAL.
@@ -250,12 +250,12 @@ pub(super) fn take(user: &User, commands: Commands<'_>) -> Result<(), LinuxCncEr
     }
     match program.ends_within(TAKES) {
         Some(true) => Ok(()),
-        Some(false) => Err(LinuxCncError::Refused { file, said: program.error_output() }),
+        Some(false) => Err(LinuxCncError::Refused { file, output: program.error_output() }),
         None => {
             program.end(Duration::ZERO);
-            let said = Message::new("cell-hal-too-slow").value("time", TAKES.as_secs_f64(), Unit::S);
-            let said = said.message("said", program.error_output());
-            Err(LinuxCncError::Refused { file, said })
+            let output = Message::new("cell-hal-too-slow").value("time", TAKES.as_secs_f64(), Unit::S);
+            let output = output.message("said", program.error_output());
+            Err(LinuxCncError::Refused { file, output })
         }
     }
 }

@@ -22,8 +22,8 @@ use seamwright_geometry::HeightTable;
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Machine, Sensor, Sight};
 use seamwright_message::Message;
-use seamwright_project::teaching::{self, EVERY_MM, Limits, Outcome, nominal};
-use seamwright_tracking::teach::{CameraPose, Kind, Settings};
+use seamwright_project::teaching::{self, EVERY_MM, Outcome, nominal};
+use seamwright_tracking::teach::{CameraPose, Kind, ReductionTolerances, Settings};
 use std::fs::File;
 use std::io::BufReader;
 use std::ops::RangeInclusive;
@@ -56,9 +56,9 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
         TeachMethod::Fewest => Kind::Arcs(Method::Fewest),
         TeachMethod::Spline => Kind::Spline,
     };
-    let (output, limits) =
-        (args.output.display().to_string(), Limits { tolerance_mm: tolerance, attitude_rad: attitude });
-    let (reduced, written) = teaching::reduced(&loaded, &nominal, &outcome.smooth, limits, kind, &output)?;
+    let output = args.output.display().to_string();
+    let tolerances = ReductionTolerances { path_mm: tolerance, attitude_rad: attitude };
+    let (reduced, written) = teaching::reduced(&loaded, &nominal, &outcome.smooth, tolerances, kind, &output)?;
     let report = report::Report::new(args, &loaded.machine, &nominal, &outcome, &reduced);
     let [json, svg, png] = BESIDE.map(|ending| args.output.with_extension(ending));
     files::write(&args.output, &written)?;

@@ -3,7 +3,7 @@
 use super::report::Report;
 use crate::verbs::reduce::plot::{charts, ends, lines_and_arcs, words};
 use glam::DVec3;
-use seamwright_project::teaching::Told;
+use seamwright_project::teaching::TaughtPoint;
 use seamwright_report::{Axis, Chart, LimitLine, Series, Style, sheet};
 use seamwright_tracking::teach::Curves;
 
@@ -21,7 +21,8 @@ pub(super) fn draw(report: &Report) -> String {
 }
 
 fn curves(report: &Report) -> Vec<Chart> {
-    let over = |value: &dyn Fn(&Told) -> f64| report.figures.raw.iter().map(|p| (p.way, value(p))).collect::<Vec<_>>();
+    let over =
+        |value: &dyn Fn(&TaughtPoint) -> f64| report.figures.raw.iter().map(|p| (p.way, value(p))).collect::<Vec<_>>();
     let chart = |title: &'static str, y: Axis, series: Vec<Series>| Chart {
         title: words(title),
         x: Axis::new("s", "mm"),

@@ -5,7 +5,7 @@ use crate::rows::print_json;
 use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_machine::Machine;
 use seamwright_message::{Language, Message, Unit};
-use seamwright_project::teaching::{Figures, Outcome, Told, bridged};
+use seamwright_project::teaching::{Figures, Outcome, TaughtPoint, bridged};
 use seamwright_tracking::teach::{Curves, Reduced};
 use serde_json::{Value, json};
 use std::io::{self, Write as _};
@@ -38,7 +38,7 @@ impl<'a> Report<'a> {
         let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
         let most = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
         let overlaps = || notes.iter().filter_map(|n| n.overlap_mm);
-        let row = |p: &Told| {
+        let row = |p: &TaughtPoint| {
             let source = if p.operator { "operator" } else { "eye" };
             let (across, above) = p.from_nominal.unzip();
             json!({ "s_mm": p.way, "x_mm": p.point.x, "y_mm": p.point.y, "z_mm": p.point.z, "confidence": p.confidence,
