@@ -1,6 +1,6 @@
 # One place for every command. `make` alone lists them.
 
-.PHONY: help run test bench peers soak book fmt lint
+.PHONY: help run test bench peers soak book dist fmt lint
 
 help:
 	@echo "make run    a simulated cell with its panel: open the address that it prints"
@@ -9,6 +9,7 @@ help:
 	@echo "make peers  compare with other programs (LinuxCNC); installs what is missing, needs root"
 	@echo "make soak   the property tests with a hundred times the cases; ten minutes of broken part programs, ten of many who watch the panel"
 	@echo "make book   the documentation as a book with offline search: target/book/index.html"
+	@echo "make dist   the program for packages, optimised across crates and stripped: target/dist/seamwright"
 	@echo "make fmt    format the sources"
 	@echo "make lint   clippy with warnings as errors, spelling, words to avoid"
 
@@ -29,6 +30,9 @@ soak:
 
 book:
 	scripts/book
+
+dist:
+	cargo build --profile dist
 
 fmt:
 	cargo fmt --all

@@ -1,4 +1,4 @@
-// The browser of the tests. Software WebGL: slow, but the same everywhere.
+// The browser of the tests.
 import { existsSync, readFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { chromium } from 'playwright-core';
@@ -16,7 +16,11 @@ export const SIZES = {
 const panel = process.env.SEAMWRIGHT_PANEL;
 const KINDS = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml' };
 
-export function launch() {
+/** WebGL by software: the same everywhere, but it takes a processor for itself. Without it the panel shows all but its scenes. */
+const BY_SOFTWARE = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+/** Starts the browser, with scenes only for tests that look at them. */
+export function launch({ scenes = false } = {}) {
   return chromium.launch({
     executablePath: CHROMIUM,
     args: [
@@ -26,9 +30,7 @@ export function launch() {
       '--disable-background-networking',
       '--disable-component-update',
       '--disable-sync',
-      '--use-gl=angle',
-      '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader',
+      ...(scenes ? BY_SOFTWARE : ['--disable-3d-apis']),
       '--disable-gpu-compositing',
       // What a test fulfils by itself has no address, so Chromium takes the cell for another network's.
       ...(panel ? ['--disable-features=LocalNetworkAccessChecks'] : []),

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
 import { hasBrowser, launch, page } from './browser.mjs';
 import { isReal, NO_CELL, startCell } from './cell.mjs';
-import { axis, commands, control, mode, open, ready, record, sleep, tab } from './operator.mjs';
+import { axis, commands, control, mode, open, ready, record, shot, sleep, tab } from './operator.mjs';
 
 const options = { skip: hasBrowser ? false : 'no Chromium' };
 const onReal = { skip: hasBrowser ? (isReal ? false : `the mock goes nowhere by itself: ${NO_CELL}`) : 'no Chromium' };
@@ -209,7 +209,7 @@ test('a key that sends all axes to a place: they go while it is held, and stand 
     await home.hover();
     await one.mouse.down();
     for (let i = 0; i < 50 && !(Math.abs(await theta()) <= 0.005); i += 1) await sleep(100);
-    await one.screenshot({ path: new URL('shots/go.png', import.meta.url).pathname });
+    await shot(one, 'go');
     await one.mouse.up();
     await stands();
   }

@@ -1,19 +1,16 @@
 import assert from 'node:assert/strict';
-import { mkdirSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { hasBrowser, launch, page, SIZES } from './browser.mjs';
 import { startCell } from './cell.mjs';
-import { axe, control, open, quiet, sleep } from './operator.mjs';
+import { axe, control, open, quiet, shot, sleep } from './operator.mjs';
 
 const options = { skip: hasBrowser ? false : 'no Chromium' };
-const shots = new URL('shots/', import.meta.url).pathname;
 const TABS = 5;
 let cell;
 let browser;
 
 before(async () => {
   if (!hasBrowser) return;
-  mkdirSync(shots, { recursive: true });
   cell = await startCell();
   browser = await launch();
 });
@@ -49,44 +46,51 @@ const overflowing = (of) =>
     return wrong;
   });
 
-for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
-  for (const size of Object.keys(SIZES)) {
-    test(`${language} at ${size}: everything fits`, options, async () => {
-      const one = await page(browser, { language, size });
-      await open(one, cell.address);
-      for (let i = 0; i < TABS; i += 1) {
-        await go(one, i);
-        await sleep(400);
-        await one.screenshot({ path: `${shots}${language}-${size}-${i}.png` });
-        assert.deepEqual(await overflowing(one), [], `tab ${i}`);
-      }
-      const pages = one.locator('.setup .pages button');
-      const choice = one.locator('.setup .one select');
-      for (let i = 0; i < (await pages.count()); i += 1) {
-        if (await choice.isVisible()) await choice.selectOption({ index: i });
-        else await pages.nth(i).click();
-        await sleep(200);
-        await one.screenshot({ path: `${shots}${language}-${size}-set-up-${i}.png` });
-        assert.deepEqual(await overflowing(one), [], `set-up ${i}`);
-      }
-      // The editor, with its pages.
-      await go(one, 2);
-      await one.locator('li.card', { hasText: 'points.toml' }).getByRole('button').nth(1).click();
-      await one.locator('.right .good').waitFor({ timeout: 60_000 });
-      for (const half of ['.left', '.right']) {
-        const pages = one.locator(`.halves ${half} .pages button`);
-        for (let i = 0; i < (await pages.count()); i += 1) {
-          await pages.nth(i).click();
-          await sleep(300);
-          await one.screenshot({ path: `${shots}${language}-${size}-editor${half}${i}.png` });
-          assert.deepEqual(await overflowing(one), [], `editor ${half} ${i}`);
-        }
-      }
-      assert.equal(await one.evaluate(() => document.documentElement.lang), language);
-      quiet(one);
-      await one.context().close();
-    });
+/** Looks at the page as it is now on every size of screen; leaves it at the last, a phone's. */
+async function fits(one, where) {
+  for (const [size, viewport] of Object.entries(SIZES)) {
+    await one.setViewportSize(viewport);
+    await sleep(150);
+    await shot(one, `${where}-${size}`);
+    assert.deepEqual(await overflowing(one), [], `${where}, ${size}`);
   }
+}
+
+for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
+  test(`${language}: everything fits on every screen`, options, async () => {
+    const one = await page(browser, { language });
+    await open(one, cell.address);
+    for (let i = 0; i < TABS; i += 1) {
+      await go(one, i);
+      await sleep(250);
+      await fits(one, `${language} tab ${i}`);
+    }
+    // On a phone the pages are a list.
+    const pages = one.locator('.setup .one select');
+    const count = await pages.locator('option').count();
+    assert.ok(count > 5, `${count} pages`);
+    for (let i = 0; i < count; i += 1) {
+      await one.setViewportSize(SIZES.phone);
+      await pages.selectOption({ index: i });
+      await sleep(150);
+      await fits(one, `${language} set-up ${i}`);
+    }
+    // The editor, with its pages.
+    await go(one, 2);
+    await one.locator('li.card', { hasText: 'points.toml' }).getByRole('button').nth(1).click();
+    await one.locator('.right .good').waitFor({ timeout: 60_000 });
+    for (const half of ['.left', '.right']) {
+      const pages = one.locator(`.halves ${half} .pages button`);
+      for (let i = 0; i < (await pages.count()); i += 1) {
+        await pages.nth(i).click();
+        await sleep(150);
+        await fits(one, `${language} editor ${half} ${i}`);
+      }
+    }
+    assert.equal(await one.evaluate(() => document.documentElement.lang), language);
+    quiet(one);
+    await one.context().close();
+  });
 }
 
 for (const dark of [false, true]) {
@@ -98,7 +102,7 @@ for (const dark of [false, true]) {
       await go(one, i);
       await sleep(500);
       await check(`tab ${i}`);
-      await one.screenshot({ path: `${shots}${dark ? 'dark' : 'light'}-${i}.png` });
+      await shot(one, `${dark ? 'dark' : 'light'}-${i}`);
     }
     for (const name of ['Axes and drives', 'Tool', 'Sensors', 'Inputs and outputs', 'Tuning', 'Alarm catalogue', 'Users', 'Audit log']) {
       await one.getByRole('button', { name, exact: true }).click();
@@ -116,7 +120,7 @@ for (const dark of [false, true]) {
       await one.getByRole('button', { name, exact: true }).click();
       await sleep(800);
       await check(name);
-      await one.screenshot({ path: `${shots}${dark ? 'dark' : 'light'}-${name}.png` });
+      await shot(one, `${dark ? 'dark' : 'light'}-${name}`);
     }
     await one.getByRole('button', { name: 'Save as' }).click();
     await check('saving as');

@@ -1,21 +1,22 @@
 // What an operator does, in the panel's own words (English).
 import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
+import { join } from 'node:path';
 import { after } from 'node:test';
 import { hasBrowser, launch, page as blank } from './browser.mjs';
 import { isReal, NO_CELL, startCell, startMock } from './cell.mjs';
 
 /**
  * A cell, a browser and a page for the tests of a file, ended after them. `real` says why the mock does not do: for the tests with
- * `onReal`, or, with `only`, for all of the file. With `mock` the cell is a mock in any case. `options` are for the others.
+ * `onReal`, or, with `only`, for all of the file. With `mock` the cell is a mock in any case. With `scenes` the browser draws them. `options` are for the others.
  */
-export async function bench({ real = '', only = false, mock = false, job, ...view } = {}) {
+export async function bench({ real = '', only = false, mock = false, job, scenes = false, ...view } = {}) {
   const skip = hasBrowser ? false : 'no Chromium';
   const onReal = { skip: skip || (isReal ? false : `${real}: ${NO_CELL}`) };
   const options = only ? onReal : { skip };
   if (options.skip) return { options, onReal };
   const cell = await (mock ? startMock() : startCell(job));
-  const browser = await launch();
+  const browser = await launch({ scenes });
   after(async () => {
     await browser.close();
     await cell.end();
@@ -134,11 +135,17 @@ export async function record(page) {
   await points.nth(before).waitFor();
 }
 
+/** A picture of the page to look at, in the folder `SEAMWRIGHT_SHOTS`; without that none is made. */
+export async function shot(page, name) {
+  const folder = process.env.SEAMWRIGHT_SHOTS;
+  if (folder) await page.screenshot({ path: join(folder, `${name.replaceAll(' ', '-')}.png`) });
+}
+
 export const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 
-/** Nothing was said on the console but what the software renderer says of itself. */
+/** Nothing was said on the console but what the renderer says of itself. */
 export function quiet(page) {
-  assert.deepEqual(page.wrong.filter((text) => !text.includes('GL Driver Message')), []);
+  assert.deepEqual(page.wrong.filter((text) => !/GL Driver Message|WebGL context/.test(text)), []);
 }
 
 /** Axe finds nothing on the page as it is now, an open dialog with it. */

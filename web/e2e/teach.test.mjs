@@ -2,10 +2,9 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hasBrowser, launch, page } from './browser.mjs';
 import { isReal, NO_CELL, startCell } from './cell.mjs';
-import { axis, control, keep, load, mode, open, press, quiet, ready, sleep, tab } from './operator.mjs';
+import { axis, control, keep, load, mode, open, press, quiet, ready, shot, sleep, tab } from './operator.mjs';
 
 const options = { skip: hasBrowser ? (isReal ? false : `the mock has no eye: ${NO_CELL}`) : 'no Chromium' };
-const SHOTS = process.env.SEAMWRIGHT_SHOTS;
 let cell;
 let browser;
 let one;
@@ -19,7 +18,7 @@ before(async () => {
   await control(one);
 });
 after(async () => {
-  if (one) await shot('teach-last');
+  if (one) await shot(one, 'teach-last');
   await browser?.close();
   await cell?.end();
 });
@@ -27,7 +26,6 @@ after(async () => {
 const phase = (...wanted) =>
   one.waitForFunction((list) => list.includes(document.querySelector('[data-teach]')?.dataset.teach), wanted, { timeout: 120_000 });
 const button = (name) => one.getByRole('button', { name });
-const shot = (name) => (SHOTS ? one.screenshot({ path: `${SHOTS}/${name}.png` }) : undefined);
 
 /** A page that drew a second by software has lost control. */
 async function commands() {
@@ -110,7 +108,7 @@ test('a seam is taught by eye, from its start in 3D to a saved job', options, as
   }
   await one.locator('.rows tbody tr').nth(2).waitFor();
   await one.locator('.camera img').waitFor();
-  await shot('teach-runs');
+  await shot(one, 'teach-runs');
   if (await button('Pause').isVisible()) {
     await button('Pause').click();
     await phase('paused', 'ended');
@@ -130,10 +128,10 @@ test('a seam is taught by eye, from its start in 3D to a saved job', options, as
   await one.getByRole('textbox', { name: 'Name' }).fill('taught-ring');
   await button('Save as program').click();
   await one.getByText('Saved: taught-ring.toml').waitFor();
-  await shot('teach-ended');
+  await shot(one, 'teach-ended');
   await button('Open').last().click();
   await one.locator('.right .page').getByText(/Can be welded/).waitFor({ timeout: 120_000 });
-  await shot('teach-opened');
+  await shot(one, 'teach-opened');
   quiet(one);
 });
 

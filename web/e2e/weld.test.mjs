@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { page } from './browser.mjs';
 import { axe, bench, burns, control, home, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
 
-const { one, cell, browser, options } = await bench({ toured: false, real: 'the mock welds nothing', only: true, job: null });
+const { one, cell, browser, options } = await bench({ toured: false, scenes: true, real: 'the mock welds nothing', only: true, job: null });
 
 /** What the issue of the tour is: from its first step to the record. */
 const WITHIN_S = 120;

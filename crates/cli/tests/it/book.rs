@@ -1,6 +1,7 @@
 //! The commands in the book run as printed.
 
 use crate::common::root;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -86,4 +87,24 @@ fn every_page_is_in_the_navigation_once() {
     for name in listed {
         assert!(folder.join(name).is_file(), "the nav of mkdocs.yml names {name}, which is missing");
     }
+}
+
+/// Every library of a `Cargo.toml` has its purpose in the book, and no other is there.
+#[test]
+fn every_library_has_its_reason() {
+    let table = |path: &Path| std::fs::read_to_string(path).unwrap().parse::<toml_edit::DocumentMut>().unwrap();
+    let mut used = BTreeSet::new();
+    for entry in std::fs::read_dir(root().join("crates")).unwrap() {
+        let file = table(&entry.unwrap().path().join("Cargo.toml"));
+        let targets = file.get("target").and_then(|of| of.as_table()).into_iter().flat_map(|of| of.iter());
+        let tables = targets.filter_map(|(_, target)| target.as_table()).chain([file.as_table()]);
+        for kind in tables.flat_map(|of| of.iter()).filter(|(name, _)| name.ends_with("dependencies")) {
+            used.extend(kind.1.as_table().unwrap().iter().map(|(name, _)| name.to_owned()));
+        }
+    }
+    used.retain(|name| !name.starts_with("seamwright-"));
+    let page = std::fs::read_to_string(root().join("docs/explanation/dependencies.md")).unwrap();
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split(" |").next());
+    let named: BTreeSet<String> = rows.flat_map(|row| row.split(", ")).map(|name| name.replace('`', "")).collect();
+    assert_eq!(named, used);
 }

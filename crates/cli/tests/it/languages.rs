@@ -59,8 +59,11 @@ fn cut(page: &str) -> Vec<&str> {
     page.split("</text>").filter(|text| text.ends_with('…')).map(|text| text.rsplit('>').next().unwrap()).collect()
 }
 
-/// The files of a run in every language are translations of the English page.
-fn in_all_languages(arguments: &[&str]) {
+/// All languages but English.
+const TRANSLATED: [&str; 4] = ["uk", "zh", "de", "ru"];
+
+/// The files of a run in `languages` are translations of the English page.
+fn in_languages(arguments: &[&str], languages: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     let written = |language: &str| {
         let out = folder.path().join(language).display().to_string();
@@ -74,7 +77,7 @@ fn in_all_languages(arguments: &[&str]) {
     let names = names(&serde_json::from_str(&json("en")).unwrap());
     let said: BTreeSet<String> = words(&english).difference(&names).cloned().collect();
     assert!(said.len() > 120, "{said:?}");
-    for language in ["uk", "zh", "de", "ru"] {
+    for language in languages {
         let page = written(language);
         assert!(page.contains(&format!("<html lang=\"{language}\">")));
         let same: &[&str] = if language == "de" { &GERMAN } else { &[] };
@@ -89,19 +92,21 @@ fn in_all_languages(arguments: &[&str]) {
 
 #[test]
 fn plans_are_told_in_all_languages() {
-    in_all_languages(&["plan", &example("first-weld"), "--post", "linuxcnc"]);
-    for name in ["thick-saddle", "taught-saddle", "set-in-nozzle", "weave", "points", "radiator", "oblique-girth"] {
-        in_all_languages(&["plan", &example(name)]);
+    in_languages(&["plan", &example("first-weld"), "--post", "linuxcnc"], &TRANSLATED);
+    // Each of these has words of its own, in two of the languages: a missing translation fails other tests.
+    let examples = ["thick-saddle", "taught-saddle", "set-in-nozzle", "weave", "points", "radiator", "oblique-girth"];
+    for (name, languages) in examples.iter().zip([&TRANSLATED[..2], &TRANSLATED[2..]].iter().cycle()) {
+        in_languages(&["plan", &example(name)], languages);
     }
 }
 
 #[test]
 fn simulated_welds_are_told_in_all_languages() {
-    in_all_languages(&["simulate", &example("first-weld")]);
-    in_all_languages(&["simulate", &example("t-joint")]);
+    in_languages(&["simulate", &example("first-weld")], &TRANSLATED);
+    in_languages(&["simulate", &example("t-joint")], &TRANSLATED[..1]);
     let distortion = root().join("examples/distortions/half-ring.toml").display().to_string();
-    in_all_languages(&["simulate", &example("half-ring"), "--distortion", &distortion]);
-    in_all_languages(&["simulate", &example("half-ring"), "--distortion", &distortion, "--no-tracking"]);
+    in_languages(&["simulate", &example("half-ring"), "--distortion", &distortion], &TRANSLATED[1..3]);
+    in_languages(&["simulate", &example("half-ring"), "--distortion", &distortion, "--no-tracking"], &TRANSLATED[3..]);
 }
 
 #[test]
@@ -115,9 +120,9 @@ fn findings_are_told_in_all_languages() {
     let text = fs::read_to_string(example("first-weld")).unwrap();
     let fast = text.replace("speed_mm_s = 10", "speed_mm_s = 13");
     assert!(fast != text);
-    in_all_languages(&["plan", &job("fast.toml", &fast)]);
+    in_languages(&["plan", &job("fast.toml", &fast)], &TRANSLATED);
     let strict = free_example("first-weld") + "\n[tolerance]\npath_mm = 0.001\nspeed_percent = 0.01\n";
-    in_all_languages(&["simulate", &job("strict.toml", &strict)]);
+    in_languages(&["simulate", &job("strict.toml", &strict)], &TRANSLATED);
 }
 
 #[test]
