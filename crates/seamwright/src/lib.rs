@@ -33,7 +33,8 @@
 //! | [`machine`] | machine files, forward and inverse kinematics, limits |
 //! | [`motion`] | axis paths, speed profiles, set-points, transfer moves |
 //! | [`post`] | part programs for Sinumerik, LinuxCNC, grblHAL and PMAC: write, read, verify |
-//! | [`cell`] | the running machine: executive, simulated and real devices |
+//! | [`executive`] | the running cell: modes, process, interlocks, alarms, devices, tracking in real time |
+//! | [`simulation`] | simulated devices, sensors and cameras, true positions, injected faults |
 //! | [`tracking`] | seam tracking, teaching by camera |
 //! | [`vision`] | joints in camera frames and in laser stripes |
 //! | [`geometry`] | curves, surfaces, intersections, arc length |
@@ -46,11 +47,11 @@
 
 pub use glam;
 #[doc(inline)]
-pub use seamwright_cell as cell;
-#[doc(inline)]
 pub use seamwright_clearance as clearance;
 #[doc(inline)]
 pub use seamwright_document as document;
+#[doc(inline)]
+pub use seamwright_executive as executive;
 #[doc(inline)]
 pub use seamwright_geometry as geometry;
 #[doc(inline)]
@@ -65,6 +66,8 @@ pub use seamwright_post as post;
 pub use seamwright_program as program;
 #[doc(inline)]
 pub use seamwright_project as project;
+#[doc(inline)]
+pub use seamwright_simulation as simulation;
 #[doc(inline)]
 pub use seamwright_tracking as tracking;
 #[doc(inline)]

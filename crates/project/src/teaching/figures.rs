@@ -1,9 +1,9 @@
 use super::Outcome;
 use glam::DVec3;
-use seamwright_cell::camera_simulator::{SeamLine, Station};
 use seamwright_geometry::reduce::{Shape, Span};
 use seamwright_geometry::{Arc, Curve, Spline};
 use seamwright_tracking::teach::{Curves, Reduced, Source};
+use seamwright_tracking::teach::{SeamLine, Station};
 use std::f64::consts::TAU;
 
 /// Minimum distance between reported raw points along the line, mm.

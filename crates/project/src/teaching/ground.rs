@@ -1,10 +1,10 @@
 use crate::failure::Failure;
 use crate::load::Loaded;
 use glam::DVec3;
-use seamwright_cell::camera_simulator::SeamLine;
-use seamwright_cell::teach::{Carrier, Guide};
+use seamwright_executive::teach::{Carrier, Guide};
 use seamwright_machine::{Joints, Machine, Sensor, Surroundings};
 use seamwright_motion::PassMotion;
+use seamwright_tracking::teach::SeamLine;
 
 /// Data for a move along a joint: the planned weld, near which its redundant axes stay, and the surroundings.
 pub struct Ground<'a> {

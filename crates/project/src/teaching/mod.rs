@@ -14,8 +14,7 @@ pub use picture::Picture;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use glam::DVec3;
-use seamwright_cell::camera_simulator::{SeamLine, Station};
-use seamwright_cell::teach::JointFollower;
+use seamwright_executive::teach::JointFollower;
 use seamwright_geometry::HeightTable;
 use seamwright_message::Message;
 use seamwright_program::Program;
@@ -23,6 +22,7 @@ use seamwright_tracking::teach::{
     CameraPose, End, Kind, Lean, LinePoint, Reduced, ReductionTolerances, Settings, TaughtLine, smoothed, to_program,
     torch_axes,
 };
+use seamwright_tracking::teach::{SeamLine, Station};
 use seamwright_weld::Attitude;
 
 /// Distance of the points of the smoothed line, mm.

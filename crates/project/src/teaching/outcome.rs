@@ -1,7 +1,8 @@
 use super::{Picture, smooth};
-use seamwright_cell::teach::{TaughtRun, Truth};
+use seamwright_executive::teach::TaughtRun;
 use seamwright_message::Message;
 use seamwright_program::Finding;
+use seamwright_simulation::teach::Truth;
 use seamwright_tracking::teach::{CameraNote, Crawl, End, LinePoint, TaughtLine};
 
 /// Result of teaching. Without frames (the operator's points) there is only the smooth line.

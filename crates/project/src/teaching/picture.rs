@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::overlay::{COASTED, CROSS, MOTION, Overlay, ZONE, sureness};
 use glam::{DVec2, DVec3};
-use seamwright_cell::teach::Look;
+use seamwright_executive::teach::Look;
 use seamwright_geometry::HeightTable;
 use seamwright_tracking::teach::{Command, Row, Settings};
 use seamwright_vision::Image;

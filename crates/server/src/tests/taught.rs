@@ -4,12 +4,13 @@ use super::lived::{Page, Served};
 use crate::http::Panel;
 use axum::http::StatusCode;
 use http_body_util::BodyExt as _;
-use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, SeamLine};
-use seamwright_cell::frames::{FrameSource as _, TimedFrame, write_frame};
-use seamwright_cell::teach::joints;
+use seamwright_executive::frames::{FrameSource as _, TimedFrame, write_frame};
+use seamwright_executive::teach::joints;
 use seamwright_machine::Sight;
 use seamwright_project::load::{Loaded, load_text};
 use seamwright_project::teaching::nominal;
+use seamwright_simulation::camera_simulator::{Appearance, CameraSimulator};
+use seamwright_tracking::teach::SeamLine;
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 

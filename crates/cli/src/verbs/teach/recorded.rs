@@ -7,11 +7,11 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::in_file;
 use glam::DVec3;
-use seamwright_cell::camera_simulator::SeamLine;
-use seamwright_cell::frames::{FrameError, FrameSource, Recorded, TimedFrame};
-use seamwright_cell::teach::{Played, joints};
+use seamwright_executive::frames::{FrameError, FrameSource, Recorded, TimedFrame};
+use seamwright_executive::teach::{Played, joints};
 use seamwright_message::Message;
 use seamwright_project::teaching::Outcome;
+use seamwright_tracking::teach::SeamLine;
 use std::path::Path;
 
 pub(super) fn teach(args: &TeachArgs, folder: &Path, loaded: &Loaded, nominal: &SeamLine) -> Result<Outcome, Failure> {

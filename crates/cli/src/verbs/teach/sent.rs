@@ -8,11 +8,11 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::{in_file, refused};
 use glam::DVec3;
-use seamwright_cell::camera_simulator::SeamLine;
-use seamwright_cell::frames::{FrameSource, FrameStream};
-use seamwright_cell::teach::{DistantRig, joints};
+use seamwright_executive::frames::{FrameSource, FrameStream};
+use seamwright_executive::teach::{DistantRig, joints};
 use seamwright_message::Message;
 use seamwright_project::teaching::{Ground, Outcome};
+use seamwright_tracking::teach::SeamLine;
 use std::ops::RangeInclusive;
 use std::time::Duration;
 

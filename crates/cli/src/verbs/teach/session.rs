@@ -6,12 +6,12 @@ use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::progress::Progress;
-use seamwright_cell::camera_simulator::SeamLine;
-use seamwright_cell::frames::Recorder;
-use seamwright_cell::teach::{Look, Rig, Setup};
+use seamwright_executive::frames::Recorder;
+use seamwright_executive::teach::{Look, Rig, Setup};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor};
 use seamwright_project::teaching::{Outcome, Picture};
+use seamwright_tracking::teach::SeamLine;
 use seamwright_tracking::teach::{CameraPose, Crawl};
 use std::cell::RefCell;
 
@@ -46,7 +46,7 @@ impl<'a> Session<'a> {
         };
         let mut follower = follower(args, table)?;
         let setup = Setup { machine, sensor, midline: &mut follower, operator: &mut operator };
-        let run = seamwright_cell::teach::teach(setup, &mut crawl, rig, &mut each);
+        let run = seamwright_executive::teach::teach(setup, &mut crawl, rig, &mut each);
         let ended = operator.said_end();
         drop(progress);
         // Frames that came before one that did not can be played again.

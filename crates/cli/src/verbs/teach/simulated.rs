@@ -8,10 +8,11 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::{between, not_allowed, of_option};
 use glam::DVec3;
-use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, Distortion, SeamLine};
-use seamwright_cell::teach::{SimulatedRig, truth};
 use seamwright_message::{Message, Unit};
 use seamwright_project::teaching::{Ground, Outcome};
+use seamwright_simulation::camera_simulator::{Appearance, CameraSimulator, Distortion};
+use seamwright_simulation::teach::{SimulatedRig, truth};
+use seamwright_tracking::teach::SeamLine;
 
 /// Distance from the joint at which the simulated operator puts the cross, mm.
 const BESIDE_MM: f64 = 0.3;
