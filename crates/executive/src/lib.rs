@@ -9,7 +9,6 @@
 //! | connect a device: drives, process source, inputs, sensors | [`devices`] |
 //! | run the cycle in real time, and connect other threads to it | [`realtime`] |
 //! | correct passes during welding | [`tracking`] |
-//! | teach a seam by camera | [`teach`], with images from [`frames`] |
 //!
 //! Simulation and real cell are the same executive. Only devices and time differ. On a real cell a
 //! [`devices::DeviceSet`] has real devices, and [`realtime::live()`] connects the executive with the panel. The
@@ -52,9 +51,7 @@
 pub mod devices;
 mod error;
 mod executive;
-pub mod frames;
 pub mod realtime;
-pub mod teach;
 pub mod tracking;
 
 pub use error::Error;

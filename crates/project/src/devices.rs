@@ -3,11 +3,9 @@
 use crate::Failure;
 use crate::failure::with_hint;
 use crate::steps::StreamedSteps;
-#[cfg(target_os = "linux")]
-use seamwright_executive::devices::LinuxCncDrives;
-use seamwright_executive::devices::modbus;
 use seamwright_executive::devices::modbus::{ModbusError, TrafficView};
-use seamwright_executive::devices::{DeviceSet, Drives, InputBits, Inputs, Source};
+#[cfg(target_os = "linux")]
+use seamwright_executive::devices::{DeviceSet, Drives, InputBits, Inputs, LinuxCncDrives, Source, modbus};
 use seamwright_executive::{DriveReport, Interlocks, SourceReport};
 use seamwright_machine::{LinuxCnc, Machine};
 use seamwright_message::{Argument, Language, Message, Unit};

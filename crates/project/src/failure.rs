@@ -146,8 +146,8 @@ impl From<io::Error> for Failure {
     }
 }
 
-impl From<seamwright_executive::frames::FrameError> for Failure {
-    fn from(e: seamwright_executive::frames::FrameError) -> Self {
+impl From<seamwright_frames::FrameError> for Failure {
+    fn from(e: seamwright_frames::FrameError) -> Self {
         if e.is_environment() { Self::Environment(e.message()) } else { Self::Input(e.message()) }
     }
 }
@@ -168,6 +168,16 @@ impl From<seamwright_simulation::Error> for Failure {
         match e {
             seamwright_simulation::Error::Cell(e) => e.into(),
             e => Self::Input(e.message()),
+        }
+    }
+}
+
+impl From<seamwright_teaching::Error> for Failure {
+    fn from(e: seamwright_teaching::Error) -> Self {
+        match e {
+            seamwright_teaching::Error::Document(e) => Self::Document(e),
+            seamwright_teaching::Error::Findings(findings) => Self::Findings(findings),
+            seamwright_teaching::Error::Refused(message) => Self::Input(message),
         }
     }
 }

@@ -35,7 +35,9 @@
 //! | [`post`] | part programs for Sinumerik, LinuxCNC, grblHAL and PMAC: write, read, verify |
 //! | [`executive`] | the running cell: modes, process, interlocks, alarms, devices, tracking in real time |
 //! | [`simulation`] | simulated devices, sensors and cameras, true positions, injected faults |
-//! | [`tracking`] | seam tracking, teaching by camera |
+//! | [`tracking`] | seam tracking |
+//! | [`teaching`] | teaching by camera: from frames to a program |
+//! | [`frames`] | camera frames: files, recordings, connections |
 //! | [`vision`] | joints in camera frames and in laser stripes |
 //! | [`geometry`] | curves, surfaces, intersections, arc length |
 //! | [`clearance`] | solids and their distances, in a pose and along a motion |
@@ -53,6 +55,8 @@ pub use seamwright_document as document;
 #[doc(inline)]
 pub use seamwright_executive as executive;
 #[doc(inline)]
+pub use seamwright_frames as frames;
+#[doc(inline)]
 pub use seamwright_geometry as geometry;
 #[doc(inline)]
 pub use seamwright_machine as machine;
@@ -68,6 +72,8 @@ pub use seamwright_program as program;
 pub use seamwright_project as project;
 #[doc(inline)]
 pub use seamwright_simulation as simulation;
+#[doc(inline)]
+pub use seamwright_teaching as teaching;
 #[doc(inline)]
 pub use seamwright_tracking as tracking;
 #[doc(inline)]

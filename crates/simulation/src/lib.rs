@@ -9,7 +9,7 @@
 //! | run the executive on simulated devices | [`SimulatedCell`], [`devices`] |
 //! | track seams that deviate from the plan | [`tracking`] |
 //! | paint camera images and laser stripes | [`camera_simulator`] |
-//! | teach a seam by a simulated camera | [`teach`] |
+//! | teach a seam by a simulated camera | [`teaching`] |
 //! | test the response to every fault of every device | [`fault_injection`] |
 //!
 //! Simulation and real cell are the same executive. Only devices and time differ.
@@ -87,7 +87,7 @@ pub mod fault_injection;
 mod sample;
 mod simulate;
 mod summary;
-pub mod teach;
+pub mod teaching;
 pub mod tracking;
 
 pub use conditions::Conditions;

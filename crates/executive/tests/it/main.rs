@@ -1,7 +1,6 @@
 //! All tests in one program, which is compiled and linked once. Tests that measure resources of the process have
 //! their own.
 
-mod frame_sources;
 mod modbus;
 #[path = "../support/modbus_cell.rs"]
 mod modbus_cell;

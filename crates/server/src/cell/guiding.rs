@@ -3,8 +3,7 @@
 use super::prepared::Base;
 use seamwright_executive::devices::Sensors;
 use seamwright_executive::tracking::Tracking;
-use seamwright_executive::{Guide, Guided, Place, Planned, Seen, Tracked, Trouble};
-use seamwright_executive::{SeamOrders, SensorReport};
+use seamwright_executive::{Guide, Guided, Place, Planned, SeamOrders, Seen, SensorReport, Tracked, Trouble};
 use seamwright_machine::Joints;
 use seamwright_simulation::tracking::SimulatedSensors;
 use seamwright_tracking::beam::Picture;

@@ -112,7 +112,7 @@ impl Client {
                 Message::new("server-axis-count").count("n", axes.len()).count("allowed", machine.axes.len()),
             ));
         }
-        let target = seamwright_executive::teach::joints(&machine, axes);
+        let target = machine.joints_from_file(axes);
         self.send(seq, Ask::Jog(jog::Command::To(target)));
         Ok(())
     }

@@ -4,7 +4,7 @@ use crate::disturbance::uniform;
 use glam::{DQuat, DVec3};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
-use seamwright_tracking::teach::{SeamLine, Station};
+use seamwright_teaching::{SeamLine, Station};
 use std::f64::consts::TAU;
 
 /// Number of waves of the bend over the length of the seam.

@@ -3,10 +3,10 @@
 use super::random::Random;
 use super::scene::{Canvas, Disturbances, Texture};
 use glam::{DAffine3, DVec2, DVec3};
-use seamwright_executive::frames::{FrameError, FrameSource, TimedFrame};
+use seamwright_frames::{FrameError, FrameSource, TimedFrame};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Joints, Machine, Sensor, Sight};
-use seamwright_tracking::teach::{SeamLine, Station};
+use seamwright_teaching::{SeamLine, Station};
 use seamwright_vision::Image;
 use std::collections::VecDeque;
 

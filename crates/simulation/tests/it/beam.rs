@@ -3,7 +3,7 @@
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_simulation::tracking::beam::{BeamJob, beam_rows, moved_since};
-use seamwright_tracking::teach::{SeamLine, Station};
+use seamwright_teaching::{SeamLine, Station};
 use seamwright_weld::Welding;
 
 struct Ring {

@@ -20,7 +20,7 @@ mod modbus_server;
 mod shutdown;
 mod simulate;
 mod stripe;
-mod teach;
+mod teaching;
 mod tracked;
 mod tracking;
 mod tracking_stripes;

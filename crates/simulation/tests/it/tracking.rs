@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 use seamwright_machine::{Machine, shipped};
-use seamwright_simulation::tracking::acceptance::fault_rows;
-use seamwright_simulation::tracking::acceptance::{misplaced_rows, t_joint_rows};
-use seamwright_simulation::tracking::acceptance::{scenarios, tracking_gates};
+use seamwright_simulation::tracking::acceptance::{
+    fault_rows, misplaced_rows, scenarios, t_joint_rows, tracking_gates,
+};
 use seamwright_simulation::tracking::{Displacement, HeadScene, Method, Part, Scenario, run};
 use seamwright_weld::Welding;
 

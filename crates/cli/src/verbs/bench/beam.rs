@@ -7,7 +7,7 @@ use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath as _;
 use seamwright_simulation::acceptance::{Gate, Limit};
 use seamwright_simulation::tracking::beam::{BeamJob, MOVED_MM, beam_rows, moved_since};
-use seamwright_tracking::teach::{SeamLine, Station};
+use seamwright_teaching::{SeamLine, Station};
 use seamwright_weld::Welding;
 
 const JOB: &str = include_str!("../../../../../examples/half-ring.toml");

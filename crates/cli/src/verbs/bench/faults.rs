@@ -7,10 +7,9 @@ use crate::verbs::run::bad;
 use seamwright_executive::tracking::RESERVE;
 use seamwright_executive::{Place, Start};
 use seamwright_message::Message;
-use seamwright_simulation::fault_injection;
 use seamwright_simulation::fault_injection::{Outcome, Stage, TrackedStage};
 use seamwright_simulation::tracking::Distortion;
-use seamwright_simulation::{Conditions, SimulatedCell};
+use seamwright_simulation::{Conditions, SimulatedCell, fault_injection};
 use std::path::Path;
 
 const JOB: &str = include_str!("../../../../../examples/saddle.toml");

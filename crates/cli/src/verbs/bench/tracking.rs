@@ -10,11 +10,9 @@ use seamwright_executive::tracking::RESERVE;
 use seamwright_machine::{Machine, shipped};
 use seamwright_message::Message;
 use seamwright_simulation::acceptance::Gate;
-use seamwright_simulation::tracking::acceptance::cross_talk;
-use seamwright_simulation::tracking::acceptance::fault_rows;
-use seamwright_simulation::tracking::acceptance::stripe_rows;
-use seamwright_simulation::tracking::acceptance::{GateRow, tracking_gates, weld_count};
-use seamwright_simulation::tracking::acceptance::{heat_rows, misplaced_rows, t_joint_rows};
+use seamwright_simulation::tracking::acceptance::{
+    GateRow, cross_talk, fault_rows, heat_rows, misplaced_rows, stripe_rows, t_joint_rows, tracking_gates, weld_count,
+};
 use seamwright_weld::Welding;
 use serde::Serialize;
 use std::fmt::Write as _;

@@ -7,15 +7,14 @@ use crate::acceptance::{Gate, Limit};
 use crate::camera_simulator::Appearance;
 use crate::error::Error;
 use glam::DVec3;
-use seamwright_executive::teach::JointFollower;
 use seamwright_executive::tracking::{BeamHead, Seam};
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath;
+use seamwright_teaching::{JointFollower, SeamLine, Station};
 use seamwright_tracking::beam::{
     Allowed, BeamReplay, BeamTracking, DeviationRecord, Misfit, Replay, ReplaySettings, Settings,
 };
-use seamwright_tracking::teach::{SeamLine, Station};
 
 /// A pass to be welded by beam, and the same seam started elsewhere.
 pub struct BeamJob<'a> {

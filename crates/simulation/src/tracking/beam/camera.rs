@@ -2,15 +2,13 @@ use crate::camera_simulator::{Appearance, CameraSimulator, Random};
 use crate::error::Error;
 use crate::tracking::world::World;
 use glam::{DAffine3, DVec2, DVec3};
-use seamwright_executive::frames::FrameSource;
-use seamwright_executive::teach::Midline;
 use seamwright_executive::tracking;
+use seamwright_frames::FrameSource;
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Joints, Machine, Sensor, Sight};
+use seamwright_teaching::{Aim, Midline, SeamLine};
 use seamwright_tracking::beam::Point;
 use seamwright_tracking::lead::SeamFrame;
-use seamwright_tracking::teach::Aim;
-use seamwright_tracking::teach::SeamLine;
 
 /// Position from which a frame is taken.
 #[derive(Debug, Clone, Copy)]
@@ -214,10 +212,10 @@ impl<M: Midline> BeamCamera for Pixels<'_, M> {
             let direction = (ahead - start).try_normalize()?;
             Some(self.midline.find(&picture, &Aim { start, direction, by_hand: false }).rows)
         });
-        let sure = |rows: &Vec<seamwright_tracking::teach::Row>| rows.iter().map(|row| row.confidence).sum::<f64>();
+        let sure = |rows: &Vec<seamwright_teaching::Row>| rows.iter().map(|row| row.confidence).sum::<f64>();
         let rows = rows.max_by(|a, b| sure(a).total_cmp(&sure(b))).unwrap_or_default();
         let torch = &glance.torch;
-        let point = |row: &seamwright_tracking::teach::Row| {
+        let point = |row: &seamwright_teaching::Row| {
             let point = camera.transform_point3(self.table.to_point(row.px, height).ok()?);
             let off = point - torch.point;
             let (along_mm, lateral_mm) = (off.dot(torch.along), off.dot(torch.lateral));

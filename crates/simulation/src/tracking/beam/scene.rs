@@ -5,8 +5,8 @@ use seamwright_executive::tracking::Seam;
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath;
+use seamwright_teaching::{SeamLine, Station};
 use seamwright_tracking::actuator::{DeflectionLimits, SlideLimits};
-use seamwright_tracking::teach::{SeamLine, Station};
 use std::f64::consts::TAU;
 
 /// A pass to be welded by beam.
