@@ -14,7 +14,7 @@ mod verbs;
 use args::{Cli, ToolsVerb, Verb, VisionVerb};
 use failure::Failure;
 use seamwright_message::{Language, Message};
-use seamwright_project::{csv, examples, failure, files, load, overlay};
+use seamwright_project::{csv, examples, failure, files, load};
 use std::io::Write as _;
 use std::process::ExitCode;
 

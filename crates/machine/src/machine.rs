@@ -154,6 +154,15 @@ impl Machine {
         self.axes.iter().position(|a| a.name == name)
     }
 
+    /// Converts axis positions in mm or degrees, in the machine file's order.
+    pub fn joints_from_file(&self, given: &[f64]) -> Joints {
+        let mut joints = Joints::default();
+        for (value, (axis, given)) in joints.iter_mut().zip(self.axes.iter().zip(given)) {
+            *value = axis.from_file(*given);
+        }
+        joints
+    }
+
     /// Positions after homing.
     pub fn home(&self) -> Joints {
         let mut q = Joints::default();

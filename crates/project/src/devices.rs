@@ -3,16 +3,13 @@
 use crate::Failure;
 use crate::failure::with_hint;
 use crate::steps::StreamedSteps;
+use seamwright_executive::devices::modbus::{ModbusError, TrafficView};
 #[cfg(target_os = "linux")]
-use seamwright_cell::devices::LinuxCncDrives;
-use seamwright_cell::devices::modbus::{self, ModbusError, TrafficView};
-use seamwright_cell::devices::{
-    Device, DeviceSet, Drives, Fault, Faulty, InputBits, Inputs, SimulatedDrives, SimulatedInputs, SimulatedSource,
-    Source,
-};
-use seamwright_cell::executive::{DriveReport, Interlocks, SourceReport};
+use seamwright_executive::devices::{DeviceSet, Drives, InputBits, Inputs, LinuxCncDrives, Source, modbus};
+use seamwright_executive::{DriveReport, Interlocks, SourceReport};
 use seamwright_machine::{LinuxCnc, Machine};
 use seamwright_message::{Argument, Language, Message, Unit};
+use seamwright_simulation::devices::{Device, Fault, Faulty, SimulatedDrives, SimulatedInputs, SimulatedSource};
 use serde_json::{Value, json};
 use std::io::Write as _;
 use std::path::Path;

@@ -146,26 +146,39 @@ impl From<io::Error> for Failure {
     }
 }
 
-impl From<seamwright_cell::frames::FrameError> for Failure {
-    fn from(e: seamwright_cell::frames::FrameError) -> Self {
+impl From<seamwright_frames::FrameError> for Failure {
+    fn from(e: seamwright_frames::FrameError) -> Self {
         if e.is_environment() { Self::Environment(e.message()) } else { Self::Input(e.message()) }
     }
 }
 
-impl From<seamwright_cell::Error> for Failure {
-    fn from(e: seamwright_cell::Error) -> Self {
+impl From<seamwright_executive::Error> for Failure {
+    fn from(e: seamwright_executive::Error) -> Self {
         match e {
-            seamwright_cell::Error::Drive { .. } => {
+            seamwright_executive::Error::Drive { .. } => {
                 Self::Input(Message::new("project-in-machine-file").message("why", e.message()))
             }
-            _ => Self::Input(e.message()),
+            seamwright_executive::Error::Values(_) => Self::Input(e.message()),
         }
     }
 }
 
-impl From<seamwright_cell::tracking::Error> for Failure {
-    fn from(e: seamwright_cell::tracking::Error) -> Self {
-        Self::Input(e.message())
+impl From<seamwright_simulation::Error> for Failure {
+    fn from(e: seamwright_simulation::Error) -> Self {
+        match e {
+            seamwright_simulation::Error::Cell(e) => e.into(),
+            e => Self::Input(e.message()),
+        }
+    }
+}
+
+impl From<seamwright_teaching::Error> for Failure {
+    fn from(e: seamwright_teaching::Error) -> Self {
+        match e {
+            seamwright_teaching::Error::Document(e) => Self::Document(e),
+            seamwright_teaching::Error::Findings(findings) => Self::Findings(findings),
+            seamwright_teaching::Error::Refused(message) => Self::Input(message),
+        }
     }
 }
 

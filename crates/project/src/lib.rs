@@ -2,7 +2,7 @@
 //!
 //! - [`load`] reads a job with its machine, part and fixtures ([`load::Loaded`]), and plans it.
 //! - [`planning`] limits the time of a plan, shows its progress and cancels it.
-//! - [`posting`] writes part programs, [`recording`] records welds, [`teaching`] teaches seams by camera.
+//! - [`posting`] writes part programs, [`recording`] records welds.
 //! - [`Failure`] is the reason why a command ends without its result, with its exit code.
 //!
 //! # Examples
@@ -29,7 +29,6 @@ pub mod files;
 pub mod load;
 pub mod offset;
 mod outside;
-pub mod overlay;
 pub mod own_machine;
 pub mod part;
 pub mod planning;
@@ -38,7 +37,6 @@ pub mod power_loss;
 pub mod recording;
 pub mod run_rows;
 mod steps;
-pub mod teaching;
 pub mod weld_events;
 
 pub use failure::Failure;

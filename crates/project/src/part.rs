@@ -3,12 +3,13 @@
 use crate::Failure;
 use crate::load::Loaded;
 use crate::planning::Planning;
-use seamwright_cell::Conditions;
-use seamwright_cell::devices::Fault;
-use seamwright_cell::tracking::{Distortion, RESERVE, check};
+use seamwright_executive::tracking::RESERVE;
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_message::Message;
 use seamwright_motion::WeldMotion;
+use seamwright_simulation::Conditions;
+use seamwright_simulation::devices::Fault;
+use seamwright_simulation::tracking::{Distortion, check};
 use seamwright_tracking::beam::DeviationRecord;
 
 /// A simulated part; by default it lies as planned, and is not tracked.

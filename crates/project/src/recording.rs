@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::files;
 use crate::load::Loaded;
-use seamwright_cell::executive::Place;
+use seamwright_executive::Place;
 use seamwright_machine::shipped;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;

@@ -2,8 +2,8 @@
 
 use crate::load::Loaded;
 use glam::DVec3;
-use seamwright_cell::executive::{ProcessState, VALUES};
-use seamwright_cell::realtime::Shown;
+use seamwright_executive::realtime::Shown;
+use seamwright_executive::{ProcessState, VALUES};
 use seamwright_machine::Machine;
 use seamwright_program::TorchPath;
 use std::collections::VecDeque;

@@ -2,8 +2,8 @@
 
 use crate::{Failure, files};
 use rtrb::Consumer;
-use seamwright_cell::devices::{Drives, StepDrives};
-use seamwright_cell::executive::{DriveReport, Orders, Slack};
+use seamwright_executive::devices::{Drives, StepDrives};
+use seamwright_executive::{DriveReport, Orders, Slack};
 use seamwright_machine::{AxisKind, Joints, Machine, Steps};
 use seamwright_message::Message;
 use seamwright_motion::pulses::{Edge, Event};

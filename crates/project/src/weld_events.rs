@@ -1,6 +1,6 @@
 //! Events of a weld beside alarms, as the library records them.
 
-use seamwright_cell::executive::{Ask, Note, Place};
+use seamwright_executive::{Ask, Note, Place};
 use seamwright_message::{Argument, Message};
 use seamwright_record::Moment;
 use seamwright_record::library::{Event, Place as Recorded};
@@ -42,7 +42,7 @@ fn changes_weld(ask: &Ask) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use seamwright_cell::executive::{Command, Mode};
+    use seamwright_executive::{Command, Mode};
 
     #[test]
     fn events_have_their_place() {

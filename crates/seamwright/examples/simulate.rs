@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p seamwright --example simulate`
 
-use seamwright::cell::{self, Conditions, simulate};
 use seamwright::load;
+use seamwright::simulation::{self, Conditions, simulate};
 use std::error::Error;
 use std::path::Path;
 
@@ -16,9 +16,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let conditions = Conditions { seed: 1, ..Conditions::default() };
     let mut cycles = 0_u32;
     // Sees every servo period: the place to write a trace.
-    let observer = |_: &cell::Sample| {
+    let observer = |_: &simulation::Sample| {
         cycles += 1;
-        Ok::<(), cell::Error>(())
+        Ok::<(), simulation::Error>(())
     };
     let summaries = simulate(&job.machine, &passes, &motion, conditions, observer)?;
     println!("{cycles} cycles of {} ms", 1e3 * job.machine.servo_period_s);

@@ -33,8 +33,11 @@
 //! | [`machine`] | machine files, forward and inverse kinematics, limits |
 //! | [`motion`] | axis paths, speed profiles, set-points, transfer moves |
 //! | [`post`] | part programs for Sinumerik, LinuxCNC, grblHAL and PMAC: write, read, verify |
-//! | [`cell`] | the running machine: executive, simulated and real devices |
-//! | [`tracking`] | seam tracking, teaching by camera |
+//! | [`executive`] | the running cell: modes, process, interlocks, alarms, devices, tracking in real time |
+//! | [`simulation`] | simulated devices, sensors and cameras, true positions, injected faults |
+//! | [`tracking`] | seam tracking |
+//! | [`teaching`] | teaching by camera: from frames to a program |
+//! | [`frames`] | camera frames: files, recordings, connections |
 //! | [`vision`] | joints in camera frames and in laser stripes |
 //! | [`geometry`] | curves, surfaces, intersections, arc length |
 //! | [`clearance`] | solids and their distances, in a pose and along a motion |
@@ -46,11 +49,13 @@
 
 pub use glam;
 #[doc(inline)]
-pub use seamwright_cell as cell;
-#[doc(inline)]
 pub use seamwright_clearance as clearance;
 #[doc(inline)]
 pub use seamwright_document as document;
+#[doc(inline)]
+pub use seamwright_executive as executive;
+#[doc(inline)]
+pub use seamwright_frames as frames;
 #[doc(inline)]
 pub use seamwright_geometry as geometry;
 #[doc(inline)]
@@ -65,6 +70,10 @@ pub use seamwright_post as post;
 pub use seamwright_program as program;
 #[doc(inline)]
 pub use seamwright_project as project;
+#[doc(inline)]
+pub use seamwright_simulation as simulation;
+#[doc(inline)]
+pub use seamwright_teaching as teaching;
 #[doc(inline)]
 pub use seamwright_tracking as tracking;
 #[doc(inline)]

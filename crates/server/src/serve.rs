@@ -6,7 +6,7 @@ use crate::planner::Planner;
 use crate::teaching::Cameras;
 use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
-use seamwright_cell::realtime::{Shutdown, ShutdownCause};
+use seamwright_executive::realtime::{Shutdown, ShutdownCause};
 use seamwright_machine::Machine;
 use seamwright_message::{Message, display_by_message};
 use seamwright_project::failure::with_allowed;

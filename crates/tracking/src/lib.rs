@@ -1,11 +1,10 @@
-//! Teaching a path by camera, and tracking it during welding.
+//! Seam tracking: measures and corrects the deviation of a seam during welding.
 //!
-//! - [`teach`] follows a joint with a camera and converts it to a program.
 //! - [`lead`] tracks the seam with a sensor ahead of the torch: [`lead::Tracker`] estimates its deviation.
 //! - [`beam`] tracks with an electron beam that looks at the joint in short interruptions of the weld.
 //! - [`actuator`] carries corrections out: with cross slides, the machine's own axes or the beam's deflection.
 //!
-//! All are plain state machines: frames, positions and time are arguments.
+//! All are plain state machines: measurements, positions and time are arguments.
 //!
 //! # Examples
 //!
@@ -38,4 +37,3 @@
 pub mod actuator;
 pub mod beam;
 pub mod lead;
-pub mod teach;

@@ -112,7 +112,7 @@ test('the pseudo-language is asked for in the address', async () => {
 });
 
 test('the alarms are those of the cell, in its order', () => {
-  const rust = file('crates/cell/src/executive/alarm.rs');
+  const rust = file('crates/executive/src/executive/alarm.rs');
   const count = Number(/const ALL: \[Self; (\d+)\]/.exec(rust)?.[1]);
   expect(ALARMS.length).toBe(count);
   for (const name of ALARMS) expect(rust).toContain(`"${name}"`);

@@ -4,8 +4,8 @@ use super::PlanningArgs;
 use super::part::PartArgs;
 use super::records::RecordArgs;
 use clap::Args;
-use seamwright_cell::devices::Fault;
-use seamwright_cell::executive::Place;
+use seamwright_executive::Place;
+use seamwright_simulation::devices::Fault;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]

@@ -30,7 +30,7 @@ pub(crate) struct SimulateArgs {
     /// A fault of a device, like drives:silent@12.5 or source:wrong@30+0.5 (docs/explanation/faults.md), s from switching on; may be
     /// repeated. The events are then printed
     #[arg(long, value_name = "SPEC")]
-    pub(crate) fault: Vec<seamwright_cell::devices::Fault>,
+    pub(crate) fault: Vec<seamwright_simulation::devices::Fault>,
     #[command(flatten)]
     pub(crate) record: RecordArgs,
     /// Print report.json instead of a summary

@@ -1,7 +1,7 @@
 use crate::load::Loaded;
-use seamwright_cell::tracking::HeadSample;
-use seamwright_cell::{Conditions, Sample};
 use seamwright_project::run_rows::head_names;
+use seamwright_simulation::tracking::HeadSample;
+use seamwright_simulation::{Conditions, Sample};
 
 /// Columns of a trace with the true positions of weld and joint: of each head that welds, in a simulation.
 pub(super) struct HeadColumns {

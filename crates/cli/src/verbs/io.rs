@@ -5,7 +5,7 @@ use crate::args::io::IoArgs;
 use crate::failure::Failure;
 use crate::load::machine;
 use crate::rows::{Cell, Rows};
-use seamwright_cell::devices::modbus::{InspectedRegister, ModbusError, RegisterInspector};
+use seamwright_executive::devices::modbus::{InspectedRegister, ModbusError, RegisterInspector};
 use seamwright_message::{Language, Message};
 use std::time::{Duration, Instant};
 

@@ -3,7 +3,7 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::refusals::{between, not_allowed};
 use crate::rows::{print_json, print_text};
-use seamwright_cell::realtime::{Footing, Latency, Pacer};
+use seamwright_executive::realtime::{Latency, Pacer, RealtimeRights};
 use seamwright_message::{Language, Message, Unit};
 use std::fmt::Write;
 
@@ -28,8 +28,8 @@ pub(crate) fn run(args: &LatencyArgs) -> Result<(), Failure> {
     if args.json { json(args, &footing, &latency) } else { print_text(&text(args, &footing, &latency)) }
 }
 
-fn measure(args: &LatencyArgs, cycles: u64, progress: &Progress) -> (Footing, Latency) {
-    let footing = Footing::ask(args.cpu);
+fn measure(args: &LatencyArgs, cycles: u64, progress: &Progress) -> (RealtimeRights, Latency) {
+    let footing = RealtimeRights::ask(args.cpu);
     let mut pacer = Pacer::new(args.period_ms * 1e-3);
     let mut done = 0;
     while done < cycles {
@@ -40,7 +40,7 @@ fn measure(args: &LatencyArgs, cycles: u64, progress: &Progress) -> (Footing, La
     (footing, pacer.latency().clone())
 }
 
-fn json(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> Result<(), Failure> {
+fn json(args: &LatencyArgs, footing: &RealtimeRights, latency: &Latency) -> Result<(), Failure> {
     let bins: Vec<_> =
         latency.bins().map(|(us, cycles)| serde_json::json!({ "up_to_us": us, "cycles": cycles })).collect();
     print_json(&serde_json::json!({
@@ -54,7 +54,7 @@ fn json(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> Result<(), 
     }))
 }
 
-fn text(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> String {
+fn text(args: &LatencyArgs, footing: &RealtimeRights, latency: &Latency) -> String {
     let cycles = Message::new("cli-latency-cycles").count("cycles", latency.count() as usize);
     let cycles = cycles.value("period", args.period_ms, Unit::Ms).number("missed", latency.missed() as f64, 0);
     let mut text = format!("{footing}\n{cycles}\n");

@@ -3,8 +3,8 @@
 use crate::args::part::PartArgs;
 use crate::failure::Failure;
 use crate::files;
-use seamwright_cell::tracking::Distortion;
 use seamwright_project::part::Part;
+use seamwright_simulation::tracking::Distortion;
 use seamwright_tracking::beam::DeviationRecord;
 use std::path::Path;
 

@@ -12,15 +12,15 @@ use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::planning;
 use crate::progress::Progress;
-use seamwright_cell::devices::When;
-use seamwright_cell::executive::{Command, Cycle, Executive, Note, Place, Port, Start};
-use seamwright_cell::realtime::Shown;
-use seamwright_cell::{Conditions, Judge, Sample, SimulatedCell, Summary};
+use seamwright_executive::realtime::Shown;
+use seamwright_executive::{Command, Cycle, Executive, Note, Place, Port, Start};
 use seamwright_machine::Machine;
 use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_project::recording::Header;
 use seamwright_report::{SimulationCurves, WeldReport};
+use seamwright_simulation::devices::When;
+use seamwright_simulation::{Conditions, Judge, Sample, SimulatedCell, Summary};
 use std::io::Write as _;
 
 /// A weld from switching on to home.

@@ -4,11 +4,12 @@ use crate::failure::{places, severity_word};
 use crate::files::written_text;
 use crate::labels::{labelled, line};
 use crate::refusals::{range, unit_of};
-use seamwright_cell::Summary;
-use seamwright_cell::tracking::{BeamSummary, HeadSummary};
+use seamwright_executive::tracking::BeamSummary;
 use seamwright_message::{Message, Unit};
 use seamwright_program::group_findings;
 use seamwright_report::{PassFigures, WeldReport};
+use seamwright_simulation::Summary;
+use seamwright_simulation::tracking::HeadSummary;
 use std::path::PathBuf;
 
 /// The summary, with the files of `paths` at its end.

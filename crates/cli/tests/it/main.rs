@@ -16,9 +16,9 @@ mod languages;
 mod machine_check;
 mod machine_tune;
 mod mistakes;
-#[path = "../../../cell/tests/support/modbus_server.rs"]
+#[path = "../../../executive/tests/support/modbus_server.rs"]
 mod modbus_server;
-#[path = "../../../cell/tests/support/modbus_welder.rs"]
+#[path = "../../../executive/tests/support/modbus_welder.rs"]
 mod modbus_welder;
 mod move_to;
 mod names;

@@ -1,8 +1,8 @@
 //! `seamwright vision stripe`: simulated images and profiles whose joint is known, and the errors of others.
 
 use crate::common::{bad, column, good, root, run, run_with, table};
-use seamwright_cell::camera_simulator::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use seamwright_machine::{Machine, Sight, shipped};
+use seamwright_simulation::camera_simulator::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use seamwright_vision::Image;
 use serde_json::Value;
 use std::path::PathBuf;

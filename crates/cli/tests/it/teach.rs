@@ -2,7 +2,7 @@
 
 use crate::common::{self, bad, example, good, run, run_with};
 use glam::DVec3;
-use seamwright_cell::frames::{FrameSource as _, Recorded, TimedFrame, write_frame};
+use seamwright_frames::{FrameSource as _, Recorded, TimedFrame, write_frame};
 use std::io::{BufRead as _, BufReader};
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,6 @@
 use super::recorded_weld_page;
 use crate::{Language, names};
-use seamwright_cell::executive::{Alarm as Catalogue, Mode};
-use seamwright_cell::tracking;
+use seamwright_executive::{Alarm as Catalogue, Mode, tracking};
 use seamwright_message::Message;
 use seamwright_record::Moment;
 use seamwright_record::figures::{Curve, Figures, Value};

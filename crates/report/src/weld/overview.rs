@@ -7,9 +7,9 @@ use super::range::Range;
 use crate::Words as _;
 use crate::number::{Significant as _, significant};
 use crate::{Language, Severity, Tile, Verdict};
-use seamwright_cell::Summary;
 use seamwright_message::{Argument, Message, Unit};
 use seamwright_program::group_findings;
+use seamwright_simulation::Summary;
 
 impl WeldReport {
     /// Describes the checks that were made and their limits.

@@ -13,8 +13,8 @@ use super::tracking;
 use crate::Words as _;
 use crate::number::{Significant as _, from_to, significant};
 use crate::{Block, Chart, ChartGrid, Language, Table, names};
-use seamwright_cell::tracking::HeadSummary;
 use seamwright_message::{Message, Unit};
+use seamwright_simulation::tracking::HeadSummary;
 
 /// A column of a table by pass: its heading and its cell for a pass.
 type Column<'a> = (String, Box<dyn Fn(&PassFigures) -> String + 'a>);
@@ -203,9 +203,12 @@ impl WeldReport {
         let Some((_, worst)) = self.worst_simulated() else { return Vec::new() };
         let heading = |text| Block::Heading(language.words(text));
         let say = |code: &'static str| language.words(code);
-        let simulated = |of: fn(&seamwright_cell::Summary) -> Option<f64>| -> Box<dyn Fn(&PassFigures) -> String> {
-            Box::new(move |pass| optional(pass.simulation.as_ref().and_then(of).map(|value| small(value, language))))
-        };
+        let simulated =
+            |of: fn(&seamwright_simulation::Summary) -> Option<f64>| -> Box<dyn Fn(&PassFigures) -> String> {
+                Box::new(move |pass| {
+                    optional(pass.simulation.as_ref().and_then(of).map(|value| small(value, language)))
+                })
+            };
         let columns: [Column<'_>; 3] = [
             (say("report-column-path-error-mm"), simulated(|s| s.welded.then_some(s.path_error_mm.max))),
             (say("report-column-rms-mm"), simulated(|s| s.welded.then_some(s.path_error_mm.rms))),

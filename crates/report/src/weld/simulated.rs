@@ -6,8 +6,8 @@ use super::page::{small, table};
 use crate::Words as _;
 use crate::number::{Significant as _, significant};
 use crate::{Block, Language};
-use seamwright_cell::Summary;
 use seamwright_message::{Message, Unit};
+use seamwright_simulation::Summary;
 
 /// Describes the simulation and its result.
 pub(super) fn simulation_text(s: &Summary, assumed: &[String], language: Language) -> String {

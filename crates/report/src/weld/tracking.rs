@@ -5,8 +5,9 @@ use super::curves::{Envelope, SimulationCurves};
 use crate::Words as _;
 use crate::number::{Significant as _, fixed, significant};
 use crate::{Chart, ChartGrid, Language, Series, Style, Table};
-use seamwright_cell::tracking::{BeamFit, HeadSample, HeadSummary};
+use seamwright_executive::tracking::BeamFit;
 use seamwright_message::{Message, Unit};
+use seamwright_simulation::tracking::{HeadSample, HeadSummary};
 
 /// One head's curves over path length, gathered sample by sample; mm.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,7 @@ use super::names::{Names, shelvable};
 use crate::lack::panel_word;
 use crate::view::written;
 use crate::wire::{AlarmView, Shelving, WhoWhen};
-use seamwright_cell::executive::{Alarm, AlarmList, AlarmState, Ask, Note, Raised, Reaction};
+use seamwright_executive::{Alarm, AlarmList, AlarmState, Ask, Note, Raised, Reaction};
 use seamwright_message::Message;
 use seamwright_record::{Moment, library};
 use std::time::{Duration, Instant};
@@ -238,7 +238,7 @@ mod tests {
     }
 
     fn alarm(alarm: Alarm) -> Note {
-        let place = seamwright_cell::executive::Place::default();
+        let place = seamwright_executive::Place::default();
         Note::Alarm(Raised {
             alarm,
             detail: 0,
@@ -278,7 +278,7 @@ mod tests {
         let mirror = &mut Mirror::new(&[]);
         mirror.update(&alarm(Alarm::JogStopped), "");
         mirror.shelve(&names, &asked(Alarm::JogStopped, 1), "ada").unwrap();
-        mirror.update(&Note::Taken(seamwright_cell::executive::Command::of(Ask::Acknowledge)), "eve");
+        mirror.update(&Note::Taken(seamwright_executive::Command::of(Ask::Acknowledge)), "eve");
         mirror.update(&Note::Cleared(Alarm::JogStopped, 0), "");
         let views = mirror.views(&names);
         assert_eq!((views.len(), views[0].state.as_str()), (1, "gone"));
@@ -300,7 +300,7 @@ mod tests {
     fn who_knows_of_an_alarm_is_told() {
         let names = names();
         let mirror = &mut Mirror::new(&[]);
-        let one = |alarm| Note::Taken(seamwright_cell::executive::Command::of(Ask::AcknowledgeOne(alarm, 0)));
+        let one = |alarm| Note::Taken(seamwright_executive::Command::of(Ask::AcknowledgeOne(alarm, 0)));
         mirror.update(&alarm(Alarm::JogStopped), "");
         mirror.update(&alarm(Alarm::PanelSilent), "");
         assert!(mirror.update(&one(Alarm::PanelSilent), "ada"));
@@ -308,7 +308,7 @@ mod tests {
             mirror.views(&names).into_iter().map(|view| view.acknowledged.map(|who| who.by)).collect()
         };
         assert_eq!(by(mirror), [None, Some("ada".to_owned())]);
-        mirror.update(&Note::Taken(seamwright_cell::executive::Command::of(Ask::Acknowledge)), "eve");
+        mirror.update(&Note::Taken(seamwright_executive::Command::of(Ask::Acknowledge)), "eve");
         assert_eq!(by(mirror), [Some("eve".to_owned()), Some("ada".to_owned())]);
         mirror.update(&Note::Cleared(Alarm::PanelSilent, 0), "");
         mirror.update(&alarm(Alarm::PanelSilent), "");

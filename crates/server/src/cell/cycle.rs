@@ -4,9 +4,9 @@ use super::connection::CellDevices;
 use super::guiding::{Sensing, Slot};
 use super::prepared::Prepared;
 use rtrb::{Consumer, Producer};
-use seamwright_cell::devices::WithSensors;
-use seamwright_cell::executive::{End, Executive};
-use seamwright_cell::realtime::{Footing, LivePort, Paced, Pacer, Shutdown, guarded};
+use seamwright_executive::devices::WithSensors;
+use seamwright_executive::realtime::{LivePort, Paced, Pacer, RealtimeRights, Shutdown, guarded};
+use seamwright_executive::{End, Executive};
 use seamwright_machine::Machine;
 use std::cell::RefCell;
 use std::sync::{Arc, OnceLock};
@@ -44,10 +44,10 @@ pub(super) fn run(
     mut devices: CellDevices,
     mut port: LivePort,
     mut swap: Swap,
-    footing: &Arc<OnceLock<Footing>>,
+    footing: &Arc<OnceLock<RealtimeRights>>,
     shutdown: &Shutdown,
 ) {
-    footing.get_or_init(|| Footing::ask(None));
+    footing.get_or_init(|| RealtimeRights::ask(None));
     loop {
         let machine = task.machine().clone();
         let pacer = Pacer::new(machine.servo_period_s);

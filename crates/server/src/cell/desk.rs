@@ -13,8 +13,8 @@ use super::stillness::Stillness;
 use crate::lack::{Lack, lack};
 use crate::wire::{FromCell, Shelving, WorkView};
 use rtrb::{Consumer, Producer, PushError};
-use seamwright_cell::executive::{Ask, Command, Missing, Mode, Origin};
-use seamwright_cell::realtime::{Footing, Outside, Shown, Shutdown};
+use seamwright_executive::realtime::{Outside, RealtimeRights, Shown, Shutdown};
+use seamwright_executive::{Ask, Command, Missing, Mode, Origin};
 use seamwright_message::Message;
 use seamwright_record::{DataFolder, Plan};
 use std::collections::{HashMap, VecDeque};
@@ -90,7 +90,7 @@ pub(super) struct Desk {
     shown: Instant,
     stillness: Stillness,
     /// Real-time rights granted to the cycle.
-    pub(super) footing: Arc<OnceLock<Footing>>,
+    pub(super) footing: Arc<OnceLock<RealtimeRights>>,
     /// The missing real-time rights have been reported.
     granted: bool,
     missed: u32,
@@ -139,7 +139,7 @@ impl Desk {
         from: Receiver<ToDesk>,
         names: Names,
         records: Records,
-        footing: Arc<OnceLock<Footing>>,
+        footing: Arc<OnceLock<RealtimeRights>>,
     ) -> Self {
         let Queues { outside, next, done } = queues;
         let Records { archive, recorder, mirror, left } = records;

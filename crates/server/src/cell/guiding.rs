@@ -1,11 +1,11 @@
 //! Tracking of the loaded task: correction of its passes, and sensors of its joints.
 
 use super::prepared::Base;
-use seamwright_cell::devices::Sensors;
-use seamwright_cell::executive::{Guide, Guided, Place, Planned, Seen, Tracked, Trouble};
-use seamwright_cell::executive::{SeamOrders, SensorReport};
-use seamwright_cell::tracking::{SimulatedSensors, Tracking};
+use seamwright_executive::devices::Sensors;
+use seamwright_executive::tracking::Tracking;
+use seamwright_executive::{Guide, Guided, Place, Planned, SeamOrders, Seen, SensorReport, Tracked, Trouble};
 use seamwright_machine::Joints;
+use seamwright_simulation::tracking::SimulatedSensors;
 use seamwright_tracking::beam::Picture;
 use self_cell::self_cell;
 use std::cell::RefCell;

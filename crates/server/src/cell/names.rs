@@ -1,8 +1,8 @@
 use super::stillness::Stillness;
 use crate::lack::{Lack, lack};
 use crate::wire::{Ages, AlarmView, AxisStatus, LeftView, ProcessStatus, RealtimeView, Status};
-use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
-use seamwright_cell::realtime::{Footing, Shown};
+use seamwright_executive::realtime::{RealtimeRights, Shown};
+use seamwright_executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
 use seamwright_machine::{AxisKind, Joints, Level, Machine};
 use seamwright_message::Message;
 
@@ -153,7 +153,7 @@ impl Names {
             missed: extra.missed,
             longest_gap_ms: 1e3 * f64::from(extra.longest) * machine.servo_period_s,
             realtime: RealtimeView {
-                missing: extra.footing.into_iter().flat_map(Footing::missing).map(str::to_owned).collect(),
+                missing: extra.footing.into_iter().flat_map(RealtimeRights::missing).map(str::to_owned).collect(),
                 text: extra.footing.map_or_else(String::new, ToString::to_string),
             },
             lost: c.lost,
@@ -187,7 +187,7 @@ pub(super) struct Extra<'a> {
     pub(super) missed: u32,
     /// Maximum number of cycles missed at once.
     pub(super) longest: u32,
-    pub(super) footing: Option<&'a Footing>,
+    pub(super) footing: Option<&'a RealtimeRights>,
     pub(super) left: Option<LeftView>,
     pub(super) start: Option<(u32, f64)>,
     pub(super) part: String,

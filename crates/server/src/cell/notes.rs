@@ -7,8 +7,8 @@ use super::names::WHY;
 use super::progress::{Left, Progress};
 use crate::lack::Lack;
 use crate::wire::FromCell;
-use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Place, Raised};
-use seamwright_cell::realtime::Footing;
+use seamwright_executive::realtime::RealtimeRights;
+use seamwright_executive::{Ask, Command, Missing, Mode, Note, Origin, Place, Raised};
 use seamwright_message::{Message, Unit};
 
 impl Desk {
@@ -97,7 +97,7 @@ impl Desk {
         self.left_before = self.left.take();
         let Some(of) = &self.to_weld else { return };
         let welder = self.hub.holder().unwrap_or_default();
-        let missing: Vec<&str> = self.footing.get().into_iter().flat_map(Footing::missing).collect();
+        let missing: Vec<&str> = self.footing.get().into_iter().flat_map(RealtimeRights::missing).collect();
         match self.recorder.begin(&of.plan, of.passes, &welder, &missing) {
             Ok(()) => {
                 // Trouble of the previous record has been reported; this record is complete so far.

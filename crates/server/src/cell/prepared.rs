@@ -1,13 +1,13 @@
 use super::connection::CellDevices;
 use super::guiding::{Guiding, Sensing};
-use seamwright_cell::SimulatedCell;
-use seamwright_cell::executive::{Place, Start, Work};
+use seamwright_executive::{Place, Start, Work};
 use seamwright_machine::{Clamped, Joints, Machine, MachineDevices, Surroundings};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_project::load::Loaded;
 use seamwright_project::part::Part;
 use seamwright_record::sha256;
+use seamwright_simulation::SimulatedCell;
 use seamwright_weld::WeldPath;
 use self_cell::self_cell;
 use std::path::Path;

@@ -3,7 +3,7 @@
 
 use crate::lack::{Lack, lack};
 use crate::wire::LeftView;
-use seamwright_cell::executive::{Note, Place};
+use seamwright_executive::{Note, Place};
 use seamwright_message::{Message, Unit};
 use seamwright_project::weld_events;
 use seamwright_record::journal::Position;

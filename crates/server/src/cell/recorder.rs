@@ -4,8 +4,8 @@ use super::hub::Hub;
 use super::names::Names;
 use super::stored::stored;
 use crate::lack::panel_word;
-use seamwright_cell::executive::{Mode, Note, Place, Raised, Reaction};
-use seamwright_cell::realtime::{Footing, Shown};
+use seamwright_executive::realtime::{RealtimeRights, Shown};
+use seamwright_executive::{Mode, Note, Place, Raised, Reaction};
 use seamwright_message::{Message, Unit};
 use seamwright_project::power_loss::{self, Places, Watch};
 use seamwright_project::run_rows;
@@ -89,7 +89,7 @@ impl Recorder {
         let welder = welder.to_owned();
         let mut events = Vec::new();
         if !missing.is_empty() {
-            let text = Footing::event(missing);
+            let text = RealtimeRights::event(missing);
             events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
         }
         self.open = Some(Open {

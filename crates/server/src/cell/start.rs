@@ -11,7 +11,7 @@ use super::prepared::{Prepared, Task};
 use super::progress;
 use super::recorder::Recorder;
 use super::safe_outputs::SafeOutputs;
-use seamwright_cell::realtime::{Shutdown, Urgent, live};
+use seamwright_executive::realtime::{Shutdown, Urgent, live};
 use seamwright_machine::{Clamped, Machine, MachineDevices};
 use seamwright_message::Message;
 use seamwright_record::DataFolder;
@@ -52,7 +52,7 @@ impl Cell {
         data: &Path,
         shutdown: &Shutdown,
     ) -> Result<Self, Message> {
-        seamwright_cell::check_drives(machine).map_err(|e| e.message())?;
+        seamwright_simulation::check_drives(machine).map_err(|e| e.message())?;
         let mut folder = DataFolder::open(data).map_err(|e| e.message())?;
         let interrupted = folder.recover().map_err(|e| e.message())?;
         let journal = folder.journal().map_err(|e| e.message())?;

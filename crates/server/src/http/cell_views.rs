@@ -4,7 +4,7 @@ use crate::view::{device_views, machine_view, simulated_view};
 use crate::wire::{AlarmEntry, DeviceView, MachineView, WorkView};
 use axum::Json;
 use axum::extract::{Query, State};
-use seamwright_cell::executive::Alarm;
+use seamwright_executive::Alarm;
 use seamwright_message::Message;
 use seamwright_project::load::machine_among;
 use serde::Deserialize;

@@ -6,7 +6,7 @@ use crate::cell::{Change, Refusal, ToDesk, WHY, happening};
 use crate::lack::{Lack, action_word, lack, panel_word};
 use crate::users::{Session, may};
 use crate::wire::{AskView, FromCell, TeachOrder, ToCell};
-use seamwright_cell::executive::{Alarm, Ask, Command, Origin};
+use seamwright_executive::{Alarm, Ask, Command, Origin};
 use seamwright_machine::Joints;
 use seamwright_message::{Message, Unit};
 use std::sync::Arc;

@@ -4,7 +4,7 @@ use super::client::Client;
 use crate::lack::{Lack, lack};
 use crate::wire::JogOf;
 use glam::DVec3;
-use seamwright_cell::executive::{Ask, REDUCED_MM_S};
+use seamwright_executive::{Ask, REDUCED_MM_S};
 use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::jog::{self, TipFrame};
@@ -112,7 +112,7 @@ impl Client {
                 Message::new("server-axis-count").count("n", axes.len()).count("allowed", machine.axes.len()),
             ));
         }
-        let target = seamwright_cell::teach::joints(&machine, axes);
+        let target = machine.joints_from_file(axes);
         self.send(seq, Ask::Jog(jog::Command::To(target)));
         Ok(())
     }

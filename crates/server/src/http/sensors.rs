@@ -12,13 +12,12 @@ use axum::extract::{Query, State};
 use axum::http::header;
 use axum::response::{IntoResponse as _, Response};
 use axum::{Extension, Json};
-use seamwright_cell::camera_simulator::plate;
-use seamwright_cell::frames::decode;
+use seamwright_frames::{Overlay, decode};
 use seamwright_geometry::{HeightTable, MapParameters};
 use seamwright_machine::{Machine, Sensor, Sight};
 use seamwright_message::{Message, Unit};
-use seamwright_project::overlay::Overlay;
 use seamwright_project::own_machine::{OwnMachine, Setting, Step};
+use seamwright_simulation::camera_simulator::plate;
 use seamwright_vision::Image;
 use seamwright_vision::camera::{Dot, Grid, GridError, identify};
 use serde::Deserialize;
@@ -95,7 +94,7 @@ pub(super) async fn picture(State(panel): State<Arc<Panel>>, Query(asked): Query
         }
         let (image, _) = plate(&believed, asked.pitch_mm, asked.seed).map_err(|e| Refused::input(e.message()))?;
         let frame = image.frame().map_err(|e| Refused::server(e.message()))?;
-        Ok(Overlay::of(&frame).png()?)
+        Overlay::of(&frame).png().map_err(Refused::server)
     };
     let png = panel.drawing.run(painted).await?;
     Ok(([(header::CONTENT_TYPE, "image/png")], png).into_response())

@@ -10,7 +10,7 @@ use axum::http::StatusCode;
 use axum::response::{IntoResponse as _, Response};
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{SinkExt as _, StreamExt as _};
-use seamwright_cell::executive::{Ask, Command, Origin};
+use seamwright_executive::{Ask, Command, Origin};
 use seamwright_motion::jog;
 use std::sync::Arc;
 use std::time::Duration;

@@ -5,7 +5,7 @@ use crate::lack::panel_word;
 use crate::wire::Stopped;
 use axum::Json;
 use axum::extract::State;
-use seamwright_cell::executive::Ask;
+use seamwright_executive::Ask;
 use seamwright_message::Message;
 use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant};

@@ -1,6 +1,6 @@
 use super::answer::Refused;
 use axum::http::StatusCode;
-use seamwright_cell::realtime::contained;
+use seamwright_executive::realtime::contained;
 use seamwright_message::Message;
 use std::sync::Arc;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot};

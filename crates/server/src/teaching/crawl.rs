@@ -8,16 +8,17 @@ use crate::http::{Panel, Turn, job_text};
 use crate::lack::panel_word;
 use crate::wire::{TaughtLook, TaughtPointView, TeachPhase};
 use glam::DVec3;
-use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, Distortion, SeamLine};
-use seamwright_cell::frames::LiveFrames;
-use seamwright_cell::teach::{Look, Setup, teach, truth};
+use seamwright_frames::LiveFrames;
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor, Sight};
 use seamwright_message::Message;
 use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
-use seamwright_project::teaching::{self, Ground, Outcome, Picture, from_nominal};
-use seamwright_tracking::teach::{CameraPose, Crawl};
+use seamwright_simulation::camera_simulator::{Appearance, CameraSimulator, Distortion};
+use seamwright_simulation::teaching::{Truth, truth};
+use seamwright_teaching::{
+    self as teaching, CameraPose, Crawl, Look, Outcome, Picture, PlannedWeld, SeamLine, Setup, from_nominal, teach,
+};
 use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Duration;
@@ -69,16 +70,22 @@ fn session(panel: &Arc<Panel>, open: &Open) -> Result<Option<Found>, Failure> {
             Message::new("server-teach-other-machine").text("job", &open.job).text("machine", &machine.name),
         ));
     }
-    let nominal = teaching::nominal(&loaded)?;
-    let outcome = outcome(panel, open, &loaded, &nominal)?;
-    Ok(outcome.map(|outcome| Found { nominal, outcome, loaded }))
+    let nominal = teaching::nominal(&loaded.welding.program.value, loaded.seam()?);
+    let found = outcome(panel, open, &loaded, &nominal)?;
+    Ok(found.map(|(outcome, truth)| Found { nominal, outcome, truth, loaded }))
 }
 
-fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine) -> Result<Option<Outcome>, Failure> {
+/// Follows the joint. In a simulation the true distance of the line found from the seam is known too.
+fn outcome(
+    panel: &Arc<Panel>,
+    open: &Open,
+    loaded: &Loaded,
+    nominal: &SeamLine,
+) -> Result<Option<(Outcome, Option<Truth>)>, Failure> {
     let (hub, machine) = (&panel.cell.hub, &loaded.machine);
     let (sensor, table) = camera(machine)?;
     let Some(turn) = turn(panel) else { return Ok(None) };
-    let ground = Ground::new(loaded, nominal)?;
+    let ground = PlannedWeld::new(&loaded.welding, machine, &loaded.clamped, nominal)?;
     drop(turn);
     panel.teaching.change(hub, |state| {
         state.field = Some(Field { nominal: nominal.clone(), table: table.clone() });
@@ -98,9 +105,9 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
     let Some(point) = station.place() else { return Ok(None) };
     let begin =
         teaching::start(nominal, point).ok_or_else(|| Failure::input(Message::new("server-teach-start-far")))?;
-    let mut outcome = crawl(loaded, nominal, open, &ground, &station, begin)?;
-    outcome.truth = actual.map(|actual| truth(&actual, &outcome.smooth));
-    Ok(Some(outcome))
+    let outcome = crawl(loaded, nominal, open, &ground, &station, begin)?;
+    let truth = actual.map(|actual| truth(&actual, &outcome.smooth));
+    Ok(Some((outcome, truth)))
 }
 
 /// Returns the cell's camera. A simulated cell without live frames gets the camera simulator and the seam that it sees.
@@ -159,7 +166,7 @@ fn crawl(
     loaded: &Loaded,
     nominal: &SeamLine,
     open: &Open,
-    ground: &Ground<'_>,
+    ground: &PlannedWeld<'_>,
     station: &Station<'_>,
     begin: CameraPose,
 ) -> Result<Outcome, Failure> {
@@ -177,7 +184,7 @@ fn crawl(
         looks.push(axes.clone());
         let panel = station.hand.panel;
         panel.teaching.change(&panel.cell.hub, |state| update_view(state, look, &looks, nominal));
-        let q = seamwright_cell::teach::joints(machine, &axes);
+        let q = machine.joints_from_file(&axes);
         station.show(&q, look.view.height, || Picture::of(look, table));
         Ok(())
     };

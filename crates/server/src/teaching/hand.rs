@@ -5,7 +5,7 @@ use super::state::Wish;
 use crate::cell::{Hub, ToDesk};
 use crate::http::Panel;
 use crate::wire::Status;
-use seamwright_cell::executive::{Ask, Command, Origin};
+use seamwright_executive::{Ask, Command, Origin};
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::jog;
 use std::time::Duration;

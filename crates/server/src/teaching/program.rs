@@ -5,8 +5,7 @@ use glam::DVec3;
 use seamwright_geometry::reduce::Method;
 use seamwright_message::{Message, Unit};
 use seamwright_project::Failure;
-use seamwright_project::teaching::{self, Figures, bridged};
-use seamwright_tracking::teach::{Kind, ReductionTolerances};
+use seamwright_teaching::{self as teaching, Figures, Kind, ReductionTolerances, bridged};
 use std::sync::Arc;
 
 /// Converts the taught points to a program.
@@ -36,9 +35,10 @@ pub(crate) fn program(teaching: &Teaching, asked: &TeachProgram) -> Result<Taugh
     let found: Option<Arc<Found>> = teaching.state().found.clone();
     let found = found.filter(|found| found.outcome.smooth.len() > 1);
     let found = found.ok_or_else(|| Failure::input(Message::new("server-teach-nothing")))?;
-    let Found { loaded, nominal, outcome } = &*found;
+    let Found { loaded, nominal, outcome, truth } = &*found;
     let tolerances = ReductionTolerances { path_mm: asked.tolerance_mm, attitude_rad: asked.attitude_deg.to_radians() };
-    let (reduced, text) = teaching::reduced(loaded, nominal, &outcome.smooth, tolerances, kind, "taught.toml")?;
+    let (reduced, text) =
+        teaching::reduced(&loaded.welding, nominal, &outcome.smooth, tolerances, kind, "taught.toml")?;
     let figures = Figures::new(nominal, outcome, &reduced);
     let from_nominal = figures.raw.iter().filter_map(|p| p.from_nominal);
     Ok(TaughtProgram {
@@ -49,7 +49,7 @@ pub(crate) fn program(teaching: &Teaching, asked: &TeachProgram) -> Result<Taugh
         raw_error_mm: figures.raw_error().filter(|e| e.is_finite()),
         from_nominal_mm: from_nominal.map(|(a, b)| (a.abs(), b.abs())).reduce(|m, p| (m.0.max(p.0), m.1.max(p.1))),
         bridged_mm: bridged(outcome),
-        truth_mm: outcome.truth.map(|t| (t.across_max, t.height_max)).filter(|t| t.0.is_finite() && t.1.is_finite()),
+        truth_mm: truth.map(|t| (t.across_max, t.height_max)).filter(|t| t.0.is_finite() && t.1.is_finite()),
         path: figures.path.iter().map(DVec3::to_array).collect(),
     })
 }

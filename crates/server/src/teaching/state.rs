@@ -2,12 +2,11 @@ use crate::cell::Hub;
 use crate::lack::{Lack, lack};
 use crate::wire::{TaughtView, TeachPhase, TeachView, WorkView};
 use glam::{DAffine3, DVec2, DVec3};
-use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_geometry::HeightTable;
 use seamwright_message::Message;
 use seamwright_project::load::Loaded;
-use seamwright_project::teaching::Outcome;
-use seamwright_tracking::teach::Answer;
+use seamwright_simulation::teaching::Truth;
+use seamwright_teaching::{Answer, Outcome, SeamLine};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -42,6 +41,8 @@ pub(super) struct Found {
     pub(super) loaded: Loaded,
     pub(super) nominal: SeamLine,
     pub(super) outcome: Outcome,
+    /// True distance of the line from the seam; known in a simulation only.
+    pub(super) truth: Option<Truth>,
 }
 
 #[derive(Default)]

@@ -3,7 +3,7 @@
 use super::Visitor;
 use super::lived::Served;
 use futures_util::StreamExt as _;
-use seamwright_cell::realtime::{Footing, Latency, Pacer};
+use seamwright_executive::realtime::{Latency, Pacer, RealtimeRights};
 use serde_json::Value;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -24,7 +24,7 @@ impl Probe {
         let ends = Arc::new(AtomicBool::new(false));
         let end = Arc::clone(&ends);
         let thread = std::thread::spawn(move || {
-            Footing::ask(None);
+            RealtimeRights::ask(None);
             let mut pacer = Pacer::new(period_s);
             while !end.load(Ordering::Relaxed) {
                 pacer.wait();

@@ -1,8 +1,8 @@
 //! A cell whose process source and inputs are on Modbus.
 
-#[path = "../../../cell/tests/support/modbus_server.rs"]
+#[path = "../../../executive/tests/support/modbus_server.rs"]
 mod modbus_server;
-#[path = "../../../cell/tests/support/modbus_welder.rs"]
+#[path = "../../../executive/tests/support/modbus_welder.rs"]
 mod modbus_welder;
 
 use super::lived::{Page, Served};
@@ -12,7 +12,7 @@ use crate::serve::{Error, Settings, until};
 use axum::http::StatusCode;
 use modbus_server::TestServer;
 use modbus_welder::{MAP, welder};
-use seamwright_cell::realtime::{Shutdown, ShutdownCause};
+use seamwright_executive::realtime::{Shutdown, ShutdownCause};
 use seamwright_machine::{Machine, shipped};
 use seamwright_record::DataFolder;
 use seamwright_record::library::{Query, WeldResult};

@@ -28,7 +28,7 @@ use axum::Router;
 use axum::body::Body;
 use axum::http::{Request, Response, StatusCode};
 use http_body_util::BodyExt as _;
-use seamwright_cell::realtime::Shutdown;
+use seamwright_executive::realtime::Shutdown;
 use seamwright_machine::{Machine, shipped};
 use serde_json::Value;
 use std::path::Path;

@@ -6,7 +6,7 @@ use crate::wire::Role;
 use axum::body::Body;
 use axum::http::{Request, StatusCode};
 use http_body_util::BodyExt as _;
-use seamwright_cell::realtime::{Shutdown, ShutdownCause};
+use seamwright_executive::realtime::{Shutdown, ShutdownCause};
 use seamwright_machine::{Machine, shipped};
 use seamwright_record::library::AuditEntry;
 use serde_json::{Value, json};

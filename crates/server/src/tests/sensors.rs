@@ -4,8 +4,8 @@
 use super::{Bench, HOST, Visitor};
 use axum::body::Body;
 use http_body_util::BodyExt as _;
+use seamwright_frames::Overlay;
 use seamwright_machine::{Machine, Sight};
-use seamwright_project::overlay::Overlay;
 use seamwright_vision::Image;
 use serde_json::{Value, json};
 

@@ -4,12 +4,11 @@ use super::lived::{Page, Served};
 use crate::http::Panel;
 use axum::http::StatusCode;
 use http_body_util::BodyExt as _;
-use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, SeamLine};
-use seamwright_cell::frames::{FrameSource as _, TimedFrame, write_frame};
-use seamwright_cell::teach::joints;
+use seamwright_frames::{FrameSource as _, TimedFrame, write_frame};
 use seamwright_machine::Sight;
 use seamwright_project::load::{Loaded, load_text};
-use seamwright_project::teaching::nominal;
+use seamwright_simulation::camera_simulator::{Appearance, CameraSimulator};
+use seamwright_teaching::{SeamLine, nominal};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 
@@ -240,7 +239,7 @@ fn camera(served: &Served, listener: std::net::TcpListener, frames: u32) {
             let exposed = Instant::now();
             let status = panel.cell.hub.latest().unwrap();
             let axes: Vec<f64> = status.axes.iter().map(|axis| axis.position).collect();
-            eye.expose(0.05 * f64::from(k), &joints(&loaded.machine, &axes));
+            eye.expose(0.05 * f64::from(k), &loaded.machine.joints_from_file(&axes));
             let frame = eye.next().unwrap().unwrap();
             // Rendering is slow on a busy computer: frames later than the latency in the machine file are skipped.
             if exposed.elapsed() > Duration::from_millis(1400) {
@@ -345,7 +344,7 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
 fn actual(panel: &Panel) -> (SeamLine, Loaded) {
     let text = std::fs::read_to_string(panel.jobs().join("ring.toml")).unwrap();
     let loaded = load_text("ring.toml", &text, &panel.jobs()).unwrap();
-    (crate::teaching::DISTORTION.of(&nominal(&loaded).unwrap(), 7), loaded)
+    (crate::teaching::DISTORTION.of(&nominal(&loaded.welding.program.value, loaded.seam().unwrap()), 7), loaded)
 }
 
 /// Returns the pixel of the true joint at 50 mm of the nominal one.
@@ -354,7 +353,7 @@ fn joint_in_picture(served: &Served, page: &Page) -> [f64; 2] {
     let position = |axis: &Value| axis["position"].as_f64().unwrap();
     let axes: Vec<f64> = page.status["axes"].as_array().unwrap().iter().map(position).collect();
     let sensor = &loaded.machine.sensors[0];
-    let camera = loaded.machine.camera_frame(sensor, &joints(&loaded.machine, &axes));
+    let camera = loaded.machine.camera_frame(sensor, &loaded.machine.joints_from_file(&axes));
     let Sight::Camera(sight) = &sensor.sight else { panic!("no camera") };
     sight.table.to_px(camera.inverse().transform_point3(actual.at(50.0).0.point)).unwrap().to_array()
 }

@@ -1,5 +1,5 @@
 use crate::wire::{DeviceView, SignalView, Status, TrafficView};
-use seamwright_cell::devices::modbus::Traffic;
+use seamwright_executive::devices::modbus::Traffic;
 use seamwright_machine::{Machine, ModbusDevice, Register, Role, Word};
 use seamwright_project::devices::Lines;
 

@@ -1,7 +1,7 @@
 use super::sensor::sensor;
 use super::solid::{rows, solid};
 use crate::wire::{AxisView, ConditionView, FrameView, JointView, MachineView, ZoneView};
-use seamwright_cell::executive::REDUCED_MM_S;
+use seamwright_executive::REDUCED_MM_S;
 use seamwright_machine::{AxisKind, Machine, ZoneKind};
 
 /// Returns the view of the cell's machine.

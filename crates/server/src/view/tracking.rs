@@ -1,5 +1,5 @@
 use crate::wire::TrackingStatus;
-use seamwright_cell::executive::Tracked;
+use seamwright_executive::Tracked;
 use seamwright_tracking::lead::Sight;
 
 /// Returns the state of tracking for each tracked head.

@@ -1,7 +1,8 @@
 use crate::wire::TuningView;
-use seamwright_cell::{Error, tune_axis};
+use seamwright_executive::Error;
 use seamwright_machine::{Axis, AxisKind};
 use seamwright_servo::{Tuned, decibels, unwrapped};
+use seamwright_simulation::tune_axis;
 
 /// Returns an axis tuned in simulation, as `machine tune` does it.
 pub(crate) fn tuning_view(axis: &Axis, period_s: f64) -> TuningView {

@@ -16,6 +16,14 @@ pub struct SeamFrame {
     pub height: DVec3,
 }
 
+impl SeamFrame {
+    /// Returns the components of a displacement: along, lateral, height.
+    #[must_use]
+    pub fn components(&self, displacement: DVec3) -> DVec3 {
+        DVec3::new(displacement.dot(self.along), displacement.dot(self.lateral), displacement.dot(self.height))
+    }
+}
+
 /// View of the nominal seam from a sensor ahead of the torch along its tangent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {

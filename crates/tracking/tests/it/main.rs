@@ -1,6 +1,5 @@
 //! All tests in one program, compiled and linked once. Tests that count the allocations of a process are beside it.
 
 mod beam;
-mod crawl;
 mod lead;
 mod over_axes;

@@ -8,10 +8,10 @@ use crate::args::bench::{BenchArgs, BenchVerb, BenchVisionArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
-use seamwright_cell::camera_simulator::gates::joint_gates;
-use seamwright_cell::camera_simulator::scene::Kind;
-use seamwright_cell::camera_simulator::stripe::{STEPS_A_SEED, stripe_gates};
-use seamwright_cell::gate::{Gate, Limit};
+use seamwright_simulation::acceptance::{Gate, Limit};
+use seamwright_simulation::camera_simulator::acceptance::joint_gates;
+use seamwright_simulation::camera_simulator::scene::Kind;
+use seamwright_simulation::camera_simulator::stripe::{STEPS_A_SEED, stripe_gates};
 use serde::Serialize;
 use std::fmt::Write as _;
 

@@ -6,14 +6,13 @@ use crate::failure::Failure;
 use crate::load::load_text;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
-use seamwright_cell::gate::Gate;
-use seamwright_cell::tracking::faults::fault_rows;
-use seamwright_cell::tracking::gates::{GateRow, tracking_gates, weld_count};
-use seamwright_cell::tracking::shows::{heat_rows, misplaced_rows, t_joint_rows};
-use seamwright_cell::tracking::stripes::stripe_rows;
-use seamwright_cell::tracking::{RESERVE, cross_talk};
+use seamwright_executive::tracking::RESERVE;
 use seamwright_machine::{Machine, shipped};
 use seamwright_message::Message;
+use seamwright_simulation::acceptance::Gate;
+use seamwright_simulation::tracking::acceptance::{
+    GateRow, cross_talk, fault_rows, heat_rows, misplaced_rows, stripe_rows, t_joint_rows, tracking_gates, weld_count,
+};
 use seamwright_weld::Welding;
 use serde::Serialize;
 use std::fmt::Write as _;

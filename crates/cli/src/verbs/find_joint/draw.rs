@@ -1,8 +1,8 @@
 //! Drawing of the result over the frame as in Fig. 4 of EBW-2004: midline, cross, motion vector, detection zone.
 
 use crate::failure::Failure;
-use crate::overlay::{COASTED, CROSS, Colour, MOTION, Overlay, sureness};
 use glam::DVec2;
+use seamwright_frames::{COASTED, CROSS, Colour, MOTION, Overlay, sureness};
 use seamwright_vision::Frame;
 use seamwright_vision::joint::{CONFIDENT, Joint, Row, Start, State, Zone};
 
@@ -26,7 +26,7 @@ pub(super) fn draw(frame: &Frame, joint: &Joint, start: &Start, zone: &Zone) -> 
         picture.arrow(from + aside, place(last) + aside, MOTION);
     }
     picture.cross(from, CROSS, 10 + 4 * thick);
-    picture.png()
+    picture.png().map_err(Failure::Environment)
 }
 
 fn place(row: &Row) -> DVec2 {

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::refusals::{between, in_file, not_allowed, refused};
 use crate::rows::{Cell, Rows, print_json};
-use seamwright_cell::frames::decode;
+use seamwright_frames::decode;
 use seamwright_message::{Message, Unit};
 use seamwright_vision::joint::{End, Follower, Joint, Options, Start, State, Zone};
 use seamwright_vision::{Frame, Pixels};

@@ -7,9 +7,9 @@ use crate::load::machine_and_file;
 use crate::progress::Progress;
 use crate::refusals::refused;
 use crate::rows::{print_json, print_text};
-use seamwright_cell::tune_axis;
 use seamwright_machine::{Axis, Machine};
 use seamwright_message::Message;
+use seamwright_simulation::tune_axis;
 
 pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {
     let (machine, file) = machine_and_file(&args.machine)?;

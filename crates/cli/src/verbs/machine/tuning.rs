@@ -2,7 +2,7 @@
 
 use crate::labels::{columns, labelled, padded};
 use crate::refusals::unit_of;
-use seamwright_cell::Error;
+use seamwright_executive::Error;
 use seamwright_machine::{Axis, AxisKind};
 use seamwright_message::{Language, Message, Unit};
 use seamwright_report::{Bode, format_number};

@@ -6,8 +6,8 @@ use super::table::Table;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::verbs::recorded::Happened;
-use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
-use seamwright_cell::realtime::{Footing, Shown, ShutdownCause};
+use seamwright_executive::realtime::{RealtimeRights, Shown, ShutdownCause};
+use seamwright_executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_machine::Machine;
 use seamwright_message::{Language, Message, Unit};
 use seamwright_project::devices;
@@ -111,14 +111,14 @@ impl Desk {
     }
 
     /// Rights that the system grants to the cycle: missing ones are recorded and reported at once.
-    pub(in crate::verbs) fn granted(&mut self, footing: &Footing) {
+    pub(in crate::verbs) fn granted(&mut self, footing: &RealtimeRights) {
         if footing.is_whole() {
             return;
         }
         // Errors are ignored: standard error may be closed.
         let _ = writeln!(std::io::stderr(), "{}", Message::new("cli-run-rights").message("footing", footing.message()));
         let missing: Vec<&str> = footing.missing().collect();
-        let text = Footing::event(&missing);
+        let text = RealtimeRights::event(&missing);
         self.event_now("realtime", &text, json!({ "missing": missing }));
         let place = library::Place { pass: None, s_mm: None, t_s: None };
         self.kept.push(library::Event { at: Moment::now(), text, place });

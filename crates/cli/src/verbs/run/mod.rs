@@ -13,17 +13,17 @@ use crate::planning;
 use crate::refusals::refused;
 use crate::verbs::part;
 use desk::Desk;
-use seamwright_cell::SimulatedCell;
-use seamwright_cell::devices::Fault;
-use seamwright_cell::executive::{Devices, Executive, Place, Start, Work};
-use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shutdown, Urgent, guarded, live};
-use seamwright_cell::tracking::Tracking;
+use seamwright_executive::realtime::{Latency, Outside, Paced, Pacer, RealtimeRights, Shutdown, Urgent, guarded, live};
+use seamwright_executive::tracking::Tracking;
+use seamwright_executive::{Devices, Executive, Place, Start, Work};
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_program::is_before;
 use seamwright_project::devices::{self, Lines};
 use seamwright_project::power_loss;
+use seamwright_simulation::SimulatedCell;
+use seamwright_simulation::devices::Fault;
 use std::io::{BufRead as _, IsTerminal as _, Write as _};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
@@ -37,10 +37,10 @@ const LOOK: Duration = Duration::from_millis(5);
 /// After a signal the cycle has this long to bring everything to rest and its devices to their safe states.
 const SHUTDOWN: Duration = Duration::from_secs(15);
 
-/// Footing of a cell, and its end.
+/// RealtimeRights of a cell, and its end.
 pub(super) struct Ended {
     pub(super) left: Option<Place>,
-    pub(super) timing: Option<(Footing, Latency)>,
+    pub(super) timing: Option<(RealtimeRights, Latency)>,
     pub(super) lines: Lines,
 }
 
@@ -177,7 +177,7 @@ fn devices<'a>(
 }
 
 /// Failure of a simulation.
-pub(in crate::verbs) fn bad(error: &seamwright_cell::Error) -> Failure {
+pub(in crate::verbs) fn bad(error: &seamwright_simulation::Error) -> Failure {
     Failure::input(error)
 }
 
@@ -205,7 +205,7 @@ fn real(
     std::thread::scope(|scope| {
         let granted = &footing;
         let cycle = scope.spawn(move || {
-            let footing = granted.get_or_init(|| Footing::ask(cpu)).clone();
+            let footing = granted.get_or_init(|| RealtimeRights::ask(cpu)).clone();
             let mut paced = Paced { devices, pacer: Pacer::new(machine.servo_period_s) };
             let left = guarded(&mut paced, shutdown, |paced| {
                 let guide = tracking.as_mut().map(|tracking| tracking as _);

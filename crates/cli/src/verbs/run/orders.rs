@@ -1,4 +1,4 @@
-use seamwright_cell::executive::{Ask, Mode};
+use seamwright_executive::{Ask, Mode};
 use seamwright_message::{Message, Unit};
 
 /// A line of the operator's.

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::refusals::{at_most, in_file};
 use glam::DVec2;
-use seamwright_cell::frames::decode;
+use seamwright_frames::decode;
 use seamwright_message::{Message, Unit};
 use seamwright_vision::Image;
 use std::path::Path;

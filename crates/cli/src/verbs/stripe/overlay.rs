@@ -1,8 +1,8 @@
 //! Drawing of the result over the image.
 
 use crate::failure::Failure;
-use crate::overlay::{Colour, Overlay};
 use glam::DVec2;
+use seamwright_frames::{Colour, Overlay};
 use seamwright_geometry::Homography;
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{Features, StripeReader};
@@ -42,5 +42,5 @@ pub(super) fn draw(
             picture.cross(at, if i == 0 { JOINT } else { FEATURE }, if i == 0 { 14 } else { 8 });
         }
     }
-    picture.png()
+    picture.png().map_err(Failure::Environment)
 }

@@ -16,14 +16,14 @@ use crate::files;
 use crate::load::load;
 use crate::refusals::{between, in_file, not_allowed, of_option, refused, unreadable};
 use glam::DVec3;
-use seamwright_cell::camera_simulator::SeamLine;
-use seamwright_cell::teach::{JointFollower, semi_manual};
 use seamwright_geometry::HeightTable;
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Machine, Sensor, Sight};
 use seamwright_message::Message;
-use seamwright_project::teaching::{self, EVERY_MM, Outcome, nominal};
-use seamwright_tracking::teach::{CameraPose, Kind, ReductionTolerances, Settings};
+use seamwright_teaching::{
+    self as teaching, CameraPose, EVERY_MM, JointFollower, Kind, Outcome, ReductionTolerances, SeamLine, Settings,
+    nominal, semi_manual,
+};
 use std::fs::File;
 use std::io::BufReader;
 use std::ops::RangeInclusive;
@@ -40,12 +40,15 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
     let source = Source::read(args)?;
     check_output(&args.output)?;
     let loaded = load(&args.job)?;
-    let nominal = nominal(&loaded)?;
-    let mut outcome = match source {
-        Source::Points(points) => by_points(points, &nominal)?,
-        Source::Simulated => simulated::teach(args, &loaded, &nominal)?,
-        Source::Folder(folder) => recorded::teach(args, folder, &loaded, &nominal)?,
-        Source::Sender(address) => sent::teach(args, address, &loaded, &nominal)?,
+    let nominal = nominal(&loaded.welding.program.value, loaded.seam()?);
+    let (mut outcome, truth) = match source {
+        Source::Points(points) => (by_points(points, &nominal)?, None),
+        Source::Simulated => {
+            let (outcome, truth) = simulated::teach(args, &loaded, &nominal)?;
+            (outcome, Some(truth))
+        }
+        Source::Folder(folder) => (recorded::teach(args, folder, &loaded, &nominal)?, None),
+        Source::Sender(address) => (sent::teach(args, address, &loaded, &nominal)?, None),
     };
     if outcome.smooth.len() < 2 {
         let why = outcome.finding.take().unwrap_or_else(|| Message::new("project-teach-no-joint"));
@@ -58,14 +61,14 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
     };
     let output = args.output.display().to_string();
     let tolerances = ReductionTolerances { path_mm: tolerance, attitude_rad: attitude };
-    let (reduced, written) = teaching::reduced(&loaded, &nominal, &outcome.smooth, tolerances, kind, &output)?;
-    let report = report::Report::new(args, &loaded.machine, &nominal, &outcome, &reduced);
+    let (reduced, written) = teaching::reduced(&loaded.welding, &nominal, &outcome.smooth, tolerances, kind, &output)?;
+    let report = report::Report::new(args, &loaded.machine, &nominal, &outcome, &reduced, truth);
     let [json, svg, png] = BESIDE.map(|ending| args.output.with_extension(ending));
     files::write(&args.output, &written)?;
     files::write(&json, &report.to_json()?)?;
     files::write(&svg, &plot::draw(&report))?;
     if let Some(picture) = &outcome.picture {
-        let drawn = picture.png()?;
+        let drawn = picture.png().map_err(Failure::Environment)?;
         files::write_with(&png, |out| Ok(out.write_all(&drawn)?))?;
     }
     report.print(args.json)?;
@@ -176,7 +179,7 @@ fn settings(args: &TeachArgs, nominal: &SeamLine) -> Result<Settings, Failure> {
 }
 
 fn follower(args: &TeachArgs, table: &HeightTable) -> Result<JointFollower, Failure> {
-    teaching::follower(table, positive("--longest-tack-mm", args.longest_tack_mm)?)
+    Ok(teaching::follower(table, positive("--longest-tack-mm", args.longest_tack_mm)?)?)
 }
 
 /// Start of the joint following: at `point`, in the direction of the nominal seam nearby unless the command line gives

@@ -6,11 +6,8 @@ use crate::files;
 use crate::progress::Progress;
 use crate::refusals::in_file;
 use glam::DVec3;
-use seamwright_cell::camera_simulator::SeamLine;
-use seamwright_cell::teach::Operator;
 use seamwright_message::{Message, Unit};
-use seamwright_project::teaching::Picture;
-use seamwright_tracking::teach::{Answer, Crawl};
+use seamwright_teaching::{Answer, Crawl, Operator, Picture, SeamLine};
 use std::cell::RefCell;
 use std::io::{self, BufRead as _, IsTerminal as _, Write as _};
 use std::path::PathBuf;
@@ -86,7 +83,7 @@ impl<'a> Terminal<'a> {
     fn draw(&self) -> Result<bool, Failure> {
         let picture = self.picture.borrow();
         let Some(picture) = picture.as_ref() else { return Ok(false) };
-        let drawn = picture.png()?;
+        let drawn = picture.png().map_err(Failure::Environment)?;
         files::write_with(&self.png, |out| Ok(out.write_all(&drawn)?))?;
         Ok(true)
     }

@@ -3,9 +3,8 @@
 use super::report::Report;
 use crate::verbs::reduce::plot::{charts, ends, lines_and_arcs, words};
 use glam::DVec3;
-use seamwright_project::teaching::TaughtPoint;
 use seamwright_report::{Axis, Chart, LimitLine, Series, Style, sheet};
-use seamwright_tracking::teach::Curves;
+use seamwright_teaching::{Curves, TaughtPoint};
 
 pub(super) fn draw(report: &Report) -> String {
     let points: Vec<DVec3> = report.outcome.smooth.iter().map(|p| p.point).collect();

@@ -7,11 +7,9 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::in_file;
 use glam::DVec3;
-use seamwright_cell::camera_simulator::SeamLine;
-use seamwright_cell::frames::{FrameError, FrameSource, Recorded, TimedFrame};
-use seamwright_cell::teach::{Played, joints};
+use seamwright_frames::{FrameError, FrameSource, Recorded, TimedFrame};
 use seamwright_message::Message;
-use seamwright_project::teaching::Outcome;
+use seamwright_teaching::{CameraPose, Outcome, Rig, SeamLine};
 use std::path::Path;
 
 pub(super) fn teach(args: &TeachArgs, folder: &Path, loaded: &Loaded, nominal: &SeamLine) -> Result<Outcome, Failure> {
@@ -30,7 +28,7 @@ pub(super) fn play(session: &Session, mut frames: impl FrameSource, what: &str) 
 
 /// Point at which the camera looks in a frame.
 pub(super) fn middle(session: &Session, frame: &TimedFrame) -> DVec3 {
-    let axes = joints(session.machine, frame.axes.as_deref().unwrap_or_default());
+    let axes = session.machine.joints_from_file(frame.axes.as_deref().unwrap_or_default());
     let camera = session.machine.camera_frame(session.sensor, &axes);
     camera.transform_point3(DVec3::Z * frame.height_mm.unwrap_or(0.0))
 }
@@ -47,5 +45,18 @@ impl<S: FrameSource> FrameSource for Again<S> {
             Some(frame) => Ok(Some(frame)),
             None => self.rest.next(),
         }
+    }
+}
+
+/// Frames of moves that another party makes, or has made.
+struct Played<'a>(Box<dyn FrameSource + 'a>);
+
+impl Rig for Played<'_> {
+    fn go(&mut self, _eye: &CameraPose) -> Result<(), Message> {
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Result<Option<TimedFrame>, FrameError> {
+        self.0.next()
     }
 }

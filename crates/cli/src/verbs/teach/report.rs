@@ -2,11 +2,10 @@ use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::refusals::not_json;
 use crate::rows::print_json;
-use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_machine::Machine;
 use seamwright_message::{Language, Message, Unit};
-use seamwright_project::teaching::{Figures, Outcome, TaughtPoint, bridged};
-use seamwright_tracking::teach::{Curves, Reduced};
+use seamwright_simulation::teaching::Truth;
+use seamwright_teaching::{Curves, Figures, Outcome, Reduced, SeamLine, TaughtPoint, bridged};
 use serde_json::{Value, json};
 use std::io::{self, Write as _};
 
@@ -18,6 +17,8 @@ pub(super) struct Report<'a> {
     pub(super) reduced: &'a Reduced,
     pub(super) figures: Figures,
     pub(super) tolerance: f64,
+    /// True distance from the seam; known in a simulation only.
+    truth: Option<Truth>,
 }
 
 impl<'a> Report<'a> {
@@ -27,13 +28,14 @@ impl<'a> Report<'a> {
         nominal: &SeamLine,
         outcome: &'a Outcome,
         reduced: &'a Reduced,
+        truth: Option<Truth>,
     ) -> Self {
         let figures = Figures::new(nominal, outcome, reduced);
-        Self { args, machine, outcome, reduced, figures, tolerance: args.tolerance_mm }
+        Self { args, machine, outcome, reduced, figures, tolerance: args.tolerance_mm, truth }
     }
 
     fn value(&self) -> Value {
-        let Outcome { line, smooth, notes, asked, seconds, ended, gap_mm, finding, truth, .. } = self.outcome;
+        let Outcome { line, smooth, notes, asked, seconds, ended, gap_mm, finding, .. } = self.outcome;
         let [lines, arcs, pieces] = self.reduced.curves.counts();
         let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
         let most = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
@@ -46,7 +48,7 @@ impl<'a> Report<'a> {
                 "across_nominal_mm": across, "above_nominal_mm": above })
         };
         let english = |message: &Message| message.in_language(Language::English);
-        let frame = |n: &seamwright_tracking::teach::CameraNote| {
+        let frame = |n: &seamwright_teaching::CameraNote| {
             json!({ "s_mm": n.way, "rows": n.rows, "confidence": n.confidence, "overlap_mm": n.overlap_mm,
                 "ended": format!("{:?}", n.end), "believed": n.agrees })
         };
@@ -78,7 +80,7 @@ impl<'a> Report<'a> {
                 "greatest_error_mm": self.reduced.curves.max_error(),
                 "greatest_from_raw_mm": self.figures.raw_error(),
             },
-            "truth": truth.as_ref().map(|t| json!({
+            "truth": self.truth.as_ref().map(|t| json!({
                 "across_rms_mm": t.across_rms, "across_max_mm": t.across_max,
                 "height_rms_mm": t.height_rms, "height_max_mm": t.height_max,
                 "bridged_max_mm": t.bridged_max, "start_mm": t.start, "end_mm": t.end,
@@ -99,7 +101,7 @@ impl<'a> Report<'a> {
             return print_json(&self.value());
         }
         let mut out = io::stdout().lock();
-        let Outcome { line, notes, asked, ended, gap_mm, truth, seconds, .. } = self.outcome;
+        let Outcome { line, notes, asked, ended, gap_mm, seconds, .. } = self.outcome;
         if notes.is_empty() {
             writeln!(out, "{}", Message::new("cli-teach-by-points"))?;
         } else {
@@ -118,7 +120,7 @@ impl<'a> Report<'a> {
             writeln!(out, "{}", Message::new("cli-teach-asked").message("why", why.clone()))?;
         }
         writeln!(out, "{}", self.program())?;
-        if let Some(t) = truth {
+        if let Some(t) = &self.truth {
             let truth = Message::new("cli-teach-truth")
                 .quantity("across", t.across_rms, Unit::Mm, 3)
                 .quantity("across-max", t.across_max, Unit::Mm, 3)

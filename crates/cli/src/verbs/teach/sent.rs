@@ -8,11 +8,11 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::{in_file, refused};
 use glam::DVec3;
-use seamwright_cell::camera_simulator::SeamLine;
-use seamwright_cell::frames::{FrameSource, FrameStream};
-use seamwright_cell::teach::{DistantRig, joints};
+use seamwright_frames::{FrameError, FrameSource, FrameStream, TimedFrame};
+use seamwright_machine::Machine;
 use seamwright_message::Message;
-use seamwright_project::teaching::{Ground, Outcome};
+use seamwright_teaching::{CameraPose, Carrier, Outcome, PlannedWeld, Rig, SeamLine};
+use std::net::TcpStream;
 use std::ops::RangeInclusive;
 use std::time::Duration;
 
@@ -35,13 +35,47 @@ pub(super) fn teach(args: &TeachArgs, address: &str, loaded: &Loaded, nominal: &
     if !args.drive {
         return play(&session, connect()?, address);
     }
-    let ground = Ground::new(loaded, nominal)?;
+    let ground = PlannedWeld::new(&loaded.welding, &loaded.machine, &loaded.clamped, nominal)?;
     let guide = |point: DVec3| ground.guide(point);
     let mut stream = connect()?;
     // The first frame comes unasked: it shows the camera's position.
     let first = stream.next()?.ok_or_else(|| Failure::input(in_file(address, Message::new("cli-teach-no-frames"))))?;
     let begin = start(args, nominal, middle(&session, &first))?;
-    let axes = joints(session.machine, first.axes.as_deref().unwrap_or_default());
+    let axes = session.machine.joints_from_file(first.axes.as_deref().unwrap_or_default());
     let carrier = ground.carrier(session.machine, session.sensor, &guide, axes);
     session.crawl(begin, &mut DistantRig::new(session.machine, carrier, stream))
+}
+
+/// A machine at the other end of a connection, which gets a target before each frame.
+struct DistantRig<'a> {
+    machine: &'a Machine,
+    carrier: Carrier<'a>,
+    stream: FrameStream<TcpStream>,
+}
+
+impl<'a> DistantRig<'a> {
+    /// Creates the rig for the `machine` that answers on `stream`; `carrier` has the current axis positions.
+    fn new(machine: &'a Machine, carrier: Carrier<'a>, stream: FrameStream<TcpStream>) -> Self {
+        Self { machine, carrier, stream }
+    }
+}
+
+impl Rig for DistantRig<'_> {
+    fn go(&mut self, pose: &CameraPose) -> Result<(), Message> {
+        self.carrier.to(pose)
+    }
+
+    fn frame(&mut self) -> Result<Option<TimedFrame>, FrameError> {
+        let axes = self.machine.axes.iter().zip(self.carrier.axes());
+        let words: Vec<String> = axes.map(|(axis, at)| format!("{}={}", axis.name, axis.to_file(*at))).collect();
+        self.stream.say(&format!("look {}", words.join(" ")))?;
+        let frame = self.stream.next()?;
+        if let Some(given) =
+            frame.as_ref().and_then(|f| f.axes.as_deref()).filter(|a| a.len() == self.machine.axes.len())
+        {
+            // The next way starts at the true positions.
+            self.carrier.stands(self.machine.joints_from_file(given));
+        }
+        Ok(frame)
+    }
 }

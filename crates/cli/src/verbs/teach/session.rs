@@ -6,13 +6,10 @@ use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::progress::Progress;
-use seamwright_cell::camera_simulator::SeamLine;
-use seamwright_cell::frames::Recorder;
-use seamwright_cell::teach::{Look, Rig, Setup};
+use seamwright_frames::Recorder;
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor};
-use seamwright_project::teaching::{Outcome, Picture};
-use seamwright_tracking::teach::{CameraPose, Crawl};
+use seamwright_teaching::{CameraPose, Crawl, Look, Outcome, Picture, Rig, SeamLine, Setup};
 use std::cell::RefCell;
 
 /// Seam and camera of a joint following.
@@ -46,7 +43,7 @@ impl<'a> Session<'a> {
         };
         let mut follower = follower(args, table)?;
         let setup = Setup { machine, sensor, midline: &mut follower, operator: &mut operator };
-        let run = seamwright_cell::teach::teach(setup, &mut crawl, rig, &mut each);
+        let run = seamwright_teaching::teach(setup, &mut crawl, rig, &mut each);
         let ended = operator.said_end();
         drop(progress);
         // Frames that came before one that did not can be played again.

@@ -8,10 +8,10 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::refusals::{between, not_allowed, of_option};
 use glam::DVec3;
-use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, Distortion, SeamLine};
-use seamwright_cell::teach::{SimulatedRig, truth};
 use seamwright_message::{Message, Unit};
-use seamwright_project::teaching::{Ground, Outcome};
+use seamwright_simulation::camera_simulator::{Appearance, CameraSimulator, Distortion};
+use seamwright_simulation::teaching::{SimulatedRig, Truth, truth};
+use seamwright_teaching::{Outcome, PlannedWeld, SeamLine};
 
 /// Distance from the joint at which the simulated operator puts the cross, mm.
 const BESIDE_MM: f64 = 0.3;
@@ -19,7 +19,7 @@ const BESIDE_MM: f64 = 0.3;
 const SEED: u64 = 1;
 const DISTORTION: [f64; 3] = [1.0, 0.3, 1.0];
 
-pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Result<Outcome, Failure> {
+pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Result<(Outcome, Truth), Failure> {
     let session = Session::new(args, loaded, nominal)?;
     let (machine, sensor, seed) = (session.machine, session.sensor, args.seed.unwrap_or(SEED));
     let actual = distortion(args)?.of(nominal, seed);
@@ -31,12 +31,12 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
     let eye = eye.ok_or_else(|| Failure::input(Message::new("cli-teach-not-a-camera").text("sensor", &sensor.name)))?;
     let (first, along) = actual.at(0.0);
     let begin = start(args, nominal, first.point + BESIDE_MM * first.normal.cross(along))?;
-    let ground = Ground::new(loaded, nominal)?;
+    let ground = PlannedWeld::new(&loaded.welding, &loaded.machine, &loaded.clamped, nominal)?;
     let guide = |point: DVec3| ground.guide(point);
     let carrier = ground.carrier(session.machine, session.sensor, &guide, ground.start());
-    let mut outcome = session.crawl(begin, &mut SimulatedRig::new(machine, sensor, carrier, eye))?;
-    outcome.truth = Some(truth(&actual, &outcome.smooth));
-    Ok(outcome)
+    let outcome = session.crawl(begin, &mut SimulatedRig::new(machine, sensor, carrier, eye))?;
+    let truth = truth(&actual, &outcome.smooth);
+    Ok((outcome, truth))
 }
 
 fn distortion(args: &TeachArgs) -> Result<Distortion, Failure> {

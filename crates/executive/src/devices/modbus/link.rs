@@ -1,0 +1,116 @@
+use super::traffic::TrafficLog;
+use super::wire::{CellRange, Trouble, Wire};
+use seamwright_machine::{ModbusDevice, Table};
+use seamwright_message::Message;
+use std::cell::{Cell, RefCell};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+use tokio::sync::Mutex;
+
+/// Interval at which the client checks for changed orders between polls.
+pub(super) const LOOK: Duration = Duration::from_millis(1);
+
+/// Shared state of the cycle and the client.
+#[derive(Debug, Default)]
+pub(super) struct Life {
+    /// Number of cycles so far.
+    pub(super) cycles: AtomicU64,
+    /// The client is to end.
+    pub(super) ended: AtomicBool,
+}
+
+/// Shared state of a device's orders and reports; both run in one thread.
+#[derive(Debug)]
+pub(super) struct Link {
+    pub(super) device: ModbusDevice,
+    pub(super) life: Arc<Life>,
+    pub(super) traffic: TrafficLog,
+    /// Connections for orders so far: the best estimate of the device's starts.
+    pub(super) starts: Cell<u32>,
+    /// Reason why orders are not written; reports do not reflect the orders then.
+    pub(super) unordered: RefCell<Option<Trouble>>,
+    /// Lost report connections, and how many of them were followed by a rewrite of the orders.
+    pub(super) lost: Cell<u32>,
+    pub(super) rewritten: Cell<u32>,
+}
+
+impl Link {
+    pub(super) fn new(device: &ModbusDevice, life: Arc<Life>, traffic: TrafficLog) -> Self {
+        Self {
+            device: device.clone(),
+            life,
+            traffic,
+            starts: Cell::new(0),
+            unordered: RefCell::new(None),
+            lost: Cell::new(0),
+            rewritten: Cell::new(0),
+        }
+    }
+
+    /// Returns true if the client is to end.
+    pub(super) fn ended(&self) -> bool {
+        self.life.ended.load(Ordering::Acquire)
+    }
+
+    /// Records trouble.
+    pub(super) fn failed(&self, trouble: &Trouble) {
+        self.traffic.change(|t| {
+            t.failed += 1;
+            t.trouble = Some(trouble.message());
+        });
+    }
+
+    /// Waits for `pause`, or until the end.
+    pub(super) async fn rest(&self, pause: Duration) {
+        let until = Instant::now() + pause;
+        while Instant::now() < until && !self.ended() {
+            tokio::time::sleep(LOOK).await;
+        }
+    }
+}
+
+/// A connection that may be lost and that orders and reports may share, served in the order of arrival, request by
+/// request.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Line(Arc<Mutex<Option<Wire>>>);
+
+impl Line {
+    /// Connects.
+    pub(super) async fn connect(&self, device: &ModbusDevice) -> Result<(), Trouble> {
+        let wire = Wire::connect(device).await?;
+        *self.0.lock().await = Some(wire);
+        Ok(())
+    }
+
+    /// Also true while a request waits for its answer.
+    pub(super) fn is_connected(&self) -> bool {
+        self.0.try_lock().map_or(true, |wire| wire.is_some())
+    }
+
+    /// See [`Wire::read`]. Drops a broken connection.
+    pub(super) async fn read(&self, range: CellRange, cells: &mut Vec<u16>) -> Result<(), Trouble> {
+        let mut wire = self.0.lock().await;
+        let Some(open) = wire.as_mut() else { return Err(unconnected()) };
+        let done = open.read(range, cells).await;
+        if matches!(done, Err(Trouble::Gone(_))) {
+            *wire = None;
+        }
+        done
+    }
+
+    /// See [`Wire::write`]. Drops a broken connection.
+    pub(super) async fn write(&self, table: Table, at: u16, cells: &[u16]) -> Result<(), Trouble> {
+        let mut wire = self.0.lock().await;
+        let Some(open) = wire.as_mut() else { return Err(unconnected()) };
+        let done = open.write(table, at, cells).await;
+        if matches!(done, Err(Trouble::Gone(_))) {
+            *wire = None;
+        }
+        done
+    }
+}
+
+fn unconnected() -> Trouble {
+    Trouble::Gone(Message::new("cell-modbus-not-connected"))
+}

@@ -1,0 +1,9 @@
+//! All tests in one program, which is compiled and linked once. Tests that measure resources of the process have
+//! their own.
+
+mod modbus;
+#[path = "../support/modbus_cell.rs"]
+mod modbus_cell;
+#[path = "../support/modbus_server.rs"]
+mod modbus_server;
+mod step_drives;

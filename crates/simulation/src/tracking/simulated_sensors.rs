@@ -1,0 +1,150 @@
+//! Simulated devices that see the joint. They know its true position and that of the torch.
+
+use super::beam::camera::{BeamCamera, Glance, Hidden, Noise, Shown};
+use super::beam::picture_queue::PictureQueue;
+use super::sensor_model::{Sensor, SensorModel};
+use super::world::World;
+use crate::error::Error;
+use arrayvec::ArrayVec;
+use glam::{DVec2, DVec3, Vec3Swizzles as _};
+use seamwright_executive::devices::Sensors;
+use seamwright_executive::tracking::LeadingSensor;
+use seamwright_executive::{SeamOrders, SensorReport};
+use seamwright_machine::{Joints, Machine};
+use seamwright_tracking::beam::{Beam, Picture};
+use seamwright_tracking::lead::SeamFrame;
+use std::collections::VecDeque;
+
+/// Number of recent cycles kept for exposures.
+const RECENT: usize = 12;
+
+/// True position of the gun after a cycle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct At {
+    t: f64,
+    s: f64,
+    axes: Joints,
+    tip: DVec3,
+}
+
+/// Simulated device that sees the joint of one head in a pass.
+pub(crate) struct SimulatedHead<'a> {
+    number: usize,
+    world: World<'a>,
+    eye: SimulatedSensor,
+}
+
+/// Kind of device.
+pub(super) enum SimulatedSensor {
+    /// A sensor ahead, and its displacement in the last period: lateral and height from the planned path, mm.
+    Leading(Box<Sensor>, DVec2),
+    /// The beam.
+    Beam { noise: Noise, pictures: PictureQueue, recent: VecDeque<At> },
+}
+
+/// The simulated seam as the camera of a beam.
+struct WorldSensor<'a, 'b>(&'a World<'b>, &'a mut Noise);
+
+impl BeamCamera for WorldSensor<'_, '_> {
+    fn glance(&mut self, glance: &Glance<'_>, shown: &mut Shown) -> Result<(), Error> {
+        self.1.show(self.0 as &dyn Hidden, glance, shown);
+        Ok(())
+    }
+}
+
+impl SimulatedSensor {
+    pub(super) fn leading(sensor: &LeadingSensor, seed: u64) -> Self {
+        Self::Leading(Box::new(Sensor::new(SensorModel::of(sensor), seed)), DVec2::ZERO)
+    }
+
+    pub(super) fn beam(noise_mm: f64, latency_s: f64, seed: u64) -> Self {
+        let (noise, pictures) = (Noise::new(noise_mm, seed), PictureQueue::new(latency_s, seed));
+        Self::Beam { noise, pictures, recent: VecDeque::with_capacity(RECENT) }
+    }
+}
+
+impl<'a> SimulatedHead<'a> {
+    pub(super) fn new(number: usize, world: World<'a>, eye: SimulatedSensor) -> Self {
+        Self { number, world, eye }
+    }
+
+    /// Runs a period at whose end the axes are at `q`.
+    fn step(&mut self, machine: &Machine, orders: &SeamOrders, q: &Joints, report: &mut SensorReport) {
+        let (t, s) = (orders.t_s, orders.s_mm);
+        let tip = machine.forward_of(self.number, q).point;
+        match &mut self.eye {
+            SimulatedSensor::Leading(sensor, carried) => {
+                sensor.look(&self.world, t, s, *carried);
+                let frame = (self.world.taught)(s);
+                // The sensor swings with the torch.
+                *carried = frame.components(tip - frame.point).yz();
+                report.measured[self.number] = sensor.arrived(t).flatten();
+            }
+            SimulatedSensor::Beam { noise, pictures, recent } => {
+                if let Beam::Seen(exposed_s) = orders.beam
+                    && let Some(at) = at(recent, exposed_s)
+                {
+                    let torch = SeamFrame { point: at.tip, ..(self.world.taught)(at.s) };
+                    // A simulated seam is visible wherever the search starts.
+                    let glance = Glance { t_s: exposed_s, axes: &at.axes, torch, s_mm: at.s, from: (0.0, None) };
+                    let taken = pictures.look(&mut WorldSensor(&self.world, noise), &glance);
+                    debug_assert!(taken.is_ok());
+                }
+                if recent.len() == RECENT {
+                    recent.pop_front();
+                }
+                recent.push_back(At { t, s, axes: *q, tip });
+                pictures.arrive(t);
+            }
+        }
+    }
+}
+
+/// Interpolates the position of the gun at `t_s` between two cycles.
+fn at(recent: &VecDeque<At>, t_s: f64) -> Option<At> {
+    let after = recent.iter().position(|at| at.t >= t_s).unwrap_or(recent.len().checked_sub(1)?);
+    let (a, b) = (recent.get(after.saturating_sub(1))?, recent.get(after)?);
+    let part = if b.t > a.t { ((t_s - a.t) / (b.t - a.t)).clamp(0.0, 1.0) } else { 0.0 };
+    let axes: Joints = std::array::from_fn(|i| a.axes[i] + part * (b.axes[i] - a.axes[i]));
+    Some(At { t: t_s, s: a.s + part * (b.s - a.s), axes, tip: a.tip.lerp(b.tip, part) })
+}
+
+/// All simulated devices that see the joints of a program.
+pub struct SimulatedSensors<'a> {
+    machine: &'a Machine,
+    /// Devices of each pass; empty for a pass that is not tracked.
+    passes: Vec<ArrayVec<SimulatedHead<'a>, 2>>,
+    /// Observed pass, counted from 0.
+    now: Option<usize>,
+}
+
+impl<'a> SimulatedSensors<'a> {
+    /// Creates an instance without sensors.
+    #[must_use]
+    pub fn none(machine: &'a Machine) -> Self {
+        Self::new(machine, Vec::new())
+    }
+
+    pub(crate) fn new(machine: &'a Machine, passes: Vec<ArrayVec<SimulatedHead<'a>, 2>>) -> Self {
+        Self { machine, passes, now: None }
+    }
+}
+
+impl Sensors for SimulatedSensors<'_> {
+    fn exchange(&mut self, orders: &SeamOrders, truth: Option<&Joints>, report: &mut SensorReport) {
+        report.measured = [None; 2];
+        report.starts = report.starts.max(1);
+        report.age_s = 0.0;
+        self.now = orders.pass.checked_sub(1).filter(|i| *i < self.passes.len());
+        let (Some(pass), Some(q)) = (self.now, truth) else { return };
+        for head in &mut self.passes[pass] {
+            head.step(self.machine, orders, q, report);
+        }
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        // A beam has one head.
+        let SimulatedSensor::Beam { pictures, .. } = &self.passes[self.now?].first()?.eye else { return None };
+        pictures.picture()
+    }
+}

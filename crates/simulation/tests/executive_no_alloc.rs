@@ -1,0 +1,219 @@
+//! Allocation tests after the program is loaded: a whole weld with a hold and a resume, jogging from its first cycle
+//! on, and refused jogs.
+
+use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
+use seamwright_executive::devices::DeviceSet;
+use seamwright_executive::{Ask, Command, Cycle, Executive, Interlocks, Mode, Note, Port, Start, Work};
+use seamwright_machine::{Clamped, Joints, MAX_AXES, Machine, Surroundings, shipped};
+use seamwright_motion::WeldMotion;
+use seamwright_motion::feed_override::RunPhase;
+use seamwright_motion::jog;
+use seamwright_program::{Pass, TorchPath};
+use seamwright_simulation::devices::{SimulatedDrives, SimulatedInputs, SimulatedSource};
+use seamwright_weld::Welding;
+
+#[global_allocator]
+static ALLOCATOR: AllocDisabler = AllocDisabler;
+
+/// Welds once, with a hold in the middle.
+#[derive(Default)]
+struct Operator {
+    mode: Option<Mode>,
+    armed: bool,
+    phase: Option<RunPhase>,
+    s: f64,
+    held: bool,
+    welded: bool,
+    asked: bool,
+    powered: bool,
+}
+
+impl Port for Operator {
+    fn command(&mut self, _t: f64) -> Option<Command> {
+        if std::mem::replace(&mut self.asked, true) {
+            return None;
+        }
+        let ask = match self.mode? {
+            Mode::Off if self.welded => Ask::Quit,
+            Mode::Off => Ask::SwitchOn,
+            Mode::Idle if self.powered => Ask::Home,
+            Mode::Ready if self.welded => Ask::SwitchOff,
+            Mode::Ready | Mode::Hold if !self.armed => Ask::Arm,
+            Mode::Ready => Ask::StartWeld,
+            Mode::Hold if self.phase == Some(RunPhase::Held) => Ask::Resume,
+            Mode::Weld if !self.held && self.s > 20.0 => {
+                self.held = true;
+                Ask::Hold
+            }
+            _ => return None,
+        };
+        Some(Command::of(ask))
+    }
+
+    fn show(&mut self, cycle: &Cycle<'_>) {
+        self.welded |= cycle.mode == Mode::Ready && self.held;
+        (self.mode, self.armed, self.phase, self.s) = (Some(cycle.mode), cycle.armed, cycle.phase, cycle.place.s_mm);
+        self.asked = false;
+        self.powered = cycle.reports.drives.powered;
+    }
+
+    fn note(&mut self, _t: f64, _note: Note) {}
+}
+
+#[test]
+fn a_weld_costs_no_allocation() {
+    // A short weld: ten degrees of the example.
+    let job = include_str!("../../../examples/saddle.toml").replace("overlap_mm = 20", "end_phi_deg = 30");
+    let welding = Welding::read("job.toml", &job).unwrap();
+    let program = &welding.program.value;
+    let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
+    let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
+    let path = welding.path(0);
+    let passes: Vec<(&dyn TorchPath, &Pass)> = vec![(&path, &program.passes[0])];
+    let motion = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap();
+    let passes: Vec<&Pass> = program.passes.iter().collect();
+    let work = Work::new(&machine, None, &passes, &motion, Start::at_home(&motion)).unwrap();
+    let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
+    let mut devices = DeviceSet {
+        drives: SimulatedDrives::new(&machine, 1).unwrap(),
+        source: SimulatedSource::new(1, machine.servo_period_s),
+        inputs,
+    };
+    let mut operator = Operator::default();
+    let mut executive = Executive::new(&machine, &mut devices, &mut operator);
+    assert_no_alloc(|| executive.serve(Some(&work)));
+    assert_eq!(violation_count(), 0);
+    assert!(executive.left().is_none());
+    assert!(operator.welded && operator.held);
+}
+
+/// Jogs by speeds, by steps, along the tip and to a position; sends invalid requests, restarts, and jogs again.
+#[derive(Default)]
+struct Hand {
+    mode: Option<Mode>,
+    cycles: u32,
+    asked: bool,
+    powered: bool,
+    begins: u32,
+    ways: [f64; 4],
+    home: Joints,
+    from: f64,
+    q: f64,
+}
+
+/// Number of cycles of each part of a jog.
+const PART: u32 = 1000;
+
+/// Returns an invalid request in these cycles of a part.
+fn refused(cycle: u32) -> Option<jog::Command> {
+    let mut beyond = Joints::default();
+    match cycle {
+        190 => {
+            beyond[0] = 1e9;
+            Some(jog::Command::To(beyond))
+        }
+        192 => {
+            beyond[1] = f64::NAN;
+            Some(jog::Command::To(beyond))
+        }
+        194 => Some(jog::Command::Speeds([f64::NAN; MAX_AXES])),
+        196 => {
+            Some(jog::Command::Tip { frame: jog::TipFrame::Work, velocity: glam::DVec3::new(f64::INFINITY, 0.0, 0.0) })
+        }
+        198 => Some(jog::Command::Step { axis: 40, by: 1.0 }),
+        200 => Some(jog::Command::Step { axis: 0, by: 1e9 }),
+        _ => None,
+    }
+}
+
+impl Hand {
+    fn part(&self) -> usize {
+        (self.cycles / PART) as usize
+    }
+
+    fn wants(&self) -> Option<jog::Command> {
+        // The panel repeats a request twenty times a second, but steps once.
+        let again = self.cycles.is_multiple_of(50);
+        let begins = self.cycles.is_multiple_of(PART);
+        let halfway = self.cycles % PART >= PART / 2;
+        let mut joints = Joints::default();
+        match self.part() {
+            _ if halfway && self.part() != 2 => again.then_some(jog::Command::Rest),
+            0 => {
+                joints[0] = 5.0;
+                again.then_some(jog::Command::Speeds(joints))
+            }
+            1 if begins => Some(jog::Command::Step { axis: 0, by: 0.5 }),
+            // Ends before the panel counts as silent.
+            1 => match self.cycles % PART {
+                180 => Some(jog::Command::Rest),
+                n => refused(n),
+            },
+            2 => {
+                joints = self.home;
+                joints[0] = self.from + 2.0;
+                again.then_some(jog::Command::To(joints))
+            }
+            _ => {
+                let velocity = glam::DVec3::new(3.0, 0.0, 0.0);
+                again.then_some(jog::Command::Tip { frame: jog::TipFrame::Work, velocity })
+            }
+        }
+    }
+}
+
+impl Port for Hand {
+    fn command(&mut self, _t: f64) -> Option<Command> {
+        if std::mem::replace(&mut self.asked, true) {
+            return None;
+        }
+        let ask = match self.mode? {
+            Mode::Off if self.begins > 1 => Ask::Quit,
+            Mode::Off => Ask::SwitchOn,
+            Mode::Idle if self.powered => Ask::Home,
+            Mode::Ready if self.begins > 1 => Ask::SwitchOff,
+            Mode::Ready => {
+                (self.begins, self.cycles) = (self.begins + 1, 0);
+                Ask::StartJog
+            }
+            Mode::Jog if self.part() > 3 => Ask::Hold,
+            Mode::Jog => {
+                if self.cycles.is_multiple_of(PART) {
+                    self.from = self.q;
+                }
+                let wanted = self.wants();
+                let part = self.part();
+                self.ways[part] = self.ways[part].max((self.q - self.from).abs());
+                self.cycles += 1;
+                Ask::Jog(wanted?)
+            }
+            _ => return None,
+        };
+        Some(Command::of(ask))
+    }
+
+    fn show(&mut self, cycle: &Cycle<'_>) {
+        (self.mode, self.asked, self.powered) = (Some(cycle.mode), false, cycle.reports.drives.powered);
+        self.q = cycle.orders.set[0].position;
+    }
+
+    fn note(&mut self, _t: f64, _note: Note) {}
+}
+
+#[test]
+fn jogging_costs_no_allocation() {
+    let machine = Machine::read("m.toml", shipped("torch-5axis").unwrap().text).unwrap();
+    let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
+    let work = Work::none(&machine, &around);
+    let mut devices = DeviceSet {
+        drives: SimulatedDrives::new(&machine, 1).unwrap(),
+        source: SimulatedSource::new(1, machine.servo_period_s),
+        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
+    };
+    let mut hand = Hand { home: machine.home(), ..Hand::default() };
+    let mut executive = Executive::new(&machine, &mut devices, &mut hand);
+    assert_no_alloc(|| executive.serve(Some(&work)));
+    assert_eq!(violation_count(), 0);
+    assert!(hand.begins == 2 && (0.49..0.51).contains(&hand.ways[1]), "{:?}", hand.ways);
+    assert!(hand.ways[0] > 1.0 && (1.99..2.01).contains(&hand.ways[2]), "{:?}", hand.ways);
+}

@@ -1,0 +1,246 @@
+//! Conformance of every process source and all inputs, simulated or on Modbus, with and without a fault plan before
+//! them.
+
+use crate::modbus_cell::{PERIOD_S, parts, welder};
+use crate::modbus_server::TestServer;
+use seamwright_executive::devices::modbus::{ModbusInputs, ModbusSource};
+use seamwright_executive::devices::{DeviceSet, Drives, InputBits, Inputs, Source};
+use seamwright_executive::{Devices as _, DriveReport, Orders, Reports, Slack, SourceReport};
+use seamwright_simulation::devices::{Device, Fault, FaultKind, Faulty, SimulatedInputs, SimulatedSource, When};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+/// Drives are not tested here.
+struct NoDrives;
+
+impl Drives for NoDrives {
+    fn exchange(&mut self, _orders: &Orders, _report: &mut DriveReport) {}
+
+    fn rides_out(&self) -> Slack {
+        Slack::stored(0)
+    }
+
+    fn late_s(&self) -> f64 {
+        0.0
+    }
+}
+
+/// All three conditions of the test cell are met.
+const MET: u64 = 0b111;
+
+/// An event that happens to the devices.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Event {
+    /// The devices do not report for a while.
+    Silence,
+    /// The devices lose power for a while.
+    Restart,
+    /// The devices get no more orders.
+    Loss,
+}
+
+/// Source and inputs, and their environment.
+struct Bench<S, I> {
+    set: DeviceSet<NoDrives, S, I>,
+    orders: Orders,
+    reports: Reports,
+    /// Applies the start or end of an event to the devices.
+    happens: Box<dyn FnMut(Event, bool)>,
+    /// True while arc or beam is there.
+    lit: Box<dyn Fn(&S) -> bool>,
+    real: bool,
+}
+
+impl<S: Source, I: Inputs> Bench<S, I> {
+    /// Runs up to `most` cycles until `done`.
+    fn cycles(&mut self, most: usize, done: impl Fn(&Self) -> bool) -> bool {
+        for _ in 0..most {
+            self.orders.watchdog = !self.orders.watchdog;
+            self.set.exchange(&self.orders, &mut self.reports);
+            if self.real {
+                std::thread::sleep(Duration::from_secs_f64(PERIOD_S));
+            }
+            if done(self) {
+                return true;
+            }
+        }
+        false
+    }
+
+    fn is_lit(&self) -> bool {
+        (self.lit)(&self.set.source)
+    }
+
+    fn is_fresh(&self) -> bool {
+        self.reports.source.age_s < 0.05 && self.reports.inputs_age_s < 0.05
+    }
+
+    /// Strikes the arc until it is reported.
+    fn strike(&mut self) {
+        self.orders.process.on = false;
+        assert!(self.cycles(2000, |b| b.is_fresh() && b.reports.source.ready && !b.reports.source.burning));
+        (self.orders.process.on, self.orders.process.gas) = (true, true);
+        assert!(self.cycles(2000, |b| b.reports.source.burning), "it does not strike");
+        assert!(self.is_lit());
+    }
+}
+
+/// Checks the conformance of any process source and inputs.
+fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
+    assert!(!bench.is_fresh(), "nothing is known yet");
+    assert!(bench.cycles(2000, Bench::is_fresh));
+    let starts = (bench.reports.source.starts, bench.reports.inputs_starts);
+    assert!(starts.0 >= 1 && starts.1 >= 1);
+
+    // Orders arrive, reports return.
+    bench.orders.process.values = [f64::NAN; 16];
+    bench.orders.process.values[0] = 150.0;
+    bench.strike();
+    assert!(bench.cycles(2000, |b| (b.reports.source.values[0] - 150.0).abs() < 15.0), "{:?}", bench.reports.source);
+    assert_eq!((bench.reports.inputs, bench.reports.source.fault, bench.reports.source.stuck), (MET, 0, false));
+    bench.orders.process.on = false;
+    assert!(bench.cycles(2000, |b| !b.reports.source.burning), "it does not go out");
+    assert!(!bench.is_lit());
+    assert_eq!((bench.reports.source.starts, bench.reports.inputs_starts), starts, "nothing has restarted");
+
+    for event in events {
+        bench.strike();
+        let starts = (bench.reports.source.starts, bench.reports.inputs_starts);
+        (bench.happens)(*event, true);
+        // A silence shows as age; the last report stays.
+        let before = bench.reports;
+        let old = |b: &Bench<S, I>| b.reports.source.age_s > 0.15 && b.reports.inputs_age_s > 0.15;
+        if *event != Event::Loss {
+            assert!(bench.cycles(2000, old), "{event:?}: {:?}", bench.reports);
+            let kept = SourceReport { age_s: before.source.age_s, ..bench.reports.source };
+            let same =
+                |a: &SourceReport, b: &SourceReport| (a.ready, a.fault, a.starts) == (b.ready, b.fault, b.starts);
+            assert!(same(&kept, &before.source), "{event:?}");
+            assert_eq!(bench.reports.inputs, before.inputs);
+        } else if bench.real {
+            std::thread::sleep(Duration::from_millis(1200));
+        } else {
+            bench.cycles(300, |_| false);
+        }
+        if *event == Event::Loss {
+            assert!(!bench.is_lit(), "it burns although nobody orders it to");
+        }
+        (bench.happens)(*event, false);
+        bench.orders.process.on = false;
+        assert!(bench.cycles(5000, Bench::is_fresh), "{event:?}: it does not come back");
+        let after = (bench.reports.source.starts, bench.reports.inputs_starts);
+        if *event == Event::Restart {
+            assert!(after.0 > starts.0 && after.1 > starts.1, "{starts:?} {after:?}");
+        }
+        assert!(bench.cycles(2000, |b| !b.reports.source.burning && !b.is_lit()));
+    }
+}
+
+const EVENTS: [Event; 3] = [Event::Silence, Event::Restart, Event::Loss];
+
+/// Simulated devices fail by fault plans: the same kind before source and inputs.
+fn simulated(event: Event) -> Bench<impl Source, impl Inputs> {
+    let kind = match event {
+        Event::Silence => FaultKind::Silent,
+        Event::Restart => FaultKind::Reboot,
+        Event::Loss => FaultKind::Disconnect,
+    };
+    let told = Arc::new(AtomicBool::new(false));
+    let faults = |device| [Fault { device, kind, when: When::Flagged, lasts_s: 0.4, which: 0 }];
+    let source = SimulatedSource::new(1, PERIOD_S);
+    let source = Faulty::new(source, Device::Source, &faults(Device::Source), PERIOD_S).flagged_by(&told);
+    let inputs =
+        Faulty::new(SimulatedInputs::new(MET), Device::Inputs, &faults(Device::Inputs), PERIOD_S).flagged_by(&told);
+    Bench {
+        set: DeviceSet { drives: NoDrives, source, inputs },
+        orders: Orders::default(),
+        reports: Reports::default(),
+        happens: Box::new(move |_, begins| told.store(begins, Ordering::Relaxed)),
+        lit: Box::new(|source: &Faulty<SimulatedSource, SourceReport>| source.device().burns()),
+        real: false,
+    }
+}
+
+#[test]
+fn the_simulated_twins_conform() {
+    for event in EVENTS {
+        conforms(simulated(event), &[event]);
+    }
+}
+
+/// Applies events to the device on the network; the bench itself causes a loss of the cycle.
+fn on_modbus<S, I>(server: TestServer, source: S, inputs: I) -> Bench<S, I> {
+    let server = Arc::new(std::sync::Mutex::new(server));
+    let other = Arc::clone(&server);
+    Bench {
+        set: DeviceSet { drives: NoDrives, source, inputs },
+        orders: Orders::default(),
+        reports: Reports::default(),
+        happens: Box::new(move |event, begins| match (event, begins) {
+            (Event::Silence, _) => other.lock().unwrap().silence(begins),
+            (Event::Restart, true) => {
+                let mut server = other.lock().unwrap();
+                server.stop();
+                server.bank().coils.fill(false);
+            }
+            (Event::Restart, false) => other.lock().unwrap().start(),
+            (Event::Loss, _) => {}
+        }),
+        lit: Box::new(move |_| server.lock().unwrap().bank().coils[1]),
+        real: true,
+    }
+}
+
+#[test]
+fn modbus_conforms() {
+    let server = TestServer::new(welder);
+    let parts = parts(&server);
+    conforms(on_modbus(server, parts.source.unwrap(), parts.inputs.unwrap()), &EVENTS);
+}
+
+type FaultySource = Faulty<ModbusSource, SourceReport>;
+type FaultyInputs = Faulty<ModbusInputs, InputBits>;
+
+/// A fault plan works before devices on Modbus as before simulated ones: without effect until a fault comes ..
+#[test]
+fn modbus_conforms_behind_a_plan_of_faults() {
+    let (bench, _) = faulty(FaultKind::Silent);
+    conforms(bench, &EVENTS);
+}
+
+fn faulty(kind: FaultKind) -> (Bench<FaultySource, FaultyInputs>, Arc<AtomicBool>) {
+    let server = TestServer::new(welder);
+    let parts = parts(&server);
+    let told = Arc::new(AtomicBool::new(false));
+    let faults = |device| [Fault { device, kind, when: When::Flagged, lasts_s: 0.4, which: 1 }];
+    let source =
+        Faulty::new(parts.source.unwrap(), Device::Source, &faults(Device::Source), PERIOD_S).flagged_by(&told);
+    let inputs =
+        Faulty::new(parts.inputs.unwrap(), Device::Inputs, &faults(Device::Inputs), PERIOD_S).flagged_by(&told);
+    (on_modbus(server, source, inputs), told)
+}
+
+/// .. and then with the same effect as on those.
+#[test]
+fn faults_come_over_modbus_devices() {
+    for kind in FaultKind::ALL {
+        let (mut bench, told) = faulty(kind);
+        bench.strike();
+        let starts = bench.reports.source.starts;
+        told.store(true, Ordering::Relaxed);
+        bench.cycles(250, |_| false);
+        let reports = bench.reports;
+        match kind {
+            FaultKind::Silent => assert!(reports.source.age_s > 0.2 && reports.inputs_age_s > 0.2 && bench.is_lit()),
+            FaultKind::Disconnect | FaultKind::Reconnect => assert!(reports.source.age_s > 0.2 && !bench.is_lit()),
+            FaultKind::Reboot => assert!(reports.inputs_age_s > 0.2 && !bench.is_lit()),
+            FaultKind::Slow => assert!(reports.source.age_s > 0.0 && bench.is_lit()),
+            FaultKind::Wrong => assert!(!reports.source.burning && reports.inputs == MET ^ 2 && bench.is_lit()),
+        }
+        assert!(bench.cycles(3000, Bench::is_fresh));
+        bench.cycles(400, |_| false);
+        let reboots = u32::from(kind == FaultKind::Reboot);
+        assert_eq!((bench.reports.source.starts, bench.reports.inputs), (starts + reboots, MET), "{kind:?}");
+    }
+}
