@@ -33,8 +33,7 @@ mod track;
 
 pub use spline::{SplineReduction, reduce_to_spline};
 
-use crate::Error;
-use crate::error::positive;
+use crate::error::{Error, positive};
 use glam::DVec3;
 use track::Track;
 
