@@ -1,7 +1,7 @@
 //! The distance of two convex bodies: parry's iteration finds a direction, a plane across it proves the distance. Only
 //! this module uses parry.
 
-use crate::Shape;
+use crate::shape::Shape;
 use glam::{DAffine3, DVec3};
 use parry3d_f64::math::Pose;
 use parry3d_f64::query::gjk::{CsoPoint, GJKResult, VoronoiSimplex, closest_points};

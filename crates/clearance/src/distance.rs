@@ -5,8 +5,8 @@
 
 use crate::boxes::Bounds;
 use crate::convex::{self, Gap, Placed};
-use crate::mesh::Last;
-use crate::{Mesh, Shape, Solid};
+use crate::mesh::{Last, Mesh};
+use crate::shape::{Shape, Solid};
 use glam::{DAffine3, DVec3};
 
 /// Nearest points of two solids, in their common frame. This is returned by [`nearest`].

@@ -1,9 +1,10 @@
 //! Groups of solids and the conditions between them.
 
 use crate::distance::{Posed, is_usable, of_shapes};
+use crate::error::ClearanceError;
 use crate::mesh::Last;
+use crate::shape::Solid;
 use crate::zone::{is_zone, room};
-use crate::{ClearanceError, Solid};
 use glam::{DAffine3, DVec3};
 
 /// Solids that move rigidly together: a link of the machine, the torch, the part, the fixtures.

@@ -1,4 +1,5 @@
-use crate::{ClearanceError, Mesh};
+use crate::error::ClearanceError;
+use crate::mesh::Mesh;
 use glam::{DAffine3, DMat3, DVec3};
 use std::sync::Arc;
 

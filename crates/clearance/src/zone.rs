@@ -2,7 +2,7 @@
 
 use crate::boxes::Bounds;
 use crate::distance::{Posed, extreme};
-use crate::{Shape, Solid};
+use crate::shape::{Shape, Solid};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
 
