@@ -1,4 +1,5 @@
-use crate::{Message, Unit};
+use crate::Unit;
+use crate::message::Message;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

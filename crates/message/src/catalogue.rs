@@ -1,4 +1,8 @@
-use crate::{AREAS, Argument, Language, Message, Quantity, Unit, source};
+use crate::argument::{Argument, Quantity};
+use crate::language::Language;
+use crate::message::Message;
+use crate::sources::source;
+use crate::{AREAS, Unit};
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use std::borrow::Cow;

@@ -1,4 +1,7 @@
-use crate::{Argument, Catalogue, Language, Quantity, Unit};
+use crate::Unit;
+use crate::argument::{Argument, Quantity};
+use crate::catalogue::Catalogue;
+use crate::language::Language;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
