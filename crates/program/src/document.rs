@@ -1,7 +1,16 @@
-use crate::{
-    Clearance, Joint, Keyed, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, TransferMoves,
-    Variables, check_offset, check_process, is_beyond, is_same_position, variables,
-};
+use crate::copies::SeamCopy;
+use crate::joint::Joint;
+use crate::keyed::Keyed;
+use crate::offsets::{Offsets, check_offset};
+use crate::part::{Clearance, Part};
+use crate::pass::Pass;
+use crate::path_length::{is_beyond, is_same_position};
+use crate::procedure::Procedure;
+use crate::process::check_process;
+use crate::seam::{Seam, SeamStart};
+use crate::taught::Taught;
+use crate::transfer::TransferMoves;
+use crate::variables::{self, Variables};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;

@@ -1,4 +1,5 @@
-use crate::{Dwells, Figure, Pass};
+use crate::pass::Pass;
+use crate::weave::{Dwells, Figure};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_message::{Message, Unit};
@@ -71,7 +72,7 @@ impl Oscillation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Program;
+    use crate::document::Program;
     use std::f64::consts::TAU;
 
     fn text(oscillation: &str) -> String {

@@ -1,7 +1,16 @@
-use crate::{
-    ArcTime, AtCorner, Bead, Oscillation, Points, ProcessValues, Repeat, Sequence, SpanValue, SpareAxes, Tolerance,
-    Torch, Weave,
-};
+use crate::arc_time::ArcTime;
+use crate::at_corner::AtCorner;
+use crate::bead::Bead;
+use crate::oscillation::Oscillation;
+use crate::points::Points;
+use crate::process::ProcessValues;
+use crate::repeat::Repeat;
+use crate::sequence::Sequence;
+use crate::span_value::SpanValue;
+use crate::spare_axes::SpareAxes;
+use crate::tolerance::Tolerance;
+use crate::torch::Torch;
+use crate::weave::Weave;
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
 use seamwright_message::Message;

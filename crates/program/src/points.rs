@@ -1,7 +1,11 @@
 //! Passes through points: a table of poses or axis positions with times and process values, as part programs and taught
 //! programs have them.
 
-use crate::{Keyed, Pass, ProcessValues, Ramp, SpanValue, Torch, check_process_name};
+use crate::keyed::Keyed;
+use crate::pass::Pass;
+use crate::process::{ProcessValues, check_process_name};
+use crate::span_value::{Ramp, SpanValue};
+use crate::torch::Torch;
 use schemars::JsonSchema;
 use seamwright_document::{Bound, Direction, Document, DocumentError, Finite, Point};
 use seamwright_message::{Message, Unit};

@@ -1,6 +1,7 @@
 //! Passes welded several times.
 
-use crate::{Pass, Program};
+use crate::document::Program;
+use crate::pass::Pass;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use seamwright_document::in_serde;
 use seamwright_message::Message;

@@ -1,4 +1,7 @@
-use crate::{Arc, Branch, Circle, Helix, Nozzle, Polyline, RoundedRectangle, Spline};
+use crate::branch::Branch;
+use crate::nozzle::Nozzle;
+use crate::plane_seam::{Arc, Circle, Polyline, RoundedRectangle};
+use crate::space_seam::{Helix, Spline};
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, Finite, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};

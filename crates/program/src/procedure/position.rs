@@ -1,5 +1,6 @@
 use super::window::halve;
-use crate::{FilletOrButt, is_beyond};
+use crate::path_length::is_beyond;
+use crate::seam::FilletOrButt;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative};
