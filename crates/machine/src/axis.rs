@@ -1,4 +1,6 @@
-use crate::{EncoderSide, PitchError, Stepper};
+use crate::file::EncoderSide;
+use crate::pitch_error::PitchError;
+use crate::stepper::Stepper;
 use seamwright_message::Unit;
 use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;

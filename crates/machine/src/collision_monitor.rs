@@ -1,6 +1,8 @@
 //! Collision monitor: proofs of the clearance of a short motion, cheap enough for every period of a control.
 
-use crate::{AxisKind, Course, Joints, MAX_AXES, Surroundings};
+use crate::axis::AxisKind;
+use crate::chain::{Joints, MAX_AXES};
+use crate::surroundings::{Course, Surroundings};
 use arrayvec::ArrayVec;
 use glam::DAffine3;
 use seamwright_clearance::Memory;

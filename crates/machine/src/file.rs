@@ -1,6 +1,10 @@
 //! The machine file as written, before its steps are assembled.
 
-use crate::{BeamDeflection, DeviceFile, InterlockFile, SensorFile, SourceFile, TipLimits};
+use crate::cell::{InterlockFile, SourceFile};
+use crate::devices::DeviceFile;
+use crate::machine::BeamDeflection;
+use crate::sensor::SensorFile;
+use crate::tip_motion::TipLimits;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;

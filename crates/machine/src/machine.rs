@@ -1,11 +1,18 @@
+use crate::assemble;
+use crate::axis::{Axis, AxisKind, RangeViolation};
+use crate::cell::{InterlockFile, Source};
+use crate::chain::{AxisSet, Joints, MAX_AXES};
 use crate::collision_monitor::{Lever, travel};
+use crate::devices::MachineDevices;
+use crate::file::{ControlsFile, Io, MachineFile};
+use crate::head::Head;
 use crate::inverse::{self, Branches, Inverse, PairFault, Solution, Unreachable, Which};
+use crate::links::{LinkFrames, Links};
 use crate::pair::Pair;
+use crate::sensor::Sensor;
+use crate::solids::LinkSolids;
 use crate::surroundings::PITCH;
-use crate::{
-    Axis, AxisKind, AxisSet, ControlsFile, Head, InterlockFile, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES,
-    MachineDevices, MachineFile, RangeViolation, Sensor, Source, TipLimits, assemble,
-};
+use crate::tip_motion::TipLimits;
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError};

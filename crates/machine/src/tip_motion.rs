@@ -1,7 +1,8 @@
 //! Motion of the torch tip from that of the axes: derivatives up to the third.
 
-use crate::chain::Chain;
-use crate::{AxisKind, Joints, Machine};
+use crate::axis::AxisKind;
+use crate::chain::{Chain, Joints};
+use crate::machine::Machine;
 use glam::DVec3;
 
 /// Limits of the torch tip's motion against the work along a path. Infinite if the machine file has none.
@@ -79,7 +80,7 @@ fn sin_cos(q: &Series<f64>) -> (Series<f64>, Series<f64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::SHIPPED;
+    use crate::shipped::SHIPPED;
 
     #[test]
     fn derivatives_are_those_of_differences_of_the_forward_kinematics() {

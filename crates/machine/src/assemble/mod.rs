@@ -10,9 +10,11 @@ mod solids;
 mod stepper;
 mod tree;
 
+use crate::axis::Axis;
 use crate::chain::MAX_AXES;
+use crate::file::{DeflectionFile, MachineFile, StepFile};
+use crate::machine::Machine;
 use crate::pair::Pair;
-use crate::{Axis, DeflectionFile, Machine, MachineFile, StepFile};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_message::{Message, Unit};

@@ -1,4 +1,4 @@
-use crate::MachineFile;
+use crate::file::MachineFile;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
@@ -71,7 +71,8 @@ pub(super) fn linuxcnc(
 
 #[cfg(test)]
 mod tests {
-    use crate::{Machine, shipped};
+    use crate::machine::Machine;
+    use crate::shipped::shipped;
 
     fn read(devices: &str) -> Result<Machine, String> {
         let text = format!("{}\n{devices}", shipped("ellipse-xy").unwrap().text);

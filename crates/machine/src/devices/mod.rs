@@ -13,7 +13,7 @@ pub use modbus::{
 
 pub use steps::{Steps, StepsFile};
 
-use crate::Axis;
+use crate::axis::Axis;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;
@@ -52,7 +52,10 @@ impl MachineDevices {
 }
 
 /// Assembles the devices of a machine file with these `axes`.
-pub(crate) fn devices(file: &Document<crate::MachineFile>, axes: &[Axis]) -> Result<MachineDevices, DocumentError> {
+pub(crate) fn devices(
+    file: &Document<crate::file::MachineFile>,
+    axes: &[Axis],
+) -> Result<MachineDevices, DocumentError> {
     let mut devices = MachineDevices::default();
     for (name, device) in &file.value.devices {
         let has_drives = devices.linuxcnc.is_some() || devices.steps.is_some();

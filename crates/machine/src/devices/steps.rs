@@ -1,4 +1,5 @@
-use crate::{Axis, MachineFile};
+use crate::axis::Axis;
+use crate::file::MachineFile;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
@@ -114,7 +115,8 @@ fn check(file: &Document<MachineFile>, name: &str, axis: &Axis, steps: &Steps) -
 
 #[cfg(test)]
 mod tests {
-    use crate::{Machine, shipped};
+    use crate::machine::Machine;
+    use crate::shipped::shipped;
 
     fn read(devices: &str, change: (&str, &str)) -> Result<Machine, String> {
         let text = shipped("torch-5axis").unwrap().text.replacen(change.0, change.1, 1);

@@ -1,7 +1,7 @@
 //! Redundancy resolution: the axes that a pose decides if the chain has more than it needs.
 
+use crate::axis::{Axis, AxisKind};
 use crate::chain::{AxisSet, Chain, Joints};
-use crate::{Axis, AxisKind};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use std::f64::consts::PI;

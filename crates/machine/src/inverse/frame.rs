@@ -1,6 +1,6 @@
 use super::three_linear::move_linear;
 use super::{Unreachable, independent, rotaries};
-use crate::AxisKind;
+use crate::axis::AxisKind;
 use crate::chain::{AxisSet, Chain, Joints, MAX_AXES, Screw, Turn};
 use arrayvec::ArrayVec;
 use glam::{DMat3, DVec3};

@@ -15,8 +15,8 @@ mod rotaries;
 mod three_linear;
 mod two_linear;
 
+use crate::axis::{Axis, AxisKind};
 use crate::chain::{AxisSet, Chain, Joints, Screw};
-use crate::{Axis, AxisKind};
 use arrayvec::ArrayVec;
 pub(crate) use choice::spread;
 pub(crate) use frame::{Frame, FrameInverse};

@@ -1,7 +1,7 @@
 use super::choice::spread;
 use super::{Branches, Solution, Unreachable, angle_between};
+use crate::axis::{Axis, AxisKind};
 use crate::chain::{Chain, Joints, MAX_AXES};
-use crate::{Axis, AxisKind};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use std::f64::consts::{PI, TAU};
