@@ -3,8 +3,8 @@
 use super::BRIEFEST_S;
 use super::block::{Block, Shape};
 use super::cutter::{CHECKS, Cutter};
-use crate::Level;
 use crate::even_speed::EvenSpeed;
+use crate::part_program::Level;
 use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
 use seamwright_program::{PathRange, TorchPath};

@@ -26,9 +26,10 @@ mod steps;
 pub use block::{Block, Linearisation, Shape, Speeds};
 pub use cutter::linearise;
 
+use crate::control::{Code, Control, Dialect};
+use crate::error::Error;
 use crate::part_program::{Event, Level, PartProgram};
 use crate::points::{ends, event_of, is_posted_as_it_stands};
-use crate::{Code, Control, Dialect, Error};
 use arcs::Arcs;
 use course::Course;
 use cutter::{Cutting, HELD_BACK, Kind, cut};
@@ -271,7 +272,7 @@ fn arcs_of(control: &Control, level: Level) -> Arcs {
 impl Control {
     /// Whether `name` is a process value that changes in steps.
     fn is_stepped(&self, name: &str) -> bool {
-        self.channel(name).is_some_and(|i| self.channels[i].kind == crate::ChannelKind::Stepped)
+        self.channel(name).is_some_and(|i| self.channels[i].kind == crate::part_program::ChannelKind::Stepped)
     }
 
     /// Whether the machine file has an output or code for `event`.
@@ -300,7 +301,8 @@ impl Control {
     pub(crate) fn axes_xyz(&self) -> [Option<usize>; 3] {
         ["x", "y", "z"].map(|name| {
             self.channel(name).filter(|i| {
-                self.addresses[*i].eq_ignore_ascii_case(name) && self.channels[*i].kind == crate::ChannelKind::Linear
+                self.addresses[*i].eq_ignore_ascii_case(name)
+                    && self.channels[*i].kind == crate::part_program::ChannelKind::Linear
             })
         })
     }

@@ -20,7 +20,8 @@ mod target;
 
 pub use error::ReadError;
 
-use crate::{Control, Dialect, Level, PartProgram, What};
+use crate::control::{Control, Dialect};
+use crate::part_program::{Level, PartProgram, What};
 use error::{Fault, Read, Span};
 use lexer::Cursor;
 use programs::Programs;

@@ -11,7 +11,8 @@ use super::programs::{Programs, o_word, remark};
 use super::state::State;
 use super::target::{How, twice};
 use super::{Flow, Lines};
-use crate::{Dialect, Event};
+use crate::control::Dialect;
+use crate::part_program::Event;
 use seamwright_message::Message;
 
 /// grblHAL's buffer for a line has this many characters.

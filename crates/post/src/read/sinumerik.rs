@@ -11,7 +11,7 @@ use super::programs::{Programs, remark};
 use super::state::{Motion, State};
 use super::target::{How, twice};
 use super::{Flow, Lines};
-use crate::Level;
+use crate::part_program::Level;
 use seamwright_message::Message;
 
 /// State of the text so far.

@@ -6,9 +6,9 @@ use super::expression::Expressions;
 use super::lexer::Cursor;
 use super::target::Target;
 use super::{LeftOut, ReadOptions};
+use crate::control::{Code, Control};
 use crate::feed::FeedRule;
-use crate::part_program::ChannelKind;
-use crate::{Code, Control, Event, Level, PartProgram, Step, What};
+use crate::part_program::{ChannelKind, Event, Level, PartProgram, Step, What};
 use seamwright_message::Message;
 
 /// Motion mode of the axes.

@@ -3,7 +3,7 @@
 use super::Feed;
 use super::tongue::Tongue;
 use super::writer::Writer;
-use crate::Dialect;
+use crate::control::Dialect;
 use crate::part_program::{ChannelKind, Event, Level, What};
 
 impl Writer<'_> {

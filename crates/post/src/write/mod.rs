@@ -14,8 +14,9 @@ mod writer;
 
 pub(crate) use number::fixed;
 
+use crate::control::{Control, Dialect};
+use crate::error::Error;
 use crate::part_program::{Event, PartProgram};
-use crate::{Control, Dialect, Error};
 use writer::Writer;
 
 /// Options of the writer.

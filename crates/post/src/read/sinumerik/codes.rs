@@ -1,7 +1,7 @@
 //! Meaning of the codes of a line, and the actions at its end.
 
 use super::Line;
-use crate::Event;
+use crate::part_program::Event;
 use crate::read::Flow;
 use crate::read::error::{Fault, Read, Span, once};
 use crate::read::state::{FeedMode, Motion, State};
