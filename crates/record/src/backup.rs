@@ -1,7 +1,7 @@
-use crate::data_folder::{LEFT_UNFINISHED, UNFINISHED};
-use crate::hash::Hashing;
+use crate::data_folder::{DataFolder, LEFT_UNFINISHED, UNFINISHED};
+use crate::error::{Doing, Error};
+use crate::hash::{Hashing, sha256_of_file};
 use crate::library::Library;
-use crate::{DataFolder, Doing, Error, sha256_of_file};
 use seamwright_message::{Argument, Message, Unit};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -256,8 +256,9 @@ fn unpack(mut file: impl Read + Seek, from: &Path, folder: &Path) -> Result<(), 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hash::sha256_of_file;
     use crate::library::{AuditEntry, DocumentKind};
-    use crate::{Moment, sha256_of_file};
+    use crate::moment::Moment;
 
     fn folder(path: &Path) -> DataFolder {
         let mut data = DataFolder::open(path).unwrap();

@@ -1,6 +1,8 @@
 use crate::backup::{LIBRARY, USERS, restore};
+use crate::data_folder::DataFolder;
+use crate::error::{Doing, Error};
 use crate::library::Query;
-use crate::{DataFolder, Doing, Error, Moment};
+use crate::moment::Moment;
 use seamwright_message::Message;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
