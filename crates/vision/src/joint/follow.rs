@@ -7,7 +7,7 @@ use super::second_attempt::{COARSE, NARROWER};
 use super::straight_on::{Hidden, is_passed};
 use super::trail::{Limits, Look, ROWS, Trail};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge, make_room};
-use crate::Frame;
+use crate::frame::Frame;
 use std::f32::consts::PI;
 
 /// Widths tried at a start of unknown width: level, and pixels of that level.

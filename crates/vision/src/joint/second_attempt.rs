@@ -4,7 +4,7 @@ use super::follow::{Follower, Inside, known_width};
 use super::levels::{DarkLine, Levels};
 use super::trail::{Look, ROWS};
 use super::{CONFIDENT, End, Row, Start, State, judge};
-use crate::Frame;
+use crate::frame::Frame;
 
 /// A second attempt is accepted if the joint is this many times as long, ...
 const LONGER: f32 = 1.25;

@@ -9,7 +9,7 @@ use super::second_attempt::{
 };
 use super::trail::{Look, ROWS};
 use super::{End, Row, State};
-use crate::Frame;
+use crate::frame::Frame;
 
 /// Maximum turn of a joint beyond its own bend, rad.
 const CORNER: f32 = 0.45;

@@ -207,7 +207,7 @@ pub(super) fn median(values: &mut [f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stripe::StripeLine;
+    use crate::stripe::fit::StripeLine;
     use crate::testing::random;
 
     /// A level segment at this height, 1 mm per column.

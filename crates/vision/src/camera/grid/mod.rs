@@ -4,9 +4,9 @@ mod dots;
 mod fit;
 mod order;
 
-use super::{MapError, PlaneMap};
-use crate::Frame;
+use crate::frame::Frame;
 use glam::DVec2;
+use seamwright_geometry::{MapError, PlaneMap};
 use seamwright_message::{Message, Unit, display_by_message};
 
 /// Minimum dots of a usable picture.
