@@ -1,4 +1,4 @@
-use super::LinePoint;
+use super::smooth::LinePoint;
 use glam::DVec3;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 

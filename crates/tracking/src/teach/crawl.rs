@@ -1,7 +1,9 @@
 use super::events::{Answer, CameraPose, Command, End, Event, Seen};
+use super::height::levelled;
 use super::line::{GAP_MM, RawPoint, Source, TaughtLine};
+use super::note::CameraNote;
+use super::settings::Settings;
 use super::sight::{Aim, FrameEnd, Patch, Shape, Surface, View};
-use super::{CameraNote, Settings, levelled};
 use glam::DVec3;
 use seamwright_message::{Message, Unit};
 use seamwright_vision::camera::{HeightError, HeightTable};

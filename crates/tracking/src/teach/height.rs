@@ -68,8 +68,8 @@ fn parabola(heights: &[(f64, f64)], way: f64, reach: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::FrameEnd;
     use super::*;
+    use crate::teach::sight::FrameEnd;
 
     /// On a slope measured every 8 mm, points placed at their frame's height move along the ray onto the slope.
     #[test]

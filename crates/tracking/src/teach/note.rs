@@ -1,4 +1,4 @@
-use super::FrameEnd;
+use super::sight::FrameEnd;
 use glam::DVec3;
 
 /// Summary of a frame.

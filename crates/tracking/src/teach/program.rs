@@ -1,4 +1,4 @@
-use super::LinePoint;
+use super::smooth::LinePoint;
 use glam::{DAffine3, DQuat, DVec3};
 use seamwright_document::{Direction, Finite, Point, Positive};
 use seamwright_geometry::Error;

@@ -1,5 +1,4 @@
-use super::Source;
-use super::line::{GAP_MM, RawPoint, TaughtLine};
+use super::line::{GAP_MM, RawPoint, Source, TaughtLine};
 use glam::DVec3;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 use std::ops::Range;
