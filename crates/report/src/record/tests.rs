@@ -1,8 +1,8 @@
 use super::recorded_weld_page;
-use crate::{Language, names};
+use crate::names;
 use seamwright_cell::executive::{Alarm as Catalogue, Mode};
 use seamwright_cell::tracking;
-use seamwright_message::Message;
+use seamwright_message::{Language, Message};
 use seamwright_record::Moment;
 use seamwright_record::figures::{Curve, Figures, Value};
 use seamwright_record::library::{Alarm, Event, Place, WeldDetail, WeldFile, WeldRecord, WeldResult};

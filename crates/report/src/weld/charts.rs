@@ -1,15 +1,22 @@
-use super::certificate::IntervalFigures;
+use super::certificate::{CertificateFigures, IntervalFigures};
+use super::curves::SimulationCurves;
 use super::limits::binds;
 use super::procedure::ProcedurePlots;
 use super::samples::Sample;
+use super::sections::sections;
 use super::taught::{TaughtPlot, taught};
-use super::{CertificateFigures, SimulationCurves, cut, order, sections, woven};
-use crate::Words as _;
-use crate::{
-    Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, names,
-};
+use super::{cut, order, woven};
+use crate::chart::{Axis, Band, Chart};
+use crate::gallery::Gallery;
+use crate::grid::ChartGrid;
+use crate::limit::LimitLine;
+use crate::names;
+use crate::order::OrderDrawing;
+use crate::series::{Series, Style};
+use crate::views::{Mark, ThreeViews};
+use crate::words::Words as _;
 use seamwright_machine::Machine;
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::{Leg, PassClearance, PassMotion};
 use seamwright_program::{Pass, Span, TorchPath, is_beyond};
 use seamwright_weld::{SeamCurve, Welding};

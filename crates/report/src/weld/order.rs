@@ -1,9 +1,10 @@
-use super::WeldReport;
+use super::figures::WeldReport;
 use super::page::{number, table};
-use crate::Words as _;
-use crate::{Block, Language, OrderDrawing, OrderedLine};
+use crate::block::Block;
+use crate::order::{OrderDrawing, OrderedLine};
+use crate::words::Words as _;
 use glam::DVec3;
-use seamwright_message::Message;
+use seamwright_message::{Language, Message};
 use seamwright_program::{Pass, Role, TorchPath};
 use seamwright_weld::Welding;
 

@@ -4,11 +4,12 @@ use super::figures::{PassFigures, WeldReport};
 use super::page::{number, small};
 use super::plan::PlanFigures;
 use super::range::Range;
-use crate::Words as _;
+use crate::block::{Severity, Tile};
 use crate::number::{Significant as _, significant};
-use crate::{Language, Severity, Tile, Verdict};
+use crate::page::Verdict;
+use crate::words::Words as _;
 use seamwright_cell::Summary;
-use seamwright_message::{Argument, Message, Unit};
+use seamwright_message::{Argument, Language, Message, Unit};
 use seamwright_program::group_findings;
 
 impl WeldReport {

@@ -1,13 +1,16 @@
-use super::Plots;
+use super::charts::Plots;
 use super::figures::{PassFigures, WeldReport};
 use super::limits::{axes_table, bounds_table, speed_text, uses_table};
 use super::procedure::{positions_table, procedure_text, windows_table};
 use super::simulated::{following_table, simulation_text};
 use super::tracking;
-use crate::Words as _;
+use crate::block::{Block, Finding, Severity, Table};
+use crate::chart::Chart;
+use crate::grid::ChartGrid;
 use crate::number::{Significant as _, significant};
-use crate::{Block, Chart, ChartGrid, Finding, Language, Page, Severity, Table};
-use seamwright_message::{Message, Unit};
+use crate::page::Page;
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_program::{FindingGroup, FindingPlace, group_findings};
 
 /// Maximum number of places listed of one finding.

@@ -1,8 +1,8 @@
 //! Page of a weld of several passes: tables by pass, and the curves of one pass of each kind. The curves of all passes
 //! would fill a book with repetitions.
 
-use super::Plots;
 use super::certificate::UseFigures;
+use super::charts::Plots;
 use super::figures::{PassFigures, WeldReport};
 use super::limits::{axes_table, speed_text, uses_table};
 use super::page::{figure, number, paragraph, seam, small};
@@ -10,11 +10,14 @@ use super::plan::AxisFigures;
 use super::range::Range;
 use super::simulated::simulation_text;
 use super::tracking;
-use crate::Words as _;
+use crate::block::{Block, Table};
+use crate::chart::Chart;
+use crate::grid::ChartGrid;
+use crate::names;
 use crate::number::{Significant as _, from_to, significant};
-use crate::{Block, Chart, ChartGrid, Language, Table, names};
+use crate::words::Words as _;
 use seamwright_cell::tracking::HeadSummary;
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
 
 /// A column of a table by pass: its heading and its cell for a pass.
 type Column<'a> = (String, Box<dyn Fn(&PassFigures) -> String + 'a>);

@@ -2,10 +2,13 @@
 
 use super::charts::{axis, chart, line};
 use super::page::{number, table};
-use crate::Words as _;
+use crate::block::Block;
+use crate::chart::{Band, Chart, Stretch};
+use crate::limit::LimitLine;
+use crate::names;
 use crate::number::{Significant as _, fixed, from_to};
-use crate::{Band, Block, Chart, Language, LimitLine, Stretch, names};
-use seamwright_message::{Message, Unit};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};
 use serde::Serialize;

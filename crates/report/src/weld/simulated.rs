@@ -3,11 +3,11 @@
 use super::charts::units;
 use super::figures::ClearanceFigures;
 use super::page::{small, table};
-use crate::Words as _;
+use crate::block::Block;
 use crate::number::{Significant as _, significant};
-use crate::{Block, Language};
+use crate::words::Words as _;
 use seamwright_cell::Summary;
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
 
 /// Describes the simulation and its result.
 pub(super) fn simulation_text(s: &Summary, assumed: &[String], language: Language) -> String {

@@ -2,11 +2,14 @@
 
 use super::charts::{axis, chart, line};
 use super::curves::{Envelope, SimulationCurves};
-use crate::Words as _;
+use crate::block::Table;
+use crate::chart::Chart;
+use crate::grid::ChartGrid;
 use crate::number::{Significant as _, fixed, significant};
-use crate::{Chart, ChartGrid, Language, Series, Style, Table};
+use crate::series::{Series, Style};
+use crate::words::Words as _;
 use seamwright_cell::tracking::{BeamFit, HeadSample, HeadSummary};
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
 
 /// One head's curves over path length, gathered sample by sample; mm.
 #[derive(Debug, Clone, PartialEq)]
