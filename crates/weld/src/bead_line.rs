@@ -1,6 +1,7 @@
 use crate::allowed::{at_most, between, on_weld, rounded};
-use crate::stretch::repeated;
-use crate::{PassKeys, SeamCurve, SeamPoint, Stretch};
+use crate::pass_keys::PassKeys;
+use crate::seam::{SeamCurve, SeamPoint};
+use crate::stretch::{Stretch, repeated};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_geometry::CubicSpline;

@@ -1,6 +1,8 @@
 use crate::allowed::by_key;
+use crate::beads::Beads;
+use crate::order::{self, Cosmetic, Rows, Tacks, WeldOrder};
+use crate::seam::SeamCurve;
 use crate::stations::{Station, spans};
-use crate::{Beads, Cosmetic, Rows, SeamCurve, Tacks, WeldOrder, order};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;

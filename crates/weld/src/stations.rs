@@ -1,5 +1,6 @@
 use crate::allowed::{by_key, more_than, on_weld};
-use crate::{Job, SeamCurve};
+use crate::job::Job;
+use crate::seam::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};

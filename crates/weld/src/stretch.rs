@@ -1,5 +1,6 @@
 use crate::allowed::{at_most, between, rounded};
-use crate::{PassKeys, SeamCurve};
+use crate::pass_keys::PassKeys;
+use crate::seam::SeamCurve;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Pass, PathRange, is_beyond};

@@ -1,9 +1,17 @@
-use crate::beads::WeldValues;
-use crate::outside::{fetch, forget};
-use crate::{
-    Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassKeys, PassPath, PointPath, SeamCurve, SeamJoint,
-    Stretch, WeldPath, order, procedure,
-};
+use crate::attitude::Attitude;
+use crate::bead_line::BeadLine;
+use crate::beads::{BeadPlan, WeldValues};
+use crate::cut::Cut;
+use crate::job::Job;
+use crate::joint::SeamJoint;
+use crate::outside::{NoFiles, Outside, fetch, forget};
+use crate::pass_keys::PassKeys;
+use crate::pass_path::PassPath;
+use crate::points::PointPath;
+use crate::seam::SeamCurve;
+use crate::stretch::Stretch;
+use crate::weld_path::WeldPath;
+use crate::{order, procedure};
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, PathRange, Program, Role, Weaving};
