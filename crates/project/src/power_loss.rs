@@ -1,6 +1,6 @@
 //! The position of the weld on the disk, for a power failure.
 
-use crate::Failure;
+use crate::failure::Failure;
 use seamwright_cell::executive::{Mode, Place};
 use seamwright_cell::realtime::Shown;
 use seamwright_message::{Message, Unit};

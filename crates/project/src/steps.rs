@@ -1,6 +1,7 @@
 //! Drives by pulses whose pulses go to a file.
 
-use crate::{Failure, files};
+use crate::failure::Failure;
+use crate::files;
 use rtrb::Consumer;
 use seamwright_cell::devices::{Drives, StepDrives};
 use seamwright_cell::executive::{DriveReport, Orders, Slack};

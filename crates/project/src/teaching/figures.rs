@@ -1,4 +1,4 @@
-use super::Outcome;
+use super::outcome::Outcome;
 use glam::DVec3;
 use seamwright_cell::camera_simulator::{SeamLine, Station};
 use seamwright_geometry::reduce::{Shape, Span};

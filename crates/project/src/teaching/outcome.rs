@@ -1,4 +1,5 @@
-use super::{Picture, smooth};
+use super::picture::Picture;
+use super::smooth;
 use seamwright_cell::teach::{TaughtRun, Truth};
 use seamwright_message::Message;
 use seamwright_program::Finding;
