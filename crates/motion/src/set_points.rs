@@ -1,4 +1,6 @@
-use crate::{JointPoint, PassMotion, ProfilePoint};
+use crate::joint_path::JointPoint;
+use crate::pass_motion::PassMotion;
+use crate::speed_profile::ProfilePoint;
 use seamwright_machine::Joints;
 
 /// Phase of the process at an instant.

@@ -1,8 +1,8 @@
 //! Survey of a path before planning: start branch and turn, and all findings against the path.
 
-use crate::JointPath;
 use crate::effort::Effort;
 use crate::follower::Follower;
+use crate::joint_path::JointPath;
 use crate::limit_kind::position_unit;
 use crate::limits::Runs;
 use crate::stretch::Stretch;

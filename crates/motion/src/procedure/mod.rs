@@ -9,7 +9,7 @@ mod findings;
 mod lie;
 mod windows;
 
-use crate::PassMotion;
+use crate::pass_motion::PassMotion;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
 use seamwright_program::{

@@ -1,4 +1,5 @@
-use super::{Cost, Place, Task, continuation};
+use super::cost::Cost;
+use super::{Place, Task, continuation};
 use crate::effort::SearchStage;
 use seamwright_machine::{AxisKind, Joints};
 use std::collections::HashSet;
