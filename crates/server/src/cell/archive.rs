@@ -335,7 +335,7 @@ impl Archive {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::from_stored;
+    use crate::cell::stored::from_stored;
 
     fn words(entry: &AuditEntry) -> String {
         from_stored(entry.result.clone()).to_string()

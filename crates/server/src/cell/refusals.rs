@@ -86,7 +86,7 @@ impl Refusals {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::from_stored;
+    use crate::cell::stored::from_stored;
 
     fn words(entry: &AuditEntry) -> String {
         from_stored(entry.result.clone()).to_string()
