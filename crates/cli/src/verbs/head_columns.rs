@@ -1,6 +1,6 @@
-use crate::load::Loaded;
 use seamwright_cell::tracking::HeadSample;
 use seamwright_cell::{Conditions, Sample};
+use seamwright_project::load::Loaded;
 use seamwright_project::run_rows::head_names;
 
 /// Columns of a trace with the true positions of weld and joint: of each head that welds, in a simulation.

@@ -1,6 +1,5 @@
 //! Beam mode on a simulated half-ring.
 
-use crate::failure::Failure;
 use seamwright_cell::camera_simulator::{SeamLine, Station};
 use seamwright_cell::gate::{Gate, Limit};
 use seamwright_cell::tracking::beam::{BeamJob, MOVED_MM, beam_rows, moved_since};
@@ -8,6 +7,7 @@ use seamwright_machine::{Machine, shipped};
 use seamwright_message::Message;
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath as _;
+use seamwright_project::failure::Failure;
 use seamwright_weld::Welding;
 
 const JOB: &str = include_str!("../../../../../examples/half-ring.toml");

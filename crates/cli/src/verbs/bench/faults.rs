@@ -1,6 +1,4 @@
 use crate::args::bench::BenchFaultsArgs;
-use crate::failure::Failure;
-use crate::load::load_text;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
 use crate::verbs::run::bad;
@@ -9,6 +7,8 @@ use seamwright_cell::fault_injection::{self, Outcome, Stage, TrackedStage};
 use seamwright_cell::tracking::{Distortion, RESERVE};
 use seamwright_cell::{Conditions, SimulatedCell};
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::load_text;
 use std::path::Path;
 
 const JOB: &str = include_str!("../../../../../examples/saddle.toml");

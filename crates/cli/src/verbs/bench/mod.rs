@@ -5,13 +5,13 @@ mod faults;
 mod tracking;
 
 use crate::args::bench::{BenchArgs, BenchVerb, BenchVisionArgs};
-use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
 use seamwright_cell::camera_simulator::gates::joint_gates;
 use seamwright_cell::camera_simulator::scene::Kind;
 use seamwright_cell::camera_simulator::stripe::{STEPS_A_SEED, stripe_gates};
 use seamwright_cell::gate::{Gate, Limit};
+use seamwright_project::failure::Failure;
 use serde::Serialize;
 use std::fmt::Write as _;
 

@@ -2,8 +2,6 @@
 
 use super::{Table, beam};
 use crate::args::bench::{BenchTrackingArgs, TrackingTable};
-use crate::failure::Failure;
-use crate::load::load_text;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
 use seamwright_cell::gate::Gate;
@@ -14,6 +12,8 @@ use seamwright_cell::tracking::stripes::stripe_rows;
 use seamwright_cell::tracking::{RESERVE, cross_talk};
 use seamwright_machine::{Machine, shipped};
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::load_text;
 use seamwright_weld::Welding;
 use serde::Serialize;
 use std::fmt::Write as _;

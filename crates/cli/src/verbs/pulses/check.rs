@@ -1,10 +1,10 @@
 use super::motors::Motor;
 use super::stepped::{Clock, Stepped};
 use super::{Place, Play};
-use crate::failure::Failure;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::pulses::{Edge, Error, Generator};
 use seamwright_program::Finding;
+use seamwright_project::failure::Failure;
 
 /// Figures of the pulses, found without writing them.
 pub(super) struct Checked {

@@ -8,8 +8,8 @@ mod show;
 mod verify;
 
 use crate::args::records::{Action, RecordsArgs};
-use crate::failure::Failure;
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
 use seamwright_record::DataFolder;
 use seamwright_record::library::WeldResult;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
 //! Drawing of the result over the image.
 
-use crate::failure::Failure;
-use crate::overlay::{Colour, Overlay};
 use glam::DVec2;
 use seamwright_geometry::Homography;
+use seamwright_project::failure::Failure;
+use seamwright_project::overlay::{Colour, Overlay};
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{Features, StripeReader};
 

@@ -1,14 +1,14 @@
 //! The operator at the terminal, asked when the joint is lost.
 
 use crate::args::teach::TeachArgs;
-use crate::failure::{Failure, with_allowed};
-use crate::files;
 use crate::progress::Progress;
 use crate::refusals::in_file;
 use glam::DVec3;
 use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::teach::Operator;
 use seamwright_message::{Message, Unit};
+use seamwright_project::failure::{Failure, with_allowed};
+use seamwright_project::files;
 use seamwright_project::teaching::Picture;
 use seamwright_tracking::teach::{Answer, Crawl};
 use std::cell::RefCell;

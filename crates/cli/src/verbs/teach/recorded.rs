@@ -3,14 +3,14 @@
 use super::session::Session;
 use super::start;
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::refusals::in_file;
 use glam::DVec3;
 use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::frames::{FrameError, FrameSource, Recorded, TimedFrame};
 use seamwright_cell::teach::{Played, joints};
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 use seamwright_project::teaching::Outcome;
 use std::path::Path;
 

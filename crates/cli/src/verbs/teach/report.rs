@@ -1,10 +1,10 @@
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
 use crate::refusals::not_json;
 use crate::rows::print_json;
 use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_machine::Machine;
 use seamwright_message::{Language, Message, Unit};
+use seamwright_project::failure::Failure;
 use seamwright_project::teaching::{Figures, Outcome, TaughtPoint, bridged};
 use seamwright_tracking::teach::{Curves, Reduced};
 use serde_json::{Value, json};

@@ -3,14 +3,14 @@
 use super::operator::Terminal;
 use super::{camera, follower, settings};
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::progress::Progress;
 use seamwright_cell::camera_simulator::SeamLine;
 use seamwright_cell::frames::Recorder;
 use seamwright_cell::teach::{Look, Rig, Setup};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor};
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 use seamwright_project::teaching::{Outcome, Picture};
 use seamwright_tracking::teach::{CameraPose, Crawl};
 use std::cell::RefCell;

@@ -4,13 +4,13 @@
 use super::session::Session;
 use super::start;
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::refusals::{between, not_allowed, of_option};
 use glam::DVec3;
 use seamwright_cell::camera_simulator::{Appearance, CameraSimulator, Distortion, SeamLine};
 use seamwright_cell::teach::{SimulatedRig, truth};
 use seamwright_message::{Message, Unit};
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 use seamwright_project::teaching::{Ground, Outcome};
 
 /// Distance from the joint at which the simulated operator puts the cross, mm.
