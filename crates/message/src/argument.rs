@@ -1,5 +1,5 @@
-use crate::Unit;
 use crate::message::Message;
+use crate::unit::Unit;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -1,8 +1,8 @@
 use crate::argument::{Argument, Quantity};
 use crate::language::Language;
 use crate::message::Message;
-use crate::sources::source;
-use crate::{AREAS, Unit};
+use crate::sources::{AREAS, source};
+use crate::unit::Unit;
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use std::borrow::Cow;

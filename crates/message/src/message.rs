@@ -1,7 +1,7 @@
-use crate::Unit;
 use crate::argument::{Argument, Quantity};
 use crate::catalogue::Catalogue;
 use crate::language::Language;
+use crate::unit::Unit;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
