@@ -1,8 +1,8 @@
 //! Solids in TOML files.
 
-use crate::error::ClearanceError;
+use crate::error::{ClearanceError, FARTHEST_MM};
 use crate::mesh::Mesh;
-use crate::shape::{FARTHEST_MM, Shape, Solid};
+use crate::shape::{Shape, Solid};
 use crate::stl::read_stl;
 use glam::{DAffine3, DQuat, DVec3};
 use schemars::JsonSchema;

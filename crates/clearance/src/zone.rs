@@ -22,11 +22,6 @@ const ROUNDING: f64 = 1e-14;
 /// Number of corners of the polygon around a round rim, at most 0.12 % of its radius outside.
 const RIM: usize = 64;
 
-/// True for the shapes that a permitted zone may have.
-pub(crate) fn is_zone(shape: &Shape) -> bool {
-    matches!(shape, Shape::Box { .. } | Shape::Sphere { .. } | Shape::Cylinder { .. } | Shape::HalfSpace)
-}
-
 /// Margin of a body, with `to_zone` mapping its group's frame to the zone's group's; points in the latter frame.
 ///
 /// Exact for boxes and half-spaces as zones (the body's farthest point in each face's direction). In round zones exact
