@@ -1,6 +1,7 @@
 //! Polylines to one cubic spline through few of their points.
 
-use super::{Tolerances, check};
+use super::check;
+use super::reduction::Tolerances;
 use crate::cubic_spline::CubicSpline;
 use crate::curve::Curve as _;
 use crate::error::Error;
