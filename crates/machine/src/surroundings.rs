@@ -2,8 +2,8 @@
 
 use crate::axis::{Axis, AxisKind};
 use crate::chain::{Joints, MAX_AXES};
-use crate::collision_monitor::{Lever, travel};
 use crate::file::ZoneKind;
+use crate::lever::{Lever, PITCH, travel};
 use crate::links::LinkFrames;
 use crate::machine::Machine;
 use arrayvec::ArrayVec;
@@ -53,9 +53,6 @@ enum Kind {
 fn permitted(zone: &str) -> Message {
     Message::new("machine-permitted-zone").text("zone", zone)
 }
-
-/// Pitch errors change a rate by up to this factor.
-pub(crate) const PITCH: f64 = 1.0 + crate::pitch_error::STEEPEST;
 
 impl<'a> Surroundings<'a> {
     /// The machine with its clamped part and fixtures.

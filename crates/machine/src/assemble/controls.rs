@@ -1,6 +1,5 @@
-use super::File;
 use crate::axis::Axis;
-use crate::file::ControlFile;
+use crate::file::{ControlFile, File};
 use seamwright_document::DocumentError;
 use seamwright_message::Message;
 

@@ -1,8 +1,7 @@
-use super::File;
 use crate::axis::{
     Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, Transmission,
 };
-use crate::file::DriveFile;
+use crate::file::{DriveFile, File};
 use seamwright_document::{DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
 

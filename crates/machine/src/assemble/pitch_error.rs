@@ -1,6 +1,5 @@
-use super::File;
 use crate::axis::{Axis, AxisKind};
-use crate::file::PitchErrorFile;
+use crate::file::{File, PitchErrorFile};
 use crate::pitch_error::{PitchError, STEEPEST};
 use seamwright_document::{DocumentError, Finite};
 use seamwright_geometry::CubicSpline;

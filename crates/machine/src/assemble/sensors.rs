@@ -1,6 +1,6 @@
 //! Sensors and their maps from pixels to mm.
 
-use super::File;
+use crate::file::File;
 use crate::links::Links;
 use crate::sensor::{CameraSensor, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
 use glam::{DMat3, DVec2, DVec3};

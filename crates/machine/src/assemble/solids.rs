@@ -1,7 +1,6 @@
 //! Shapes on links, and zones.
 
-use super::{File, Load};
-use crate::file::ZoneKind;
+use crate::file::{File, Load, ZoneKind};
 use crate::links::Links;
 use crate::solids::{LinkSolids, Zone};
 use seamwright_clearance::{Solid, SolidFile};

@@ -1,7 +1,6 @@
-use super::File;
 use super::axis::of_another_kind;
 use crate::axis::{Axis, AxisKind};
-use crate::file::StepperFile;
+use crate::file::{File, StepperFile};
 use crate::stepper::{Stepper, StepperMotor};
 use seamwright_document::{DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};

@@ -1,37 +1,23 @@
 //! `[devices.<name>]`: devices of drives, process source, inputs and outputs. All others are simulated.
 
 mod check;
+mod file;
 mod linuxcnc;
 mod modbus;
 mod steps;
 
-pub use linuxcnc::{LinuxCnc, LinuxCncFile};
+pub use file::{DeviceFile, LinuxCncFile, StepsFile};
+pub use linuxcnc::LinuxCnc;
 pub use modbus::{
     BitFile, ModbusDevice, ModbusFile, NumberFile, NumberType, OutputsFile, Place, Register, ReportsFile, Role, Scaled,
     Table, Word, WordOrder,
 };
 
-pub use steps::{Steps, StepsFile};
+pub use steps::Steps;
 
 use crate::axis::Axis;
-use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;
-use serde::Deserialize;
-
-/// A device, by how it is reached. Exactly one of them.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-#[allow(clippy::large_enum_variant, reason = "read once")]
-pub enum DeviceFile {
-    /// Process source, inputs and outputs over Modbus TCP.
-    Modbus(ModbusFile),
-    /// The drives by LinuxCNC's HAL.
-    #[serde(rename = "linuxcnc")]
-    LinuxCnc(LinuxCncFile),
-    /// The drives by step and direction pulses.
-    Steps(StepsFile),
-}
 
 /// The devices of a machine, checked.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,19 +1,8 @@
+use super::file::StepsFile;
 use crate::axis::Axis;
 use crate::file::MachineFile;
-use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use serde::Deserialize;
-
-/// The drives by step and direction pulses to the steppers of `[drives.<axis>.stepper]`.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct StepsFile {
-    /// File or named pipe that the pulses go to as a value change dump, beside the machine file; none if missing.
-    pub stream: Option<String>,
-    /// Tick of the timer that makes the pulses, ns, 10 to 100000; 100 if missing. The period is a whole number of them.
-    pub tick_ns: Option<u32>,
-}
 
 /// The drives by step and direction pulses. Every axis has a stepper that meets its resolution with valid pulses for
 /// its driver. That holds up to the maximum speed, and at reversals under the maximum acceleration.

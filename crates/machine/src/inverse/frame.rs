@@ -1,5 +1,7 @@
+use super::branches::Unreachable;
+use super::rotaries;
 use super::three_linear::move_linear;
-use super::{Unreachable, independent, rotaries};
+use super::vectors::independent;
 use crate::axis::AxisKind;
 use crate::chain::{AxisSet, Chain, Joints, MAX_AXES, Screw, Turn};
 use arrayvec::ArrayVec;
