@@ -7,6 +7,7 @@ use crate::pass::Pass;
 use crate::path_length::{is_beyond, is_same_position};
 use crate::procedure::Procedure;
 use crate::process::check_process;
+use crate::repeat::Repeat;
 use crate::seam::{Seam, SeamStart};
 use crate::taught::Taught;
 use crate::transfer::TransferMoves;
@@ -212,6 +213,18 @@ fn one_point_a_line(text: &str) -> String {
         out.push('\n');
     }
     out
+}
+
+impl Program {
+    /// The program with each pass as many times as it is welded; the names of repeated ones end in " 1", " 2" and so on.
+    pub fn expanded(&self) -> Self {
+        let times = |pass: &Pass| {
+            let count = pass.repeat.get();
+            let name = |i: u16| if count == 1 { pass.name.clone() } else { format!("{} {i}", pass.name) };
+            (1..=count).map(|i| Pass { name: name(i), repeat: Repeat::default(), ..pass.clone() }).collect::<Vec<_>>()
+        };
+        Self { passes: self.passes.iter().flat_map(times).collect(), ..self.clone() }
+    }
 }
 
 #[cfg(test)]

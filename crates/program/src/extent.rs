@@ -27,7 +27,7 @@ impl Pass {
 
     /// Time that it travels along the seam at the asked speed, s.
     pub fn travel_s(&self) -> f64 {
-        let time = |span: &crate::pass::Span| {
+        let time = |span: &crate::span::Span| {
             let (from, to) = span.speed_mm_s.ends();
             let (low, high) = (from.min(to), from.max(to));
             // Linear in path length: the time is the length over the logarithmic mean of the speeds.

@@ -2,8 +2,8 @@
 
 use crate::at_corner::AtCorner;
 use crate::keyed::Keyed;
-use crate::pass::Span;
 use crate::process::ProcessValues;
+use crate::span::Span;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};

@@ -5,8 +5,9 @@
 //! the requested speed are those of the centre line. `TorchPath::slower` gives the path with a slower weave, or without
 //! one.
 
-use crate::pass::{Pass, Span};
+use crate::pass::Pass;
 use crate::path_length::SAME_POSITION_MM;
+use crate::span::Span;
 use crate::weave::{Swing, Weave};
 
 /// The weave of a pass, by the pass' path length `s`.

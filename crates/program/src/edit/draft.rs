@@ -2,8 +2,9 @@
 //! its comments, layout and expressions go with it.
 
 use crate::document::Program;
-use crate::pass::{Pass, Span};
+use crate::pass::Pass;
 use crate::points::{Along, Columns, PointEvent, PointSpan, Points};
+use crate::span::Span;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, Point};
 use seamwright_message::{Message, Unit};

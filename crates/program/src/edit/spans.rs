@@ -2,10 +2,11 @@
 
 use super::draft::{Body, Draft, PointsDraft, Row, RowSpan, SeamSpan, from_to};
 use super::report::Report;
-use crate::pass::{Pass, Span};
+use crate::pass::Pass;
 use crate::path_length::{is_before, is_beyond};
 use crate::path_range::PathRange;
 use crate::points::Along;
+use crate::span::Span;
 use crate::span_value::{Ramp, SpanValue};
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point, Positive};
