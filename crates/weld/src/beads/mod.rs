@@ -23,7 +23,6 @@ pub use file::{Adapt, Beads, Order, Run};
 pub use fill::BeadAt;
 pub use layers::Layer;
 pub use plan::BeadPlan;
-pub(crate) use refusal::NoPlan;
 
 use crate::joint::SeamJoint;
 use crate::seam::SeamCurve;
