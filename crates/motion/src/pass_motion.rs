@@ -10,7 +10,6 @@ use crate::pass_channels::PassChannels;
 use crate::pass_time::{too_long, travels_too_long};
 use crate::planned::Planned;
 use crate::redundancy::{Aim, AllowedPositions, Clearance, FreeAxes, hold_finding, holding, resolve_within};
-use crate::set_points::SetPoints;
 use crate::singular;
 use crate::speed_profile::{Certificate, ProfilePoint, SpeedProfile, SpeedProfileError};
 use crate::survey::{Survey, range_between, range_on_path, survey};
@@ -240,13 +239,6 @@ impl PassMotion {
     pub fn arc_clock(&self, t: f64) -> ArcTime {
         let since_on_s = t - self.sequence.preflow_s.get();
         ArcTime { since_on_s, until_off_s: self.arc_on_s() - since_on_s }
-    }
-
-    /// Returns the set-points every `period` s, from the first gas to the last. The iterator does not allocate.
-    ///
-    /// For speeds and accelerations of the axes see [`SetPoint::rates`](crate::SetPoint::rates).
-    pub fn set_points(&self, period: f64) -> SetPoints<'_> {
-        SetPoints::new(self, period)
     }
 }
 
