@@ -1,8 +1,8 @@
 //! Deviation of a block from the plan.
 
-use super::BRIEFEST_S;
 use super::block::{Block, Shape};
 use super::cutter::{CHECKS, Cutter};
+use super::options::BRIEFEST_S;
 use crate::even_speed::EvenSpeed;
 use crate::part_program::Level;
 use seamwright_geometry::Pose;

@@ -1,6 +1,6 @@
 //! The comments at the start of a text.
 
-use super::Feed;
+use super::options::Feed;
 use super::tongue::Tongue;
 use super::writer::Writer;
 use crate::control::Dialect;

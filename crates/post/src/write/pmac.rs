@@ -1,5 +1,5 @@
-use super::Feed;
 use super::number::fixed;
+use super::options::Feed;
 use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
 use crate::part_program::{Arc, Level, Move, Path};

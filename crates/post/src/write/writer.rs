@@ -1,4 +1,4 @@
-use super::WriteOptions;
+use super::options::WriteOptions;
 use super::text::Text;
 use super::tongue::Tongue;
 use crate::control::{Code, Control, Dialect};

@@ -3,8 +3,8 @@
 use super::{E, F, L, Line, P, Q, R, S};
 use crate::control::Dialect;
 use crate::part_program::{Event, Level, Step, What};
-use crate::read::Flow;
 use crate::read::error::{Fault, Read, Span, once};
+use crate::read::lines::Flow;
 use crate::read::state::{FeedMode, Motion, State};
 use seamwright_message::Message;
 

@@ -1,6 +1,6 @@
 //! Words with brackets, system variables, and variables of the program's own.
 
-use super::Line;
+use super::line::Line;
 use crate::part_program::{ChannelKind, Event};
 use crate::polynomial::POWERS;
 use crate::read::addresses::no_address;
