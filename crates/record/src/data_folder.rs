@@ -62,7 +62,7 @@ impl DataFolder {
     /// # Errors
     /// If it cannot be written, or its library cannot be opened.
     pub fn open(path: &Path) -> Result<Self, Error> {
-        crate::replace::finish_replacing(path)?;
+        crate::replacement_steps::finish_replacing(path)?;
         let welds = path.join("welds");
         private::folder(&welds).map_err(|e| Error::io(&welds, Doing::Create, e))?;
         for name in PRIVATE {
