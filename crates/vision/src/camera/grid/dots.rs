@@ -1,6 +1,6 @@
 //! Detection of dark dots in a picture.
 
-use super::GridError;
+use super::identified::GridError;
 use crate::frame::{Frame, Pixels, Size};
 use glam::DVec2;
 

@@ -1,6 +1,6 @@
 //! Assignment of the dots to crossings of the grid.
 
-use super::{FEWEST_DOTS, GridError};
+use super::identified::{FEWEST_DOTS, GridError};
 use crate::frame::Size;
 use glam::{DVec2, IVec2};
 use std::collections::{BTreeMap, VecDeque};
