@@ -1,7 +1,7 @@
 //! Data of the job.
 
+use super::blocks::{number, table};
 use super::figures::WeldReport;
-use super::page::{number, table};
 use super::range::Range;
 use crate::block::Block;
 use crate::names;

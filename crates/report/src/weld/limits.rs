@@ -1,8 +1,8 @@
 //! Binding limits along the path, in words and tables.
 
+use super::blocks::{number, table};
 use super::certificate::{CertificateFigures, IntervalFigures, TIP, UseFigures};
-use super::charts::units;
-use super::page::{number, table};
+use super::chart_parts::units;
 use super::plan::AxisFigures;
 use super::range::Range;
 use crate::block::Block;

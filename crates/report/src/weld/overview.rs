@@ -1,7 +1,7 @@
 //! Overview of a plan, at the top of its page.
 
+use super::blocks::{number, small};
 use super::figures::{PassFigures, WeldReport};
-use super::page::{number, small};
 use super::plan::PlanFigures;
 use super::range::Range;
 use crate::block::{Severity, Tile};

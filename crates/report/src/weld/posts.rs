@@ -1,6 +1,6 @@
 //! Verification of each part program written with the plan.
 
-use super::page::{number, table};
+use super::blocks::{number, table};
 use crate::block::Block;
 use crate::names;
 use crate::number::{Significant as _, fixed};

@@ -1,7 +1,7 @@
 //! Comparison of a pass with its welding procedure: figures, charts and tables.
 
-use super::charts::{axis, chart, line};
-use super::page::{number, table};
+use super::blocks::{number, table};
+use super::chart_parts::{axis, chart, line};
 use crate::block::Block;
 use crate::chart::{Band, Chart, Stretch};
 use crate::limit::LimitLine;

@@ -1,6 +1,6 @@
 //! Ranges of figures, and their texts.
 
-use super::page::number;
+use super::blocks::number;
 use crate::number::{from_to, significant};
 use seamwright_message::Language;
 

@@ -1,7 +1,7 @@
 //! Values of the passes of each run of the procedure against its limits.
 
+use super::blocks::{number, table};
 use super::figures::WeldReport;
-use super::page::{number, table};
 use super::procedure::{
     PassProcedureFigures, QuantityFigures, degrees, positions_caption, procedure_text, verdict, window_row, windows,
 };

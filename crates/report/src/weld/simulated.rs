@@ -1,8 +1,8 @@
 //! Results of a simulated pass in words and numbers.
 
-use super::charts::units;
+use super::blocks::{small, table};
+use super::chart_parts::units;
 use super::figures::ClearanceFigures;
-use super::page::{small, table};
 use crate::block::Block;
 use crate::number::{Significant as _, significant};
 use crate::words::Words as _;

@@ -1,6 +1,6 @@
 //! Charts of the taught spans of a seam.
 
-use super::charts::{axis, chart, line};
+use super::chart_parts::{axis, chart, line};
 use crate::chart::{Band, Chart};
 use crate::grid::ChartGrid;
 use crate::number::Significant as _;

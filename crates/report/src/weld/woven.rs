@@ -1,4 +1,4 @@
-use super::charts::{axis, line};
+use super::chart_parts::{axis, line};
 use crate::chart::Chart;
 use crate::limit::LimitLine;
 use crate::number::Significant as _;
