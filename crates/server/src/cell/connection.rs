@@ -1,6 +1,7 @@
 //! The devices of the cell, and the program and values they serve.
 
-use super::prepared::{Prepared, SEED};
+use super::base::SEED;
+use super::prepared::Prepared;
 use seamwright_cell::executive::{Devices, Orders, Reports, Slack};
 use seamwright_message::Message;
 use seamwright_project::devices::{self, Lines};

@@ -1,9 +1,8 @@
 //! Tracking of the loaded task: correction of its passes, and sensors of its joints.
 
-use super::prepared::Base;
+use super::base::Base;
 use seamwright_cell::devices::Sensors;
-use seamwright_cell::executive::{Guide, Guided, Place, Planned, Seen, Tracked, Trouble};
-use seamwright_cell::executive::{SeamOrders, SensorReport};
+use seamwright_cell::executive::{Guide, Guided, Place, Planned, SeamOrders, Seen, SensorReport, Tracked, Trouble};
 use seamwright_cell::tracking::{SimulatedSensors, Tracking};
 use seamwright_machine::Joints;
 use seamwright_tracking::beam::Picture;
