@@ -12,9 +12,8 @@ mod rows;
 mod verbs;
 
 use args::{Cli, ToolsVerb, Verb, VisionVerb};
-use failure::Failure;
 use seamwright_message::{Language, Message};
-use seamwright_project::{csv, examples, failure, files, load, overlay};
+use seamwright_project::failure::{self, Failure};
 use std::io::Write as _;
 use std::process::ExitCode;
 

@@ -1,4 +1,4 @@
-use super::Place;
+use super::play::Place;
 use super::stepped::{Clock, Stepped};
 use crate::refusals::in_file;
 use seamwright_machine::{AxisKind, Load};

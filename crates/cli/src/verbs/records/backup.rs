@@ -1,4 +1,4 @@
-use super::{folder, open};
+use super::data::{folder, open};
 use crate::args::records::{BackupArgs, RestoreArgs};
 use crate::rows::{print_json, print_text};
 use seamwright_message::Message;

@@ -1,4 +1,4 @@
-use super::open;
+use super::data::open;
 use crate::args::records::ExportArgs;
 use crate::clock;
 use crate::refusals::not_json;

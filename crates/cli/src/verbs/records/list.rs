@@ -1,4 +1,4 @@
-use super::open;
+use super::data::open;
 use crate::args::records::ListArgs;
 use crate::rows::{Cell, Rows};
 use seamwright_project::failure::Failure;

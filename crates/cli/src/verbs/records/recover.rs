@@ -1,4 +1,4 @@
-use super::{folder, result};
+use super::data::{folder, result};
 use crate::args::records::RecoverArgs;
 use crate::rows::{print_json, print_text};
 use crate::verbs::recorded::audit;

@@ -1,4 +1,4 @@
-use super::{open, result};
+use super::data::{open, result};
 use crate::args::records::ShowArgs;
 use crate::labels::{padded, width_of};
 use crate::rows::{print_json, print_text};

@@ -1,4 +1,4 @@
-use super::open;
+use super::data::open;
 use crate::args::records::VerifyArgs;
 use crate::rows::{print_json, print_text};
 use seamwright_message::{Language, Message};

@@ -1,7 +1,7 @@
 //! Teaching from recorded frames: the moves were made when they were.
 
 use super::session::Session;
-use super::start;
+use super::setup::start;
 use crate::args::teach::TeachArgs;
 use crate::refusals::in_file;
 use glam::DVec3;

@@ -2,7 +2,7 @@
 
 use super::recorded::{middle, play};
 use super::session::Session;
-use super::{start, within};
+use super::setup::{start, within};
 use crate::args::teach::TeachArgs;
 use crate::refusals::{in_file, refused};
 use glam::DVec3;

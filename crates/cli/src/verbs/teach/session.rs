@@ -1,7 +1,7 @@
 //! Joint following with any carrier of the camera.
 
 use super::operator::Terminal;
-use super::{camera, follower, settings};
+use super::setup::{camera, follower, settings};
 use crate::args::teach::TeachArgs;
 use crate::progress::Progress;
 use seamwright_cell::camera_simulator::SeamLine;

@@ -2,7 +2,7 @@
 //! it.
 
 use super::session::Session;
-use super::start;
+use super::setup::start;
 use crate::args::teach::TeachArgs;
 use crate::refusals::{between, not_allowed, of_option};
 use glam::DVec3;
