@@ -114,12 +114,11 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             }
             self.guide.trouble = trouble;
         }
+        let welds = self.activity.welds;
         match trouble {
             Some(Trouble::Tell(detail)) => self.raise(Alarm::Tracking, detail, Reaction::Tell),
             // Without the process the stop is only a hold.
-            Some(Trouble::Stop(detail)) if self.activity.welds => {
-                self.raise(Alarm::Tracking, detail, Reaction::ProcessOff)
-            }
+            Some(Trouble::Stop(detail)) if welds => self.raise(Alarm::Tracking, detail, Reaction::ProcessOff),
             Some(Trouble::Stop(detail)) => self.raise(Alarm::Tracking, detail, Reaction::Hold),
             None => {}
         }

@@ -26,6 +26,10 @@
 //! One thread runs nested loops (a program, a stretch of it, cycles) instead of one state machine of everything. The
 //! mode, one table, decides the next step of the loops. `simulate` runs the same code with simulated devices, an
 //! operator who requests one weld, and a judge who knows the true positions (`Reports::truth`).
+//!
+//! The state is grouped by concern: devices, clock, alarms, supervision, process, activity, requests, guide. Above it are
+//! the steps of a cycle (`cycle.rs`), then the activities that run cycles (`homing.rs`, `jogging.rs`, `program.rs`), then
+//! the choice among them (`serve.rs`).
 
 mod activity;
 mod alarm;
