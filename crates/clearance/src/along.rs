@@ -1,7 +1,7 @@
 //! Distances along a whole motion, with bounds between samples.
 
-use crate::scene::{Memory, Place};
-use crate::{ClearanceError, Evaluation, Scene, Watch};
+use crate::error::ClearanceError;
+use crate::scene::{Evaluation, Memory, Place, Scene, Watch};
 use glam::DAffine3;
 
 /// Motion of the groups of a scene, over any parameter `s` (path length, for example).

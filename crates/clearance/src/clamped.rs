@@ -1,4 +1,4 @@
-use crate::Solid;
+use crate::shape::Solid;
 
 /// The part and fixtures of a job, in the work frame, mm.
 #[derive(Debug, Clone, Default)]

@@ -4,9 +4,10 @@
 //! GJK, finds a direction; a plane across it proves the distance). Meshes search their tree of boxes (`mesh`).
 
 use crate::boxes::Bounds;
-use crate::convex::{self, Gap, Placed};
-use crate::mesh::Last;
-use crate::{Mesh, Shape, Solid};
+use crate::convex::{self, Gap};
+use crate::mesh::{Last, Mesh};
+use crate::placed::Placed;
+use crate::shape::{Shape, Solid};
 use glam::{DAffine3, DVec3};
 
 /// Nearest points of two solids, in their common frame. This is returned by [`nearest`].

@@ -1,6 +1,9 @@
 use glam::DVec3;
 use seamwright_message::{Message, Unit, display_by_message};
 
+/// Maximum extent of a shape from its origin, mm: 10 km.
+pub(crate) const FARTHEST_MM: f64 = 1e7;
+
 /// Error of shapes, meshes and scenes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ClearanceError {

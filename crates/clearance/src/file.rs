@@ -1,7 +1,9 @@
 //! Solids in TOML files.
 
-use crate::shape::FARTHEST_MM;
-use crate::{ClearanceError, Mesh, Shape, Solid, read_stl};
+use crate::error::{ClearanceError, FARTHEST_MM};
+use crate::mesh::Mesh;
+use crate::shape::{Shape, Solid};
+use crate::stl::read_stl;
 use glam::{DAffine3, DQuat, DVec3};
 use schemars::JsonSchema;
 use seamwright_document::{Direction, Document, DocumentError, NonNegative, Positive, Transform};

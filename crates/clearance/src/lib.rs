@@ -46,6 +46,7 @@ mod distance;
 mod error;
 mod file;
 mod mesh;
+mod placed;
 mod scene;
 mod shape;
 mod stl;

@@ -2,9 +2,9 @@
 
 mod surface;
 
-use crate::ClearanceError;
 use crate::boxes::{Bounds, Node, tree};
 use crate::convex::{Convex, Gap, nearest};
+use crate::error::ClearanceError;
 use glam::{DAffine3, DVec3};
 
 /// A closed surface of triangles, mm, with a tree of boxes over them. The inside is solid.

@@ -1,9 +1,10 @@
 //! Groups of solids and the conditions between them.
 
 use crate::distance::{Posed, is_usable, of_shapes};
+use crate::error::ClearanceError;
 use crate::mesh::Last;
-use crate::zone::{is_zone, room};
-use crate::{ClearanceError, Solid};
+use crate::shape::Solid;
+use crate::zone::room;
 use glam::{DAffine3, DVec3};
 
 /// Solids that move rigidly together: a link of the machine, the torch, the part, the fixtures.
@@ -141,7 +142,7 @@ impl Scene {
                 Watch::Apart { .. } if least <= 0.0 => return Err(ClearanceError::Minimum { watch }),
                 Watch::Apart { a, b, .. } if !ends(*a) => std::mem::swap(a, b),
                 Watch::Inside { zones, .. } if zones.is_empty() => return Err(ClearanceError::NoZone { watch }),
-                Watch::Inside { zones, .. } if !zones.iter().all(|z| is_zone(z.shape())) => {
+                Watch::Inside { zones, .. } if !zones.iter().all(Solid::is_zone) => {
                     return Err(ClearanceError::ZoneShape { watch });
                 }
                 _ => {}

@@ -1,4 +1,5 @@
-use crate::{ClearanceError, Mesh};
+use crate::error::{ClearanceError, FARTHEST_MM};
+use crate::mesh::Mesh;
 use glam::{DAffine3, DMat3, DVec3};
 use std::sync::Arc;
 
@@ -97,9 +98,6 @@ impl Shape {
     }
 }
 
-/// Maximum extent of a shape from its origin, mm: 10 km.
-pub(crate) const FARTHEST_MM: f64 = 1e7;
-
 /// A shape in a pose, with a name for reports.
 #[derive(Debug, Clone)]
 pub struct Solid {
@@ -138,7 +136,7 @@ impl Solid {
 
     /// True if its shape may be a permitted zone: box, sphere, cylinder, half-space.
     pub fn is_zone(&self) -> bool {
-        crate::zone::is_zone(&self.shape)
+        matches!(self.shape, Shape::Box { .. } | Shape::Sphere { .. } | Shape::Cylinder { .. } | Shape::HalfSpace)
     }
 
     /// Its shape.

@@ -1,6 +1,6 @@
 //! STL bytes, ASCII and binary, to triangles.
 
-use crate::ClearanceError;
+use crate::error::ClearanceError;
 use glam::DVec3;
 use seamwright_message::Message;
 

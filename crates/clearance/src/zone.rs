@@ -2,7 +2,7 @@
 
 use crate::boxes::Bounds;
 use crate::distance::{Posed, extreme};
-use crate::{Shape, Solid};
+use crate::shape::{Shape, Solid};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
 
@@ -21,11 +21,6 @@ const ROUNDING: f64 = 1e-14;
 
 /// Number of corners of the polygon around a round rim, at most 0.12 % of its radius outside.
 const RIM: usize = 64;
-
-/// True for the shapes that a permitted zone may have.
-pub(crate) fn is_zone(shape: &Shape) -> bool {
-    matches!(shape, Shape::Box { .. } | Shape::Sphere { .. } | Shape::Cylinder { .. } | Shape::HalfSpace)
-}
 
 /// Margin of a body, with `to_zone` mapping its group's frame to the zone's group's; points in the latter frame.
 ///

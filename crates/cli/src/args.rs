@@ -9,6 +9,7 @@ pub(crate) mod io;
 pub(crate) mod machine;
 pub(crate) mod move_to;
 pub(crate) mod part;
+mod planning;
 pub(crate) mod post;
 mod pulses;
 pub(crate) mod read;
@@ -23,6 +24,7 @@ pub(crate) mod teach;
 
 use clap::error::{ContextKind, ErrorKind};
 use clap::{Args, Command, CommandFactory as _, FromArgMatches as _, Id, Parser, Subcommand, ValueEnum};
+pub(crate) use planning::{KinematicsArgs, PlanningArgs};
 pub(crate) use pulses::PulsesArgs;
 pub(crate) use simulate::SimulateArgs;
 use std::path::PathBuf;
@@ -265,14 +267,6 @@ pub(crate) struct CheckArgs {
     pub(crate) json: bool,
 }
 
-/// Limits of planning.
-#[derive(Debug, Args)]
-pub(crate) struct PlanningArgs {
-    /// Time limit of planning's searches over all passes, s; at the limit the findings report the progress
-    #[arg(long, value_name = "S", default_value_t = 60.0)]
-    pub(crate) time_limit: f64,
-}
-
 /// Data for a control with its own fine interpolation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum ExportArg {
@@ -318,35 +312,6 @@ pub(crate) struct MotionArgs {
     pub(crate) certificate: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) planning: PlanningArgs,
-    /// JSON instead of CSV
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-#[derive(Debug, Args)]
-#[command(
-    allow_negative_numbers = true,
-    after_help = "Examples:
-  echo 'x,y,z,a,c
-7.1077,33.3687,32.0754,8,60' | seamwright machine kinematics table-tilting-xyzac --forward
-  echo 'x_mm,y_mm,z_mm,ax,ay,az
-10,5,0,0,0,-1' | seamwright machine kinematics ellipse-xy --inverse"
-)]
-pub(crate) struct KinematicsArgs {
-    /// Shipped machine, or a machine file
-    pub(crate) machine: String,
-    /// Axis positions (mm, degrees) to torch tip and direction in the work frame
-    #[arg(long, group = "way", required_unless_present = "inverse")]
-    pub(crate) forward: bool,
-    /// Torch tip and direction to axis positions
-    #[arg(long, group = "way")]
-    pub(crate) inverse: bool,
-    /// Head of a machine with two heads [default: the first]
-    #[arg(long, value_name = "NAME")]
-    pub(crate) head: Option<String>,
-    /// With --inverse: the rows are one path; solve each row near the previous one, counting turns
-    #[arg(long, requires = "inverse")]
-    pub(crate) continuous: bool,
     /// JSON instead of CSV
     #[arg(long)]
     pub(crate) json: bool,

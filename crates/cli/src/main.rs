@@ -12,9 +12,9 @@ mod rows;
 mod verbs;
 
 use args::{Cli, ToolsVerb, Verb, VisionVerb};
-use failure::Failure;
 use seamwright_message::{Language, Message};
-use seamwright_project::{csv, examples, failure, files, load};
+use seamwright_project::failure;
+use seamwright_project::failure::Failure;
 use std::io::Write as _;
 use std::process::ExitCode;
 

@@ -1,14 +1,14 @@
 //! Planning on a terminal: under a time limit, with a progress bar.
 
 use crate::args::PlanningArgs;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::progress::Progress;
 use crate::refusals::{at_most, not_allowed};
 use crate::verbs::positive;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::{SearchProgress, WeldMotion};
 use seamwright_program::Finding;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 use seamwright_project::part::Part;
 use seamwright_project::planning::Planning;
 use std::time::Duration;

@@ -1,7 +1,7 @@
 //! Refused values of options and files.
 
-use crate::failure::Failure;
 use seamwright_message::{Message, Unit};
+use seamwright_project::failure::Failure;
 use std::fmt::Display;
 use std::io;
 

@@ -1,6 +1,6 @@
 //! Tables on standard output, streamed as CSV or as a JSON array of objects.
 
-use crate::failure::Failure;
+use seamwright_project::failure::Failure;
 use std::borrow::Cow;
 use std::io::{self, BufWriter, StdoutLock, Write};
 

@@ -4,7 +4,8 @@
 //! counts of beads, cells, triangles and set-points are quotients of such numbers. The bounds are wider than any
 //! machine or part that is welded, so that no sensible file meets them.
 
-use crate::{Document, DocumentError};
+use crate::document::Document;
+use crate::error::DocumentError;
 use seamwright_message::{Message, Unit};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

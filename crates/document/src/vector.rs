@@ -1,6 +1,6 @@
-use crate::Finite;
 use crate::bounds::FARTHEST_MM;
 use crate::document::fault_in_serde;
+use crate::number::Finite;
 use glam::{DAffine3, DQuat, DVec3};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use seamwright_message::{Message, Unit};

@@ -41,6 +41,10 @@
 //! mode, one table, decides the next step of the loops. `simulate` runs the same code with simulated devices, an
 //! operator who requests one weld, and a judge who knows the true positions (`Reports::truth`).
 //!
+//! The state is grouped by concern: devices, clock, alarms, supervision, process, activity, requests, guide. Above it are
+//! the steps of a cycle (`cycle.rs`), then the activities that run cycles (`homing.rs`, `jogging.rs`, `program.rs`), then
+//! the choice among them (`serve.rs`).
+//!
 //! # Units
 //!
 //! Lengths are in mm, angles in rad, times in s. Path lengths count from the start of a pass, times from the start of

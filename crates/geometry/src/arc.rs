@@ -1,4 +1,5 @@
-use crate::{Curve, Error, Jet, error::positive};
+use crate::curve::{Curve, Jet};
+use crate::error::{Error, positive};
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;
 

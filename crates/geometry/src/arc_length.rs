@@ -4,7 +4,9 @@
 //! again a series. The inverse is a second series, checked between its nodes. So both directions cost a table look-up
 //! and a short recurrence.
 
-use crate::{Curve, Error, NODES, Series, nodes};
+use crate::chebyshev::{NODES, Series, nodes};
+use crate::curve::Curve;
+use crate::error::Error;
 
 /// Accuracy used where the caller has no reason for another, mm.
 pub const DEFAULT_ACCURACY_MM: f64 = 1e-12;

@@ -1,4 +1,7 @@
-use crate::{Arc, Curve, Error, Jet, Line};
+use crate::arc::Arc;
+use crate::curve::{Curve, Jet};
+use crate::error::Error;
+use crate::line::Line;
 use glam::DVec3;
 
 /// Lines and arcs joined end to start; `u` is the length from the start, mm.
@@ -108,7 +111,7 @@ impl Curve for Chain {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ByLength, DEFAULT_ACCURACY_MM};
+    use crate::arc_length::{ByLength, DEFAULT_ACCURACY_MM};
 
     #[test]
     fn runs_through_its_pieces() {

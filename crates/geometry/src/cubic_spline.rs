@@ -1,4 +1,4 @@
-use crate::Error;
+use crate::error::Error;
 use crate::knots::knots;
 use crate::slopes::{End, periodic_slopes, slopes};
 

@@ -1,4 +1,5 @@
-use crate::{Quadric, Tube};
+use crate::quadric::Quadric;
+use crate::tube::Tube;
 use glam::{DMat3, DVec3};
 use nalgebra::Matrix3;
 

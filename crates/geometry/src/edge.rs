@@ -1,4 +1,4 @@
-use crate::{Curve, Jet};
+use crate::curve::{Curve, Jet};
 use glam::{DQuat, DVec3};
 
 /// A point of an edge: position, first derivative, and the outward unit normals of the two faces that meet there.
@@ -140,7 +140,7 @@ impl<C: Curve> Edge for CurvedEdge<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Ellipse;
+    use crate::ellipse::Ellipse;
 
     #[test]
     fn the_wall_of_a_tube_faces_outward() {

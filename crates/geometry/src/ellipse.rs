@@ -1,4 +1,5 @@
-use crate::{Curve, Error, Jet, error::positive, error::unit};
+use crate::curve::{Curve, Jet};
+use crate::error::{Error, positive, unit};
 use glam::DVec3;
 use std::f64::consts::TAU;
 

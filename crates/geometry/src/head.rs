@@ -1,4 +1,7 @@
-use crate::{Error, Foot, Quadric, QuadricDistance, SignedDistance, Torus, error::positive, error::unit};
+use crate::distance::{Foot, QuadricDistance, SignedDistance};
+use crate::error::{Error, positive, unit};
+use crate::quadric::Quadric;
+use crate::torus::Torus;
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 

@@ -4,12 +4,15 @@
 //! overshoot. On the surface of each zone (dome, knuckle, cylinder) the curve is that of the zone, from border to
 //! border: the borders are `Curve::breaks`.
 
-use crate::head::Face;
+use crate::curve::{Curve, Jet};
+use crate::distance::{Foot, SignedDistance};
+use crate::edge::{Edge, EdgePoint};
+use crate::error::Error;
+use crate::head::{Face, Head};
 use crate::pieces::{AT_BORDER_MM, Pieces};
-use crate::tube_intersection::check_margin;
-use crate::{
-    Curve, Edge, EdgePoint, Error, Foot, Head, Jet, SignedDistance, TorusIntersection, Tube, TubeIntersection,
-};
+use crate::torus_intersection::TorusIntersection;
+use crate::tube::Tube;
+use crate::tube_intersection::{TubeIntersection, check_margin};
 use glam::DVec3;
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-use crate::{MapError, PlaneMap};
+use crate::plane_map::{MapError, PlaneMap};
 use glam::{DVec2, DVec3};
 use seamwright_message::{Message, Unit, display_by_message};
 
@@ -155,7 +155,7 @@ impl HeightTable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::MapParameters;
+    use crate::plane_map::MapParameters;
 
     fn row(height: f64, scale: f64) -> (f64, PlaneMap) {
         let parameters = MapParameters {

@@ -1,4 +1,6 @@
-use crate::{Curve, Error, Jet, Tube, error::positive};
+use crate::curve::{Curve, Jet};
+use crate::error::{Error, positive};
+use crate::tube::Tube;
 use std::f64::consts::TAU;
 
 /// A helix on a tube: `u` is the angle in rad about its axis, from 0 over a number of turns; each turn climbs by the
@@ -47,7 +49,7 @@ impl Curve for Helix {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ByLength, DEFAULT_ACCURACY_MM};
+    use crate::arc_length::{ByLength, DEFAULT_ACCURACY_MM};
     use glam::DVec3;
 
     #[test]

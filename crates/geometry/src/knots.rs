@@ -1,4 +1,4 @@
-use crate::Error;
+use crate::error::Error;
 
 /// Positions and values of `points`, positions increasing; with a period the first point once more at its end.
 ///

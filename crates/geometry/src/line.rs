@@ -1,4 +1,5 @@
-use crate::{Curve, Error, Jet, error::positive};
+use crate::curve::{Curve, Jet};
+use crate::error::{Error, positive};
 use glam::DVec3;
 
 /// A straight line from one point to another, parametrised by length: `u` in mm from 0 to the line's length.

@@ -1,4 +1,4 @@
-use crate::Error;
+use crate::error::Error;
 use crate::knots::knots;
 
 /// A smooth curve through values at increasing positions that never leaves the range of two neighbouring values:

@@ -1,4 +1,4 @@
-use crate::{Error, error::positive, error::unit};
+use crate::error::{Error, positive, unit};
 use glam::{DMat3, DVec3};
 
 /// A surface given as the zero set of a function that is negative inside the body and positive outside.

@@ -1,4 +1,8 @@
-use crate::{Arc, Chain, Curve, Error, Jet, Line, Piece, error::positive, error::unit};
+use crate::arc::Arc;
+use crate::chain::{Chain, Piece};
+use crate::curve::{Curve, Jet};
+use crate::error::{Error, positive, unit};
+use crate::line::Line;
 use glam::{DVec2, DVec3, Vec2Swizzles};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

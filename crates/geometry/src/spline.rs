@@ -1,5 +1,6 @@
+use crate::curve::{Curve, Jet};
+use crate::error::Error;
 use crate::slopes::{End, EndDerivatives, Knot, middle, periodic_slopes, slopes};
-use crate::{Curve, Error, Jet};
 use glam::DVec3;
 
 /// A cubic B-spline in space through given points, twice continuously differentiable; its third derivative jumps at the

@@ -4,8 +4,11 @@
 //! Faces that turn with the tangent would give the axes a jump of acceleration. `Along` replaces the tangent: it is the
 //! spline through the tangents at the knots and at positions between them, and twice continuously differentiable.
 
+use crate::curve::{Curve, Jet};
+use crate::edge::{Edge, EdgePoint};
+use crate::error::Error;
 use crate::slopes::End;
-use crate::{Curve, Edge, EdgePoint, Ends, Error, Jet, Spline, chord_lengths};
+use crate::spline::{Ends, Spline, chord_lengths};
 use glam::DVec3;
 
 /// Tangents of [`Along`] per interval of a spline: more would turn a frame more sharply at the knots, fewer would

@@ -1,7 +1,9 @@
 //! Splines with few knots near given points.
 
+use crate::curve::Curve;
+use crate::error::Error;
 use crate::slopes::End;
-use crate::{Curve, Ends, Error, Spline, chord_lengths};
+use crate::spline::{Ends, Spline, chord_lengths};
 use glam::DVec3;
 
 /// Weight of the second differences of the coefficients: just enough to determine coefficients without points.

@@ -1,4 +1,6 @@
-use crate::{Error, Foot, SignedDistance, Surface, error::positive, error::unit};
+use crate::distance::{Foot, SignedDistance};
+use crate::error::{Error, positive, unit};
+use crate::quadric::Surface;
 use glam::{DMat3, DVec3};
 
 /// A torus: everything within `tube` mm of a circle of radius `ring` about an axis.

@@ -1,5 +1,10 @@
+use crate::curve::{Curve, Jet};
+use crate::edge::{Edge, EdgePoint};
+use crate::error::Error;
+use crate::quadric::Surface;
+use crate::torus::Torus;
+use crate::tube::Tube;
 use crate::tube_intersection::{SAMPLES, check_margin};
-use crate::{Curve, Edge, EdgePoint, Error, Jet, Surface, Torus, Tube};
 use glam::DVec3;
 use std::f64::consts::TAU;
 

@@ -1,5 +1,10 @@
+use crate::curve::{Curve, Jet};
+use crate::edge::{Edge, EdgePoint};
+use crate::error::Error;
 use crate::pieces::{AT_BORDER_MM, Pieces};
-use crate::{Curve, Edge, EdgePoint, Error, Jet, Quadric, Surface, Tube, TubeIntersection};
+use crate::quadric::{Quadric, Surface};
+use crate::tube::Tube;
+use crate::tube_intersection::TubeIntersection;
 use glam::DVec3;
 
 /// The curve where a tube's wall leaves two overlapping quadric bodies, parametrised by the angle about the tube's axis

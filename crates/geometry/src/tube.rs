@@ -1,4 +1,4 @@
-use crate::{Error, error::positive, error::unit};
+use crate::error::{Error, positive, unit};
 use glam::{DAffine3, DVec3};
 
 /// A circular cylinder with a direction and a zero for its angle: the wall point at angle `phi` and height `h` is

@@ -4,8 +4,11 @@
 //! the one where the body's implicit function `F` grows. Differentiating `F(p(phi)) = 0` gives exact derivatives. The
 //! sign of the quadratic's discriminant all around decides whether the tube leaves the body everywhere.
 
-use crate::quadric::LineAlong;
-use crate::{Curve, Edge, EdgePoint, Error, Jet, Quadric, Surface, Tube};
+use crate::curve::{Curve, Jet};
+use crate::edge::{Edge, EdgePoint};
+use crate::error::Error;
+use crate::quadric::{LineAlong, Quadric, Surface};
+use crate::tube::Tube;
 use glam::DVec3;
 use std::f64::consts::TAU;
 

@@ -1,5 +1,8 @@
-use crate::{EncoderSide, PitchError, Stepper};
+use crate::pitch_error::PitchError;
+use crate::stepper::Stepper;
+use schemars::JsonSchema;
 use seamwright_message::Unit;
+use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;
 
@@ -259,4 +262,15 @@ impl Axis {
             AxisKind::Rotary => value.to_radians(),
         }
     }
+}
+
+/// Which side of the transmission an encoder measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum EncoderSide {
+    /// The motor.
+    #[default]
+    Motor,
+    /// The load.
+    Load,
 }

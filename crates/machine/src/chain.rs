@@ -1,4 +1,4 @@
-use crate::AxisKind;
+use crate::axis::AxisKind;
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use seamwright_geometry::Pose;

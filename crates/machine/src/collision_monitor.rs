@@ -1,6 +1,8 @@
 //! Collision monitor: proofs of the clearance of a short motion, cheap enough for every period of a control.
 
-use crate::{AxisKind, Course, Joints, MAX_AXES, Surroundings};
+use crate::chain::{Joints, MAX_AXES};
+use crate::lever::{Lever, travel};
+use crate::surroundings::{Course, Surroundings};
 use arrayvec::ArrayVec;
 use glam::DAffine3;
 use seamwright_clearance::Memory;
@@ -32,29 +34,6 @@ struct Watched {
     /// Levers of the axes between the groups, in order from the first: the maximum displacement of the group's points
     /// per unit of each axis. That of a rotary axis grows with the displacement by the axes before it.
     levers: ArrayVec<Lever, MAX_AXES>,
-}
-
-/// Effect of an axis on the points of a group.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Lever {
-    pub(crate) axis: usize,
-    pub(crate) kind: AxisKind,
-    /// Maximum displacement of a point per unit of the axis, mm.
-    pub(crate) arm: f64,
-    /// Factor of pitch errors.
-    pub(crate) pitch: f64,
-}
-
-/// Maximum displacement of a point while each axis moves by up to `by`, mm.
-pub(crate) fn travel(levers: &[Lever], by: impl Fn(usize) -> f64) -> f64 {
-    levers.iter().fold(0.0, |moved, lever| {
-        let by = by(lever.axis) * lever.pitch;
-        moved
-            + match lever.kind {
-                AxisKind::Linear => by,
-                AxisKind::Rotary => by * (lever.arm + moved),
-            }
-    })
 }
 
 impl<'a> CollisionMonitor<'a> {

@@ -1,12 +1,22 @@
 //! The machine file as written, before its steps are assembled.
 
-use crate::{BeamDeflection, DeviceFile, InterlockFile, SensorFile, SourceFile, TipLimits};
+use crate::axis::EncoderSide;
+use crate::beam_deflection::BeamDeflection;
+use crate::cell::{InterlockFile, SourceFile};
+use crate::devices::DeviceFile;
+use crate::sensor::SensorFile;
+use crate::tip_limits::TipLimits;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
-use seamwright_document::{Direction, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
+use seamwright_document::{Direction, Document, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
 use serde::Deserialize;
 use std::collections::BTreeMap;
+
+pub(crate) type File = Document<MachineFile>;
+
+/// Reads the bytes of a file named in the machine file.
+pub(crate) type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
 /// A machine file.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -339,17 +349,6 @@ pub struct DriveFile {
     pub backlash_compensation_ms: Option<Positive>,
     /// The stepper that moves the axis, if one does; for pulses.
     pub stepper: Option<StepperFile>,
-}
-
-/// Which side of the transmission an encoder measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum EncoderSide {
-    /// The motor.
-    #[default]
-    Motor,
-    /// The load.
-    Load,
 }
 
 /// A notch filter.

@@ -1,6 +1,6 @@
+use crate::axis::{Axis, AxisKind};
 use crate::chain::{AxisSet, Chain};
 use crate::inverse::Inverse;
-use crate::{Axis, AxisKind};
 use glam::DVec3;
 use seamwright_message::{Argument, Message};
 

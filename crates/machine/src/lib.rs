@@ -27,6 +27,7 @@
 
 mod assemble;
 mod axis;
+mod beam_deflection;
 mod cell;
 mod chain;
 pub mod check;
@@ -35,6 +36,7 @@ mod devices;
 mod file;
 mod head;
 mod inverse;
+mod lever;
 mod links;
 mod machine;
 mod pair;
@@ -44,11 +46,14 @@ mod shipped;
 mod solids;
 mod stepper;
 mod surroundings;
+mod tip_limits;
 mod tip_motion;
 
 pub use axis::{
-    Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, RangeViolation, Transmission,
+    Axis, AxisKind, BacklashCompensation, Drive, EncoderSide, FrictionCompensation, Gains, Load, Notch, RangeViolation,
+    Transmission,
 };
+pub use beam_deflection::BeamDeflection;
 pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use collision_monitor::CollisionMonitor;
@@ -57,13 +62,13 @@ pub use devices::{
     OutputsFile, Place, Register, ReportsFile, Role, Scaled, Steps, StepsFile, Table, Word, WordOrder,
 };
 pub use file::{
-    ControlFile, ControlsFile, DeflectionFile, DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile,
-    NotchFile, PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
+    ControlFile, ControlsFile, DeflectionFile, DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile,
+    PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, PairFault, Solution, Unreachable};
 pub use links::{LinkFrames, LinkJoint, Links, MAX_LINKS, NamedFrame};
-pub use machine::{BeamDeflection, Machine, Target};
+pub use machine::{Machine, Target};
 pub use pitch_error::PitchError;
 pub use seamwright_clearance::Clamped;
 pub use sensor::{CameraSensor, HeightRowFile, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
@@ -71,4 +76,4 @@ pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
 pub use stepper::{PulseTicks, Stepper, StepperMotor};
 pub use surroundings::{Course, Surroundings};
-pub use tip_motion::TipLimits;
+pub use tip_limits::TipLimits;

@@ -1,4 +1,4 @@
-use crate::AxisKind;
+use crate::axis::AxisKind;
 use crate::chain::{AxisSet, Joints, MAX_AXES, Screw};
 use glam::{DAffine3, DQuat, DVec3};
 

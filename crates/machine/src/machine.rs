@@ -1,11 +1,18 @@
-use crate::collision_monitor::{Lever, travel};
+use crate::assemble;
+use crate::axis::{Axis, AxisKind, RangeViolation};
+use crate::beam_deflection::BeamDeflection;
+use crate::cell::{InterlockFile, Source};
+use crate::chain::{AxisSet, Joints, MAX_AXES};
+use crate::devices::MachineDevices;
+use crate::file::{ControlsFile, Io, MachineFile};
+use crate::head::Head;
 use crate::inverse::{self, Branches, Inverse, PairFault, Solution, Unreachable, Which};
+use crate::lever::{Lever, PITCH, travel};
+use crate::links::{LinkFrames, Links};
 use crate::pair::Pair;
-use crate::surroundings::PITCH;
-use crate::{
-    Axis, AxisKind, AxisSet, ControlsFile, Head, InterlockFile, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES,
-    MachineDevices, MachineFile, RangeViolation, Sensor, Source, TipLimits, assemble,
-};
+use crate::sensor::Sensor;
+use crate::solids::LinkSolids;
+use crate::tip_limits::TipLimits;
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError};
@@ -57,19 +64,6 @@ pub struct Machine {
     pub(crate) pair: Option<Pair>,
     /// True if any axis has a pitch-error table.
     pub(crate) has_pitch_error: bool,
-}
-
-/// Deflection of a beam on the work, equal in all directions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BeamDeflection {
-    /// Maximum deflection, mm.
-    pub range_mm: f64,
-    /// Maximum speed, mm/s.
-    pub speed: f64,
-    /// Latency from the command to the deflection, s.
-    pub latency_s: f64,
-    /// Distance from the work to the point about which the beam is deflected, mm.
-    pub pivot_mm: f64,
 }
 
 /// Target poses of one torch, or of two at once.

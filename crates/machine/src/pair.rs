@@ -1,6 +1,6 @@
 use crate::chain::{AxisSet, Joints};
-use crate::inverse::{Branches, Frame, FrameInverse, angle_between, in_plane};
-use crate::{Head, PairFault, Unreachable};
+use crate::head::Head;
+use crate::inverse::{Branches, Frame, FrameInverse, PairFault, Unreachable, angle_between, in_plane};
 use glam::DMat3;
 use seamwright_geometry::Pose;
 

@@ -1,4 +1,4 @@
-use crate::ZoneKind;
+use crate::file::ZoneKind;
 use seamwright_clearance::Solid;
 
 /// Solids of the machine file. Solids are given in the work frame with all axes at zero; a point of link `l` is then at

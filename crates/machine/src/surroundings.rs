@@ -1,7 +1,11 @@
 //! Machine, part and fixtures as one scene that moves with the axes.
 
-use crate::collision_monitor::{Lever, travel};
-use crate::{Axis, AxisKind, Joints, LinkFrames, MAX_AXES, Machine, ZoneKind};
+use crate::axis::{Axis, AxisKind};
+use crate::chain::{Joints, MAX_AXES};
+use crate::file::ZoneKind;
+use crate::lever::{Lever, PITCH, travel};
+use crate::links::LinkFrames;
+use crate::machine::Machine;
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Clamped, ClearanceError, Evaluation, Group, Limits, Motion, Profile, Scene, Solid, Watch};
@@ -49,9 +53,6 @@ enum Kind {
 fn permitted(zone: &str) -> Message {
     Message::new("machine-permitted-zone").text("zone", zone)
 }
-
-/// Pitch errors change a rate by up to this factor.
-pub(crate) const PITCH: f64 = 1.0 + crate::pitch_error::STEEPEST;
 
 impl<'a> Surroundings<'a> {
     /// The machine with its clamped part and fixtures.
@@ -238,7 +239,7 @@ impl<'a> Surroundings<'a> {
         let (from, to) = (self.links[a], self.links[b]);
         let different = links.links[from].axes.different(links.links[to].axes);
         let up = links.up(from).filter(move |axis| different.has(*axis));
-        let mut down: [usize; crate::MAX_AXES] = [0; crate::MAX_AXES];
+        let mut down: [usize; crate::chain::MAX_AXES] = [0; crate::chain::MAX_AXES];
         let mut count = 0;
         for axis in links.up(to).filter(|axis| different.has(*axis)) {
             down[count] = axis;

@@ -1,4 +1,5 @@
-use crate::{Message, Unit};
+use crate::message::Message;
+use crate::unit::Unit;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -1,7 +1,12 @@
-use crate::{AREAS, Argument, Language, Message, Quantity, Unit, source};
+use crate::argument::{Argument, Quantity};
+use crate::language::Language;
+use crate::message::Message;
+use crate::sources::{AREAS, source};
+use crate::unit::Unit;
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use std::borrow::Cow;
+use std::fmt;
 use std::sync::LazyLock;
 
 /// The words of one language.
@@ -147,6 +152,19 @@ fn accented(text: &str) -> Cow<'_, str> {
         (0..times).for_each(|_| longer.push(accented));
     }
     Cow::Owned(longer)
+}
+
+impl Message {
+    /// Returns the words in `language`.
+    pub fn in_language(&self, language: Language) -> String {
+        Catalogue::of(language).text(self)
+    }
+}
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.in_language(Language::of_process()))
+    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,6 @@
-use crate::{Argument, Message, Quantity, Unit};
+use crate::argument::{Argument, Quantity};
+use crate::message::Message;
+use crate::unit::Unit;
 
 impl Message {
     /// True if the messages are the same but for the values of their quantities, counts and passes.

@@ -1,4 +1,5 @@
-use crate::{Argument, Catalogue, Language, Quantity, Unit};
+use crate::argument::{Argument, Quantity};
+use crate::unit::Unit;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -56,11 +57,6 @@ impl Message {
     #[must_use]
     pub fn indented(self) -> Self {
         Self::new("indented").message("line", self)
-    }
-
-    /// Returns the words in `language`.
-    pub fn in_language(&self, language: Language) -> String {
-        Catalogue::of(language).text(self)
     }
 
     /// Returns code and arguments as one line, for logs.
@@ -151,12 +147,6 @@ impl Message {
     }
 }
 
-impl fmt::Display for Message {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&self.in_language(Language::of_process()))
-    }
-}
-
 impl Default for Message {
     /// Text without a character.
     fn default() -> Self {
@@ -180,6 +170,7 @@ impl From<String> for Message {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::language::Language;
 
     #[test]
     fn a_message_is_the_same_after_json() {

@@ -1,4 +1,4 @@
-use crate::Language;
+use crate::language::Language;
 use std::borrow::Cow;
 
 /// Declares the areas, each a file in the folder of every language.

@@ -6,8 +6,8 @@
 //! beside the seam, the tip's travel by path length differs from 1; `JointPath::tip_rate` is this ratio. Without a
 //! blend the speed profile stops at the corner, and the pass has several legs.
 
-use crate::JointPath;
 use crate::follower::Follower;
+use crate::joint_path::JointPath;
 use crate::pass_channels::PassChannels;
 use crate::speed_profile::{Channels, Limits};
 use crate::stretch::Stretch;

@@ -6,12 +6,12 @@
 
 use crate::effort::SearchStage;
 use crate::follower::Follower;
+use crate::joint_path::JointPath;
 use crate::limit_kind::position_unit;
 use crate::pass_clearance::pass_clearance;
-use crate::pass_motion::{Before, along_axes};
+use crate::pass_motion::{Before, PassMotion, along_axes};
 use crate::redundancy::holding;
 use crate::survey::{Lack, Survey, range_between, range_on_path};
-use crate::{JointPath, PassMotion};
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine, Surroundings, Target};

@@ -8,7 +8,6 @@ mod blended;
 
 use crate::follower::Follower;
 use crate::stretch::Stretch;
-use crate::survey::PLACES;
 use seamwright_geometry::{NODES, Series, nodes};
 use seamwright_machine::{Axis, AxisKind, Course, Joints, MAX_AXES, Machine};
 use std::f64::consts::TAU;
@@ -365,3 +364,6 @@ fn blocks(series: impl Iterator<Item = Series>, count: usize) -> Vec<Block> {
     }
     blocks
 }
+
+/// Number of samples along the path.
+pub(crate) const PLACES: usize = 1440;

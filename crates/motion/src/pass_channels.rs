@@ -1,4 +1,4 @@
-use crate::JointPath;
+use crate::joint_path::JointPath;
 use crate::speed_profile::{Bend, Channels, Limits};
 use crate::tip_channels::TipChannels;
 use glam::DVec3;

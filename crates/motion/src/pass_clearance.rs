@@ -1,4 +1,4 @@
-use crate::JointPath;
+use crate::joint_path::JointPath;
 use crate::transfer::too_near;
 use seamwright_clearance::Limits;
 use seamwright_machine::Surroundings;

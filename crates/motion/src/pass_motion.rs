@@ -4,17 +4,16 @@ use crate::cures::Trial;
 use crate::effort::{Effort, SearchStage};
 use crate::feed_override::PassTimed;
 use crate::follower::Follower;
+use crate::joint_path::JointPath;
 use crate::limits::{never_reached, speed_findings};
 use crate::pass_channels::PassChannels;
 use crate::pass_time::{too_long, travels_too_long};
 use crate::planned::Planned;
 use crate::redundancy::{Aim, AllowedPositions, Clearance, FreeAxes, hold_finding, holding, resolve_within};
-use crate::set_points::SetPoints;
 use crate::singular;
-use crate::speed_profile::{Certificate, SpeedProfileError};
+use crate::speed_profile::{Certificate, ProfilePoint, SpeedProfile, SpeedProfileError};
 use crate::survey::{Survey, range_between, range_on_path, survey};
 use crate::weave_limits::Woven;
-use crate::{JointPath, ProfilePoint, SpeedProfile};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_message::Message;
 use seamwright_program::{ArcTime, Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
@@ -240,13 +239,6 @@ impl PassMotion {
     pub fn arc_clock(&self, t: f64) -> ArcTime {
         let since_on_s = t - self.sequence.preflow_s.get();
         ArcTime { since_on_s, until_off_s: self.arc_on_s() - since_on_s }
-    }
-
-    /// Returns the set-points every `period` s, from the first gas to the last. The iterator does not allocate.
-    ///
-    /// For speeds and accelerations of the axes see [`SetPoint::rates`](crate::SetPoint::rates).
-    pub fn set_points(&self, period: f64) -> SetPoints<'_> {
-        SetPoints::new(self, period)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Limits of the time of a pass: set-points, blocks and rows of longer ones would exceed memory and acceptable run
 //! time.
 
-use crate::SpeedProfile;
+use crate::speed_profile::SpeedProfile;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Pass};
 

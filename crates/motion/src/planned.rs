@@ -1,6 +1,6 @@
-use crate::speed_profile::{Certificate, Leg};
+use crate::joint_path::JointPath;
+use crate::speed_profile::{Certificate, Leg, ProfilePoint, SpeedProfile};
 use crate::stretch::Stretch;
-use crate::{JointPath, ProfilePoint, SpeedProfile};
 use seamwright_machine::Machine;
 
 /// A speed profile along the path of a machine's axes, with its certificate: the input of findings.

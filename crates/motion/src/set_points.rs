@@ -1,4 +1,6 @@
-use crate::{JointPoint, PassMotion, ProfilePoint};
+use crate::joint_path::JointPoint;
+use crate::pass_motion::PassMotion;
+use crate::speed_profile::ProfilePoint;
 use seamwright_machine::Joints;
 
 /// Phase of the process at an instant.
@@ -50,7 +52,7 @@ pub struct SetPoints<'a> {
 }
 
 impl<'a> SetPoints<'a> {
-    pub(crate) fn new(motion: &'a PassMotion, period: f64) -> Self {
+    fn new(motion: &'a PassMotion, period: f64) -> Self {
         // The last set-point is the first at or after the end (less a rounding).
         let count = ((motion.total_s() / period - 1e-9).ceil().max(0.0) as u64).saturating_add(1);
         Self { motion, period, next: 0, count, cursor: 0 }
@@ -74,6 +76,15 @@ impl<'a> SetPoints<'a> {
             Phase::Postflow
         };
         if travel < 0.0 { (phase, ProfilePoint::default()) } else { (phase, profile) }
+    }
+}
+
+impl PassMotion {
+    /// Returns the set-points every `period` s, from the first gas to the last. The iterator does not allocate.
+    ///
+    /// For speeds and accelerations of the axes see [`SetPoint::rates`].
+    pub fn set_points(&self, period: f64) -> SetPoints<'_> {
+        SetPoints::new(self, period)
     }
 }
 

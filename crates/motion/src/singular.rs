@@ -1,6 +1,6 @@
 //! Distance to singular attitudes, in which the rotary axes lose a degree of freedom of the torch's direction.
 
-use crate::JointPath;
+use crate::joint_path::JointPath;
 use crate::limits::Runs;
 use glam::DVec3;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine};

@@ -1,8 +1,8 @@
 //! Survey of a path before planning: start branch and turn, and all findings against the path.
 
-use crate::JointPath;
 use crate::effort::Effort;
 use crate::follower::Follower;
+use crate::joint_path::{JointPath, PLACES};
 use crate::limit_kind::position_unit;
 use crate::limits::Runs;
 use crate::stretch::Stretch;
@@ -10,9 +10,6 @@ use seamwright_machine::{Axis, AxisKind, Joints, Machine};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Tolerance};
 use std::f64::consts::TAU;
-
-/// Number of samples along the path.
-pub(crate) const PLACES: usize = 1440;
 
 /// Stride of the samples at which a search without closed form is made if the path cannot be followed.
 const NUMERIC_STRIDE: usize = 24;

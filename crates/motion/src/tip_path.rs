@@ -1,4 +1,5 @@
-use crate::{JointPath, JointPoint, PassMotion};
+use crate::joint_path::{JointPath, JointPoint};
+use crate::pass_motion::PassMotion;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};

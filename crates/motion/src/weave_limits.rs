@@ -4,9 +4,9 @@
 //! changes only as slowly as the seam. So a few windows of one swing each show feasibility and maximum frequency at a
 //! small fraction of the cost of a plan. The result is then verified by one whole plan before it is reported.
 
-use crate::JointPath;
 use crate::effort::Effort;
 use crate::follower::Follower;
+use crate::joint_path::JointPath;
 use crate::limits::{Binding, keeps_speed};
 use crate::pass_channels::PassChannels;
 use crate::planned::Planned;

@@ -1,12 +1,13 @@
 use crate::cures::Trial;
 use crate::effort::{Effort, Watch};
 use crate::pass_clearance::{PassClearance, pass_clearance};
-use crate::pass_motion::Before;
+use crate::pass_motion::{Before, PassMotion};
 use crate::pass_time::{MAX_PASS_S, at_most};
 use crate::procedure::{PassProcedure, PlannedPass};
 use crate::redundancy::{Clearance, holding};
+use crate::set_points::{Phase, SetPoint};
+use crate::speed_profile::ProfilePoint;
 use crate::transfer::{Blocked, Leg, MoveEnd, TransferMove, route_within};
-use crate::{PassMotion, Phase, ProfilePoint, SetPoint};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
 use seamwright_message::{Message, Unit};

@@ -1,4 +1,4 @@
-use crate::Error;
+use crate::error::Error;
 use crate::part_program::{Channel, ChannelKind, Event};
 use seamwright_machine::{AxisKind, ControlFile, Io, Machine};
 

@@ -8,8 +8,8 @@
 //!   axis counts as a mm (FGREF at its usual 360 / 2 pi mm);
 //! - PMAC: the same of the axes of FRAX, by default X Y Z; F is per second (Isx90 = 1000).
 
+use crate::control::{Control, Dialect};
 use crate::part_program::{Arc, ChannelKind};
-use crate::{Control, Dialect};
 use glam::DVec3;
 
 /// LinuxCNC's interpreter raises any lower feed to this, in mm/min or deg/min, without a word.

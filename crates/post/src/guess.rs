@@ -1,4 +1,4 @@
-use crate::Dialect;
+use crate::control::Dialect;
 
 impl Dialect {
     /// The most likely dialect of a part program, by its file's name and by words that only one dialect has.

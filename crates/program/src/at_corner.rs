@@ -1,4 +1,5 @@
-use crate::{Keyed, Tolerance};
+use crate::keyed::Keyed;
+use crate::tolerance::Tolerance;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive, in_serde};
 use seamwright_message::{Message, Unit};

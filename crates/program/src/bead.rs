@@ -1,4 +1,4 @@
-use crate::is_beyond;
+use crate::path_length::is_beyond;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative};
 use seamwright_message::{Message, Unit};

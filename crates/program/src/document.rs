@@ -1,7 +1,17 @@
-use crate::{
-    Clearance, Joint, Keyed, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, TransferMoves,
-    Variables, check_offset, check_process, is_beyond, is_same_position, variables,
-};
+use crate::copies::SeamCopy;
+use crate::joint::Joint;
+use crate::keyed::Keyed;
+use crate::offsets::{Offsets, check_offset};
+use crate::part::{Clearance, Part};
+use crate::pass::Pass;
+use crate::path_length::{is_beyond, is_same_position};
+use crate::procedure::Procedure;
+use crate::process::check_process;
+use crate::repeat::Repeat;
+use crate::seam::{Seam, SeamStart};
+use crate::taught::Taught;
+use crate::transfer::TransferMoves;
+use crate::variables::{self, Variables};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
@@ -203,6 +213,18 @@ fn one_point_a_line(text: &str) -> String {
         out.push('\n');
     }
     out
+}
+
+impl Program {
+    /// The program with each pass as many times as it is welded; the names of repeated ones end in " 1", " 2" and so on.
+    pub fn expanded(&self) -> Self {
+        let times = |pass: &Pass| {
+            let count = pass.repeat.get();
+            let name = |i: u16| if count == 1 { pass.name.clone() } else { format!("{} {i}", pass.name) };
+            (1..=count).map(|i| Pass { name: name(i), repeat: Repeat::default(), ..pass.clone() }).collect::<Vec<_>>()
+        };
+        Self { passes: self.passes.iter().flat_map(times).collect(), ..self.clone() }
+    }
 }
 
 #[cfg(test)]

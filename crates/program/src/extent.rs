@@ -1,6 +1,7 @@
 //! Size limits of a program. A larger one is a mistake, and would take excessive memory or time.
 
-use crate::{Pass, Program};
+use crate::document::Program;
+use crate::pass::Pass;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;
 
@@ -20,13 +21,13 @@ impl Pass {
     /// Rows that it holds: spans, positions of its bead, points.
     pub fn rows(&self) -> usize {
         let bead = self.bead.as_ref().map_or(0, |bead| bead.s_mm.len());
-        let points = self.points.as_ref().map_or(0, crate::Points::count);
+        let points = self.points.as_ref().map_or(0, crate::points::Points::count);
         self.spans.len() + bead + points
     }
 
     /// Time that it travels along the seam at the asked speed, s.
     pub fn travel_s(&self) -> f64 {
-        let time = |span: &crate::Span| {
+        let time = |span: &crate::span::Span| {
             let (from, to) = span.speed_mm_s.ends();
             let (low, high) = (from.min(to), from.max(to));
             // Linear in path length: the time is the length over the logarithmic mean of the speeds.

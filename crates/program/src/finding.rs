@@ -1,4 +1,4 @@
-use crate::PathRange;
+use crate::path_range::PathRange;
 use seamwright_message::{Language, Message};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};

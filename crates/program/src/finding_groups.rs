@@ -1,6 +1,6 @@
 //! Findings with the same message at several positions, gathered so that they are read once.
 
-use crate::{Finding, Severity};
+use crate::finding::{Finding, Severity};
 use seamwright_message::Message;
 
 /// Path lengths within this distance are shown alike, mm.
@@ -108,7 +108,7 @@ impl FindingPlace {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::PathRange;
+    use crate::path_range::PathRange;
     use seamwright_message::Unit;
 
     fn note(message: Message, pass: usize, from_mm: f64, to_mm: f64) -> Finding {

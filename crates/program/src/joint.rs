@@ -445,3 +445,14 @@ impl Joint {
         Ok(())
     }
 }
+
+/// Kind of joint along a seam in a plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FilletOrButt {
+    /// A wall stands on the plate.
+    #[default]
+    Fillet,
+    /// Both parts lie in one plane.
+    Butt,
+}

@@ -71,6 +71,7 @@ mod repeat;
 mod seam;
 mod sequence;
 mod space_seam;
+mod span;
 mod span_value;
 mod spare_axes;
 mod taught;
@@ -94,14 +95,15 @@ pub use finding::{Finding, Severity};
 pub use finding_groups::{FindingGroup, FindingPlace, group_findings};
 pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
 pub use joint::{
-    Bevel, Fillet, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ, U,
+    Bevel, Fillet, FilletOrButt, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ,
+    U,
 };
 pub use keyed::Keyed;
 pub use nozzle::{Body, Mount, Nozzle, NozzleCurve};
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use oscillation::Oscillation;
 pub use part::{Clearance, Part};
-pub use pass::{OnLimit, Pass, Role, Span};
+pub use pass::{OnLimit, Pass, Role};
 pub use path_length::{SAME_POSITION_MM, is_before, is_beyond, is_same_position, part_start, parts_of};
 pub use path_range::PathRange;
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
@@ -114,9 +116,10 @@ pub use procedure::{
 };
 pub use process::{ProcessValue, ProcessValues, check_process, check_process_name, check_process_value};
 pub use repeat::Repeat;
-pub use seam::{Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Seam, SeamStart, Side, TJoint};
+pub use seam::{Direction as WeldDirection, Ellipse, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};
 pub use space_seam::{Helix, Spline};
+pub use span::Span;
 pub use span_value::{Ramp, SpanValue};
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use taught::Taught;

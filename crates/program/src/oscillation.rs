@@ -1,4 +1,4 @@
-use crate::{Dwells, Figure, Pass};
+use crate::weave::{Dwells, Figure};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_message::{Message, Unit};
@@ -55,9 +55,9 @@ impl Oscillation {
         (across, along + periods * self.advance(speed))
     }
 
-    /// Describes gaps that the oscillation leaves in `pass`, with the operator action.
-    pub fn gaps(&self, pass: &Pass) -> Option<(Message, Message)> {
-        let (spot, (_, fastest)) = (self.spot_mm?.get(), pass.speeds());
+    /// Describes gaps that the oscillation leaves at `fastest` mm/s, with the operator action.
+    pub fn gaps(&self, fastest: f64) -> Option<(Message, Message)> {
+        let spot = self.spot_mm?.get();
         let advance = self.advance(fastest);
         (advance > spot).then(|| {
             let frequency = (1e4 * fastest / spot).ceil() * 1e-4;
@@ -71,7 +71,8 @@ impl Oscillation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Program;
+    use crate::document::Program;
+    use crate::pass::Pass;
     use std::f64::consts::TAU;
 
     fn text(oscillation: &str) -> String {
@@ -101,7 +102,7 @@ mod tests {
     #[test]
     fn gaps_are_told_with_the_frequency_that_closes_them() {
         let with = |spot: &str| pass(&format!("across_mm = 2\nfrequency_hz = 500\n{spot}")).unwrap();
-        let gaps = |pass: &Pass| pass.oscillation.unwrap().gaps(pass);
+        let gaps = |pass: &Pass| pass.oscillation.unwrap().gaps(pass.speeds().1);
         assert!(gaps(&with("")).is_none() && gaps(&with("spot_mm = 0.02")).is_none());
         let (message, cure) = gaps(&with("spot_mm = 0.0199")).unwrap();
         assert!(

@@ -1,9 +1,19 @@
-use crate::{
-    ArcTime, AtCorner, Bead, Oscillation, Points, ProcessValues, Repeat, Sequence, SpanValue, SpareAxes, Tolerance,
-    Torch, Weave,
-};
+use crate::arc_time::ArcTime;
+use crate::at_corner::AtCorner;
+use crate::bead::Bead;
+use crate::keyed::Keyed;
+use crate::oscillation::Oscillation;
+use crate::points::Points;
+use crate::repeat::Repeat;
+use crate::sequence::Sequence;
+use crate::span::Span;
+use crate::span_value::SpanValue;
+use crate::spare_axes::SpareAxes;
+use crate::tolerance::Tolerance;
+use crate::torch::Torch;
+use crate::weave::Weave;
 use schemars::JsonSchema;
-use seamwright_document::{NonNegative, Positive};
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 
@@ -66,22 +76,6 @@ pub struct Pass {
     /// Parts of the pass, one after the other without a gap; of a pass through points they follow from these.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub spans: Vec<Span>,
-}
-
-/// Part of a pass along the seam with its speed and process values.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Span {
-    /// Path length at which it begins, mm from the start of the pass.
-    pub from_mm: NonNegative,
-    /// Path length at which it ends, mm.
-    pub to_mm: Positive,
-    /// Speed of the torch tip along its way, relative to the work, mm/s: a number or a ramp `{ from = .., to = .. }`
-    /// linear in path length.
-    pub speed_mm_s: SpanValue<Positive>,
-    /// Process values over the span, each a number or a ramp `{ from = .., to = .. }` linear in path length.
-    #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
-    pub process: ProcessValues,
 }
 
 fn is_first(copy: &usize) -> bool {
@@ -218,10 +212,32 @@ impl Pass {
     }
 }
 
-impl Span {
-    /// The part of the span, from 0 to 1, that lies before path length `s`.
-    pub fn part(&self, s: f64) -> f64 {
-        let (from, to) = (self.from_mm.get(), self.to_mm.get());
-        ((s - from) / (to - from)).clamp(0.0, 1.0)
+impl Pass {
+    /// Refuses keys that only passes along a seam have, in a pass through points at `path` of a file.
+    ///
+    /// # Errors
+    /// With the key's address.
+    pub(crate) fn check_through_points<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let given = [
+            ("spans", !self.spans.is_empty()),
+            ("begin_mm", self.begin_mm.get() > 0.0),
+            ("reverse", self.reverse),
+            ("least_speed_mm_s", self.least_speed_mm_s.is_some()),
+            ("torch", self.torch != Torch::default()),
+            ("bead", self.bead.is_some()),
+            ("weave", self.weave.is_some()),
+            ("oscillation", self.oscillation.is_some()),
+        ];
+        if let Some((key, _)) = given.into_iter().find(|(_, given)| *given) {
+            let message = Message::new("program-key-of-seam-passes");
+            let allowed = Message::new("program-leave-out-key-or-points");
+            return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
+        }
+        let tolerance = Keyed { key: &format!("{path}.tolerance"), value: &self.tolerance };
+        self.corner.check(file, &format!("{path}.corner"), tolerance)?;
+        let columns = self.points.as_ref().map(Points::known_columns);
+        let process = columns.into_iter().flat_map(|c| c.process);
+        let process = process.map(|(name, _)| (name, SpanValue::Steady(Finite::default()))).collect();
+        self.sequence.check(file, &format!("{path}.sequence"), &process)
     }
 }

@@ -1,6 +1,11 @@
 //! Parts of a pass, and a pass the other way round.
 
-use crate::{Pass, PathRange, ProcessValues, Ramp, SAME_POSITION_MM, Span, SpanValue, is_beyond};
+use crate::pass::Pass;
+use crate::path_length::{SAME_POSITION_MM, is_beyond};
+use crate::path_range::PathRange;
+use crate::process::ProcessValues;
+use crate::span::Span;
+use crate::span_value::{Ramp, SpanValue};
 use seamwright_document::{Finite, NonNegative, Positive};
 
 impl Pass {

@@ -1,6 +1,6 @@
 //! Seams in a plane.
 
-use crate::FilletOrButt;
+use crate::joint::FilletOrButt;
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};

@@ -1,7 +1,8 @@
 //! Passes through points: a table of poses or axis positions with times and process values, as part programs and taught
 //! programs have them.
 
-use crate::{Keyed, Pass, ProcessValues, Ramp, SpanValue, Torch, check_process_name};
+use crate::process::{ProcessValues, check_process_name};
+use crate::span_value::{Ramp, SpanValue};
 use schemars::JsonSchema;
 use seamwright_document::{Bound, Direction, Document, DocumentError, Finite, Point};
 use seamwright_message::{Message, Unit};
@@ -368,36 +369,6 @@ impl Points {
     /// Index of a column that is there.
     fn column(&self, name: &str) -> usize {
         self.columns.iter().position(|c| c == name).unwrap_or(0)
-    }
-}
-
-impl Pass {
-    /// Refuses keys that only passes along a seam have, in a pass through points at `path` of a file.
-    ///
-    /// # Errors
-    /// With the key's address.
-    pub(crate) fn check_through_points<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
-        let given = [
-            ("spans", !self.spans.is_empty()),
-            ("begin_mm", self.begin_mm.get() > 0.0),
-            ("reverse", self.reverse),
-            ("least_speed_mm_s", self.least_speed_mm_s.is_some()),
-            ("torch", self.torch != Torch::default()),
-            ("bead", self.bead.is_some()),
-            ("weave", self.weave.is_some()),
-            ("oscillation", self.oscillation.is_some()),
-        ];
-        if let Some((key, _)) = given.into_iter().find(|(_, given)| *given) {
-            let message = Message::new("program-key-of-seam-passes");
-            let allowed = Message::new("program-leave-out-key-or-points");
-            return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
-        }
-        let tolerance = Keyed { key: &format!("{path}.tolerance"), value: &self.tolerance };
-        self.corner.check(file, &format!("{path}.corner"), tolerance)?;
-        let columns = self.points.as_ref().map(Points::known_columns);
-        let process = columns.into_iter().flat_map(|c| c.process);
-        let process = process.map(|(name, _)| (name, SpanValue::Steady(Finite::default()))).collect();
-        self.sequence.check(file, &format!("{path}.sequence"), &process)
     }
 }
 

@@ -1,4 +1,4 @@
-use crate::SpanValue;
+use crate::span_value::SpanValue;
 use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_message::{Message, Unit};
 use std::collections::BTreeMap;
@@ -134,7 +134,8 @@ pub fn check_process<T>(file: &Document<T>, path: &str, values: &ProcessValues) 
 
 #[cfg(test)]
 mod tests {
-    use crate::{ArcTime, Program};
+    use crate::arc_time::ArcTime;
+    use crate::document::Program;
 
     const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n\
         [seam.nozzle.body.cylinder]\nradius_mm = 800\n[[passes]]\nname = \"root\"\n[passes.sequence]\n\

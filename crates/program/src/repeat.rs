@@ -1,6 +1,5 @@
 //! Passes welded several times.
 
-use crate::{Pass, Program};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use seamwright_document::in_serde;
 use seamwright_message::Message;
@@ -59,17 +58,5 @@ impl JsonSchema for Repeat {
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({ "type": "integer", "minimum": 1, "maximum": Self::MAX })
-    }
-}
-
-impl Program {
-    /// The program with each pass as many times as it is welded; the names of repeated ones end in " 1", " 2" and so on.
-    pub fn expanded(&self) -> Self {
-        let times = |pass: &Pass| {
-            let count = pass.repeat.get();
-            let name = |i: u16| if count == 1 { pass.name.clone() } else { format!("{} {i}", pass.name) };
-            (1..=count).map(|i| Pass { name: name(i), repeat: Repeat::default(), ..pass.clone() }).collect::<Vec<_>>()
-        };
-        Self { passes: self.passes.iter().flat_map(times).collect(), ..self.clone() }
     }
 }

@@ -1,4 +1,8 @@
-use crate::{Arc, Branch, Circle, Helix, Nozzle, Polyline, RoundedRectangle, Spline};
+use crate::branch::Branch;
+use crate::joint::FilletOrButt;
+use crate::nozzle::Nozzle;
+use crate::plane_seam::{Arc, Circle, Polyline, RoundedRectangle};
+use crate::space_seam::{Helix, Spline};
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, Finite, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};
@@ -73,17 +77,6 @@ pub struct Ellipse {
     /// `fillet`: a tube stands on the plate and is welded outside; `butt`: both parts lie in the plate's plane.
     #[serde(default)]
     pub joint: FilletOrButt,
-}
-
-/// Kind of joint along a seam in a plane.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum FilletOrButt {
-    /// A wall stands on the plate.
-    #[default]
-    Fillet,
-    /// Both parts lie in one plane.
-    Butt,
 }
 
 /// A straight seam between two flat faces.

@@ -1,4 +1,4 @@
-use crate::{ProcessValues, check_process_value};
+use crate::process::{ProcessValues, check_process_value};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};

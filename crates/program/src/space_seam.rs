@@ -1,6 +1,7 @@
 //! Seams that curve through space.
 
-use crate::{FilletOrButt, WallFaces};
+use crate::joint::FilletOrButt;
+use crate::plane_seam::WallFaces;
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, Finite, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};

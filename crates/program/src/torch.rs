@@ -1,4 +1,4 @@
-use crate::PathRange;
+use crate::path_range::PathRange;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::Finite;

@@ -1,6 +1,7 @@
 //! Positions at which the torch itself would have to jump: no machine's axes can follow it there.
 
-use crate::{Finding, TorchPath};
+use crate::finding::Finding;
+use crate::torch::TorchPath;
 use seamwright_geometry::Pose;
 use seamwright_message::{Message, Unit};
 

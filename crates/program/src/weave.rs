@@ -1,6 +1,9 @@
 //! Weaving of the torch, and the figures that it or a deflected beam goes through.
 
-use crate::{AtCorner, Keyed, ProcessValues, Span};
+use crate::at_corner::AtCorner;
+use crate::keyed::Keyed;
+use crate::process::ProcessValues;
+use crate::span::Span;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
@@ -211,7 +214,7 @@ impl Weave {
             let allowed = Message::new("program-figures-with-length");
             return wrong("length_mm", "program-figure-without-length", allowed);
         }
-        crate::check_process(file, &format!("{path}.at_sides"), &self.at_sides)?;
+        crate::process::check_process(file, &format!("{path}.at_sides"), &self.at_sides)?;
         if let Some(name) = self.at_sides.iter().find_map(|(name, value)| value.is_ramp().then_some(name)) {
             let allowed = Message::new("document-number");
             return wrong(&format!("at_sides.{name}"), "program-sides-not-steady", allowed);

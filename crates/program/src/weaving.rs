@@ -5,7 +5,10 @@
 //! the requested speed are those of the centre line. `TorchPath::slower` gives the path with a slower weave, or without
 //! one.
 
-use crate::{Pass, SAME_POSITION_MM, Span, Swing, Weave};
+use crate::pass::Pass;
+use crate::path_length::SAME_POSITION_MM;
+use crate::span::Span;
+use crate::weave::{Swing, Weave};
 
 /// The weave of a pass, by the pass' path length `s`.
 #[derive(Debug, Clone, PartialEq)]
@@ -123,7 +126,9 @@ impl Pass {
 #[allow(clippy::float_cmp, reason = "values at the sides are exactly those")]
 mod tests {
     use super::*;
-    use crate::{ArcTime, Dwells, Figure, Program};
+    use crate::arc_time::ArcTime;
+    use crate::document::Program;
+    use crate::weave::{Dwells, Figure};
 
     const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n\
         [seam.nozzle.body.cylinder]\nradius_mm = 800\n[[passes]]\nname = \"root\"\n[passes.weave]\n\

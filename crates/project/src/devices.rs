@@ -1,7 +1,6 @@
 //! The devices of a run: those that the machine file names, and simulated ones for the rest.
 
-use crate::Failure;
-use crate::failure::with_hint;
+use crate::failure::{Failure, with_hint};
 use crate::steps::StreamedSteps;
 use seamwright_executive::devices::modbus::{ModbusError, TrafficView};
 #[cfg(target_os = "linux")]

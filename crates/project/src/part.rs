@@ -1,6 +1,6 @@
 //! Position of a simulated part, and whether its passes are tracked.
 
-use crate::Failure;
+use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::planning::Planning;
 use seamwright_executive::tracking::RESERVE;

@@ -1,6 +1,6 @@
 //! Part programs that are proven before anybody sees them.
 
-use crate::Failure;
+use crate::failure::Failure;
 use crate::load::Loaded;
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit, display_by_message};

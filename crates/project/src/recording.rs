@@ -1,6 +1,6 @@
 //! Data recorded of a weld beside its rows.
 
-use crate::Failure;
+use crate::failure::Failure;
 use crate::files;
 use crate::load::Loaded;
 use seamwright_executive::Place;

@@ -1,6 +1,7 @@
 //! Drives by pulses whose pulses go to a file.
 
-use crate::{Failure, files};
+use crate::failure::Failure;
+use crate::files;
 use rtrb::Consumer;
 use seamwright_executive::devices::{Drives, StepDrives};
 use seamwright_executive::{DriveReport, Orders, Slack};

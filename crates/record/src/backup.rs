@@ -1,7 +1,8 @@
-use crate::data_folder::{LEFT_UNFINISHED, UNFINISHED};
-use crate::hash::Hashing;
+use crate::data_folder::{DataFolder, LEFT_UNFINISHED, UNFINISHED};
+use crate::error::{Doing, Error};
+use crate::hash::{Hashing, sha256_of_file};
 use crate::library::Library;
-use crate::{DataFolder, Doing, Error, sha256_of_file};
+use crate::replacement_steps::{LIBRARY, USERS};
 use seamwright_message::{Argument, Message, Unit};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -10,13 +11,8 @@ use std::path::Path;
 
 /// Folders and files of a data folder that go with its library: welds, jobs of the panel, its users.
 const WITH: [&str; 3] = ["welds", "jobs", USERS];
-/// Users with hashes of their passwords.
-pub(crate) const USERS: &str = "users.json";
 /// Bytes that an archive is made of.
 const BLOCK: u64 = 512;
-/// The library in the archive.
-pub(crate) const LIBRARY: &str = "library.sqlite";
-
 /// SHA-256 of every file in the archive, the last one in it.
 const MANIFEST: &str = "manifest.sha256";
 /// Code of the operator action for a changed archive.
@@ -256,8 +252,9 @@ fn unpack(mut file: impl Read + Seek, from: &Path, folder: &Path) -> Result<(), 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hash::sha256_of_file;
     use crate::library::{AuditEntry, DocumentKind};
-    use crate::{Moment, sha256_of_file};
+    use crate::moment::Moment;
 
     fn folder(path: &Path) -> DataFolder {
         let mut data = DataFolder::open(path).unwrap();

@@ -1,9 +1,14 @@
+use crate::error::{Doing, Error};
 use crate::figures::Figures;
+use crate::hash::sha256_of_file;
 use crate::journal::Journal;
 use crate::library::{AuditCheck, DocumentKind, Library, NewWeld, WeldRecord, WeldResult};
-use crate::recording::{hash_of, settle};
-use crate::trace::{self, Trace, recover::is_written};
-use crate::{Doing, Error, Moment, Plan, Recording, joined, private, sha256_of_file};
+use crate::moment::Moment;
+use crate::private;
+use crate::recording::{Plan, Recording, hash_of, settle};
+use crate::stored::joined;
+use crate::trace::recover::is_written;
+use crate::trace::{self, Trace};
 use seamwright_message::{Message, Unit};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -57,7 +62,7 @@ impl DataFolder {
     /// # Errors
     /// If it cannot be written, or its library cannot be opened.
     pub fn open(path: &Path) -> Result<Self, Error> {
-        crate::finish_replacing(path)?;
+        crate::replacement_steps::finish_replacing(path)?;
         let welds = path.join("welds");
         private::folder(&welds).map_err(|e| Error::io(&welds, Doing::Create, e))?;
         for name in PRIVATE {

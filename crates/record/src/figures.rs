@@ -7,7 +7,7 @@
 
 mod tally;
 
-use crate::Error;
+use crate::error::Error;
 use crate::trace::Trace;
 use serde::{Deserialize, Serialize};
 use tally::Tally;

@@ -1,4 +1,4 @@
-use crate::{Doing, Error};
+use crate::error::{Doing, Error};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 use std::fs::File;

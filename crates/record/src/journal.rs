@@ -13,7 +13,8 @@
 //! | 32 | corrections (mm): of each head lateral, height |
 //! | 4 | CRC-32 of all this |
 
-use crate::{Doing, Error, private, whole_file};
+use crate::error::{Doing, Error};
+use crate::{private, whole_file};
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};

@@ -1,7 +1,12 @@
+use crate::data_folder::DataFolder;
+use crate::error::{Doing, Error};
 use crate::figures::{Basis, Figures, HEAT_INPUT};
+use crate::hash::{sha256, sha256_of_file};
 use crate::library::{WeldEnd, WeldFile, WeldRecord, WeldResult};
+use crate::moment::Moment;
+use crate::stored::joined;
 use crate::trace::{Column, Trace, TraceWriter};
-use crate::{DataFolder, Doing, Error, Moment, joined, sha256, sha256_of_file, whole_file};
+use crate::whole_file;
 use seamwright_message::{Message, Unit};
 use std::fs;
 use std::io::Write;

@@ -4,7 +4,7 @@
 //! and owner of a file that it replaces. It writes to pipes and character devices instead of putting a file in their
 //! place.
 
-use crate::{Doing, Error};
+use crate::error::{Doing, Error};
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -1,12 +1,10 @@
 //! The parts of a page.
 
-use crate::Words as _;
-use seamwright_message::Message;
-use std::fmt::Write;
-
-use crate::Language;
 use crate::icon;
 use crate::text::{escape, minus};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message};
+use std::fmt::Write;
 
 /// One part of a page, in reading order.
 #[derive(Debug, Clone, PartialEq)]

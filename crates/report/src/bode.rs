@@ -1,8 +1,12 @@
 //! A Bode plot: magnitude and phase over logarithmic frequency, with the margins drawn in.
 
+use crate::chart::{Axis, Chart};
+use crate::grid::ChartGrid;
+use crate::limit::LimitLine;
 use crate::number::Significant as _;
-use crate::{Axis, Chart, ChartGrid, Language, LimitLine, Series, Style, Words as _};
-use seamwright_message::{Message, Unit};
+use crate::series::{Series, Style};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 
 /// Magnitude and phase of an open loop, with its margins.
 #[derive(Debug, Clone, PartialEq, Default)]

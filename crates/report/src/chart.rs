@@ -1,6 +1,5 @@
 //! A chart: curves over one axis, against limits.
 
-use crate::Language;
 use crate::domain::{Domain, usable};
 use crate::legend::{Entry, Legend, ROW};
 use crate::limit::{self, LimitLine};
@@ -8,6 +7,7 @@ use crate::plot::{Plot, Scale};
 use crate::series::Series;
 use crate::svg::{Anchor, Rect, Svg, WIDTH};
 use crate::text::{fit, width};
+use seamwright_message::Language;
 
 /// Quantity and unit of an axis.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

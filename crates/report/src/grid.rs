@@ -1,11 +1,11 @@
 //! Small charts over one x axis.
 
-use crate::Words as _;
 use crate::chart::{Chart, with_unit};
 use crate::legend::{Entry, Legend, ROW};
 use crate::plot::{Plot, Scale};
 use crate::svg::{Anchor, Rect, Svg, WIDTH};
 use crate::text::{fit, width};
+use crate::words::Words as _;
 
 /// Small multiples: charts that share an x axis. For example one row per machine axis, with position, speed and
 /// acceleration.

@@ -1,12 +1,11 @@
 //! Layout of three views and a pictorial one, and the mapping from space to them.
 
-use crate::Language;
-use crate::Words as _;
 use crate::domain::{Domain, usable};
 use crate::projection::Projection::{self, Front, Pictorial, Side, Top};
 use crate::svg::{Anchor, EDGE, Rect, Svg, WIDTH};
 use crate::ticks::Ticks;
-use seamwright_message::Unit;
+use crate::words::Words as _;
+use seamwright_message::{Language, Unit};
 
 /// Height above a view for its name, px.
 pub(crate) const HEAD: f64 = 20.0;

@@ -81,4 +81,3 @@ pub use views::{Mark, ThreeViews};
 pub use weld::{
     CertificateFigures, PassFigures, Plots, PostFigures, SimulationCurves, TaughtPlot, WeldReport, sections,
 };
-pub(crate) use words::Words;

@@ -1,9 +1,8 @@
 //! Horizontal limits of a chart.
 
-use crate::Language;
 use crate::domain::{Domain, usable};
 use crate::number;
-use seamwright_message::Message;
+use seamwright_message::{Language, Message};
 
 /// A value that the data should not cross.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,7 +1,6 @@
 //! Numbers as text, and as arguments of messages.
 
-use crate::Language;
-use seamwright_message::{Argument, Message, Quantity, Unit};
+use seamwright_message::{Argument, Language, Message, Quantity, Unit};
 
 /// Writes `value` with up to `digits` significant digits, a decimal point and no trailing zeros.
 ///

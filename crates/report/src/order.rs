@@ -1,7 +1,6 @@
-use crate::Language;
 use crate::number::px;
 use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
-use seamwright_message::Message;
+use seamwright_message::{Language, Message};
 
 /// Height of title and key above the drawing, px.
 const HEAD: f64 = 44.0;

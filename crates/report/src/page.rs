@@ -1,13 +1,12 @@
 //! The report as one HTML file.
 
-use crate::Words as _;
-use std::fmt::Write;
-
-use crate::Language;
 use crate::block::{Block, Counters};
 use crate::icon;
 use crate::style::page_sheet;
 use crate::text::{escape, fit};
+use crate::words::Words as _;
+use seamwright_message::Language;
+use std::fmt::Write;
 
 /// Result of the report.
 #[derive(Debug, Clone, PartialEq, Eq)]

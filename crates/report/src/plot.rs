@@ -1,7 +1,5 @@
 //! The plot area of a chart: grid, bands, limits, curves and the labels around it.
 
-use crate::Language;
-use crate::Words as _;
 use crate::chart::{Chart, STRIP};
 use crate::domain::{Domain, usable};
 use crate::limit::{self, LimitLine};
@@ -11,6 +9,8 @@ use crate::series;
 use crate::svg::{Anchor, EDGE, Rect, Svg};
 use crate::text::{fit, minus, width};
 use crate::ticks::Ticks;
+use crate::words::Words as _;
+use seamwright_message::Language;
 
 /// Size of tick and limit labels, px.
 const SMALL: f64 = 11.0;

@@ -1,4 +1,4 @@
-use crate::Chart;
+use crate::chart::Chart;
 use crate::svg::Svg;
 
 /// Gap between two charts of a sheet, px.

@@ -1,12 +1,10 @@
 //! Writing of SVG elements.
 
-use std::fmt::Write;
-
-use crate::Language;
 use crate::number::px;
 use crate::style;
 use crate::text::{escape, minus, width};
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
+use std::fmt::Write;
 
 /// Width of every drawing, px; one px is one CSS pixel at 100 %.
 pub(crate) const WIDTH: f64 = 920.0;

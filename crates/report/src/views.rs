@@ -1,7 +1,5 @@
 //! A curve in space, drawn in three views.
 
-use crate::Language;
-use crate::Words as _;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::place::{self, Size};
@@ -10,6 +8,8 @@ use crate::series::{self, Style};
 use crate::svg::{Anchor, Rect, Svg, WIDTH};
 use crate::text::{fit, width};
 use crate::thin::thin;
+use crate::words::Words as _;
+use seamwright_message::Language;
 
 /// A named point, such as the start of the weld.
 #[derive(Debug, Clone, PartialEq, Default)]

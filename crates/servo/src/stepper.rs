@@ -1,6 +1,6 @@
 //! A stepper motor that loses steps when the demand exceeds its torque curve.
 
-use crate::Error;
+use crate::error::Error;
 use std::f64::consts::{PI, TAU};
 
 /// Full steps of an electrical period, the unit of a rotor's slip.

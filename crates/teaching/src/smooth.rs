@@ -1,5 +1,4 @@
-use crate::line::Source;
-use crate::line::{GAP_MM, RawPoint, TaughtLine};
+use crate::line::{GAP_MM, RawPoint, Source, TaughtLine};
 use glam::DVec3;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 use std::ops::Range;

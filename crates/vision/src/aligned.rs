@@ -1,6 +1,7 @@
 //! Numbers that are loaded and stored several at a time.
 
-use crate::wide::{LANES, Simd};
+use crate::wide::LANES;
+use pulp::Simd;
 use std::ops::{Deref, DerefMut};
 
 /// Bytes of a cache line.
@@ -92,7 +93,8 @@ impl<'a, const N: usize> IntoIterator for &'a mut Aligned<N> {
 mod tests {
     use super::*;
     use crate::testing::random;
-    use crate::wide::{Scalar, Work, wide};
+    use crate::wide::{Work, wide};
+    use pulp::Scalar;
 
     struct Dot<'a> {
         a: &'a Aligned<32>,

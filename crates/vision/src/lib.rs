@@ -39,5 +39,4 @@ pub mod stripe;
 mod testing;
 mod wide;
 
-use frame::Size;
 pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};

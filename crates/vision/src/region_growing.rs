@@ -4,7 +4,7 @@
 //! mean brightness is nearest to the joint's gives the direction. Its first pixel joins the region if it is homogeneous
 //! with it. The region then grows across the heading; its middle is the midline.
 
-use crate::{Frame, Pixels};
+use crate::frame::{Frame, Pixels};
 
 /// Pixels per group.
 const GROUP: usize = 10;

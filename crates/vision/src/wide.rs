@@ -1,7 +1,6 @@
 //! Loops compiled for the widest SIMD instructions of this computer.
 
-use pulp::{Arch, WithSimd};
-pub(crate) use pulp::{Scalar, Simd};
+use pulp::{Arch, Simd, WithSimd};
 
 /// 32-bit numbers that SIMD loops process at a time.
 pub(crate) const LANES: usize = 8;
@@ -34,6 +33,7 @@ impl<W: Work> WithSimd for Compiled<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pulp::Scalar;
 
     struct Polynomial<'a> {
         x: &'a [f32],

@@ -1,6 +1,6 @@
 use crate::allowed::{more_than, on_weld, strictly_between};
-use crate::stretch::repeated;
-use crate::{SeamCurve, SeamPoint};
+use crate::periodic_places::repeated;
+use crate::seam::{SeamCurve, SeamPoint};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::MonotoneCurve;

@@ -1,6 +1,8 @@
 use crate::allowed::{at_most, between, on_weld, rounded};
-use crate::stretch::repeated;
-use crate::{PassKeys, SeamCurve, SeamPoint, Stretch};
+use crate::pass_keys::PassKeys;
+use crate::periodic_places::repeated;
+use crate::seam::{SeamCurve, SeamPoint};
+use crate::stretch::Stretch;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_geometry::CubicSpline;

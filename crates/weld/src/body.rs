@@ -1,9 +1,9 @@
 //! The bodies that nozzles stand on, from the keys of a job or program: their outside, and the inside of their wall.
 
 use crate::allowed::{by_key, more_than, strictly_between};
-use crate::head;
+use crate::{head, plane};
 use glam::DVec3;
-use seamwright_document::{Document, DocumentError, Positive};
+use seamwright_document::{Direction, Document, DocumentError, Positive};
 use seamwright_geometry::{
     Edge, Error, Head, HeadIntersection, Quadric, QuadricDistance, SignedDistance, Torus, TorusIntersection, Tube,
     TubeIntersection,
@@ -209,4 +209,9 @@ pub(crate) fn thickness<T>(file: &Document<T>, body: &Body) -> Result<f64, Docum
         return Err(file.error_at(&path, Message::new("weld-wall-leaves-no-room"), allowed));
     }
     Ok(given)
+}
+
+/// A tube whose angle phi counts from `zero`; without one from x, or from y on a tube along x.
+pub(crate) fn tube(origin: DVec3, direction: DVec3, zero: Option<Direction>, radius: f64) -> Result<Tube, Error> {
+    Tube::new(origin, direction, plane::zero(direction, zero), radius)
 }

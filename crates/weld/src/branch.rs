@@ -1,7 +1,7 @@
 //! Tubes that branch off a chord along x, from the keys of a job or program.
 
 use crate::allowed::{between, by_key};
-use crate::seam::tube;
+use crate::body::tube;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, Positive};
 use seamwright_geometry::{Edge, Error, Quadric, TrimmedIntersection, Tube, TubeIntersection};

@@ -1,5 +1,5 @@
 use crate::allowed::not_along;
-use crate::seam::tube;
+use crate::body::tube;
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{Curve, Edge, EdgePoint, Jet, Quadric, TubeIntersection};
 use seamwright_message::{Message, Unit};

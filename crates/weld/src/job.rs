@@ -1,15 +1,15 @@
 use crate::allowed::by_key;
-use crate::stations::{Station, spans};
-use crate::{Beads, Cosmetic, Rows, SeamCurve, Tacks, WeldOrder, order};
+use crate::beads::Beads;
+use crate::order::{self, Cosmetic, Rows, Tacks, WeldOrder};
+use crate::stations::Station;
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
-use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
+use seamwright_document::{Document, DocumentError, Positive, SchemaVersion, Transform};
 use seamwright_message::Message;
 use seamwright_program::{
-    AtCorner, Clearance, Joint, Keyed, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Repeat, Seam,
-    SeamCopy, SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, TransferMoves, Variables, Weave, check_offset,
-    check_process,
+    AtCorner, Clearance, Joint, Keyed, Offsets, OnLimit, Oscillation, Part, ProcessValues, Seam, SeamCopy, SeamStart,
+    Sequence, SpareAxes, Taught, Tolerance, Torch, TransferMoves, Weave, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -174,54 +174,5 @@ impl Job {
         let chosen = self.offset.as_ref().and_then(|name| self.offsets.get(name));
         let placement = self.copies.first().map_or(&self.placement, |copy| &copy.placement);
         chosen.map_or(DAffine3::IDENTITY, Transform::affine) * placement.affine()
-    }
-
-    /// The program that welds `job` along its `seam`, in one pass; without its procedure, which is a file of its own.
-    ///
-    /// # Errors
-    /// With the key's address: a weld without length, stations that are wrong.
-    pub fn program(job: &Document<Self>, seam: &SeamCurve) -> Result<Program, DocumentError> {
-        let j = &job.value;
-        let pass = Pass {
-            name: "pass 1".to_owned(),
-            role: None,
-            repeat: Repeat::default(),
-            copy: 0,
-            begin_mm: NonNegative::default(),
-            reverse: false,
-            on_limit: j.weld.on_limit,
-            least_speed_mm_s: j.weld.least_speed_mm_s,
-            corner: j.weld.corner,
-            sequence: j.sequence.clone(),
-            torch: j.torch.clone(),
-            tolerance: j.tolerance,
-            spare_axes: j.spare_axes.clone(),
-            bead: None,
-            weave: j.weld.weave.clone(),
-            oscillation: j.weld.oscillation,
-            points: None,
-            spans: spans(job, seam)?,
-        };
-        let copies = order::copies(job)?;
-        Ok(Program {
-            schema: SchemaVersion,
-            title: j.title.clone(),
-            machine: j.machine.clone(),
-            variables: Variables::new(),
-            offset: j.offset.clone(),
-            offsets: j.offsets.clone(),
-            placement: if copies.is_empty() { j.placement } else { Transform::default() },
-            copies,
-            seam: Some(j.seam.clone()),
-            start: j.start,
-            joint: j.joint.clone(),
-            taught: j.taught.clone(),
-            part: j.part.clone(),
-            fixtures: j.fixtures.clone(),
-            clearance: j.clearance,
-            air: j.air,
-            procedure: None,
-            passes: vec![pass],
-        })
     }
 }

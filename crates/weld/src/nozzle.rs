@@ -1,6 +1,5 @@
 use crate::allowed::{by_key, not_along};
-use crate::body::Shell;
-use crate::seam::tube;
+use crate::body::{Shell, tube};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_geometry::{Curve, Edge, EdgePoint, Jet, SignedDistance, Tube};

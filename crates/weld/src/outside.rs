@@ -1,6 +1,6 @@
 //! Data outside a job's file: tables in files, and the torch poses of its machine's axes.
 
-use crate::MachineAxes;
+use crate::points::MachineAxes;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Direction, Document, DocumentError, Point};
 use seamwright_message::Message;

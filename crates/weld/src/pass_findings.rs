@@ -1,6 +1,6 @@
 //! Findings against a pass that need no machine.
 
-use crate::PassPath;
+use crate::pass_path::PassPath;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, TorchPath, torch_jumps};
 

@@ -1,4 +1,4 @@
-use crate::Job;
+use crate::job::Job;
 use seamwright_program::{Pass, Role};
 
 /// Keys of a pass' values in its file, so that an error names a key that exists.

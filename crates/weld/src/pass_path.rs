@@ -1,4 +1,7 @@
-use crate::{Attitude, BeadLine, SeamCurve, SeamPoint, Stretch};
+use crate::attitude::Attitude;
+use crate::bead_line::BeadLine;
+use crate::seam::{SeamCurve, SeamPoint};
+use crate::stretch::Stretch;
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_program::{Groove, TorchPath, Weaving, is_same_position};

@@ -2,14 +2,12 @@ use crate::allowed::{at_most, between, not_along, other_point, rounded};
 use crate::angles::Angles;
 use crate::branch::Joint;
 use crate::nozzle::OnBody;
-use crate::stretch::repeated;
+use crate::periodic_places::repeated;
 use crate::taught::{TaughtEdge, TaughtSpan};
 use crate::{girth, plane, space, spline, t_joint};
 use glam::DVec3;
-use seamwright_document::{Direction, Document, DocumentError};
-use seamwright_geometry::{
-    ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Tube,
-};
+use seamwright_document::{Document, DocumentError};
+use seamwright_geometry::{ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, FaceRule, Line};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{
     MAX_SEAM_MM, PathRange, SAME_POSITION_MM, Seam, SeamStart, Side, Taught, WallFaces, WeldDirection, is_before,
@@ -328,9 +326,4 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
         }
         Seam::TJoint(joint) => t_joint::edge(file, joint),
     }
-}
-
-/// A tube whose angle phi counts from `zero`; without one from x, or from y on a tube along x.
-pub(crate) fn tube(origin: DVec3, direction: DVec3, zero: Option<Direction>, radius: f64) -> Result<Tube, Error> {
-    Tube::new(origin, direction, plane::zero(direction, zero), radius)
 }

@@ -1,7 +1,7 @@
 //! Seams that curve through space.
 
 use crate::allowed::{at_most, more_than, not_along};
-use crate::seam::tube;
+use crate::body::tube;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{self as geometry, CurvedEdge, FaceRule};
 use seamwright_message::{Message, Unit};

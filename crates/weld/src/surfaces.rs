@@ -1,6 +1,6 @@
+use crate::body::tube;
 use crate::branch::Joint;
 use crate::nozzle::OnBody;
-use crate::seam::tube;
 use crate::t_joint;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};

@@ -1,7 +1,7 @@
 //! Taught spans: parts of a seam replaced by cubic splines through taught points (SADDLE-2020).
 
-use crate::SeamCurve;
 use crate::allowed::{at_most, by_key, rounded};
+use crate::seam::SeamCurve;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{Along, Curve, Edge, EdgePoint, End, Ends, Jet, Spline, chord_lengths};

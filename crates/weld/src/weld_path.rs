@@ -1,4 +1,5 @@
-use crate::{PassPath, PointPath};
+use crate::pass_path::PassPath;
+use crate::points::PointPath;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_program::{AxisPositions, Groove, PathRange, TorchPath};

@@ -1,9 +1,17 @@
-use crate::beads::WeldValues;
-use crate::outside::{fetch, forget};
-use crate::{
-    Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassKeys, PassPath, PointPath, SeamCurve, SeamJoint,
-    Stretch, WeldPath, order, procedure,
-};
+use crate::attitude::Attitude;
+use crate::bead_line::BeadLine;
+use crate::beads::{BeadPlan, WeldValues};
+use crate::cut::Cut;
+use crate::job::Job;
+use crate::joint::SeamJoint;
+use crate::outside::{NoFiles, Outside, fetch, forget};
+use crate::pass_keys::PassKeys;
+use crate::pass_path::PassPath;
+use crate::points::PointPath;
+use crate::seam::SeamCurve;
+use crate::stretch::Stretch;
+use crate::weld_path::WeldPath;
+use crate::{order, procedure};
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, PathRange, Program, Role, Weaving};
@@ -202,7 +210,7 @@ fn on_pass(pass: &Pass, seam: &SeamCurve, range: PathRange) -> Option<PathRange>
 
 /// Reports gaps that the oscillation of the beam leaves in pass `number`.
 fn gaps(pass: &Pass, number: usize) -> Option<Finding> {
-    let (message, cure) = pass.oscillation.as_ref()?.gaps(pass)?;
+    let (message, cure) = pass.oscillation.as_ref()?.gaps(pass.speeds().1)?;
     let (from_mm, to_mm) = (0.0, pass.length());
     Some(Finding { kind: "oscillation", message, pass: number, from_mm, to_mm, cure: Some(cure), allowed: false })
 }

@@ -1,7 +1,6 @@
 //! Checks that triangles form a closed surface, and orients them.
 
-use crate::ClearanceError;
-use crate::shape::FARTHEST_MM;
+use crate::error::{ClearanceError, FARTHEST_MM};
 use glam::DVec3;
 use std::collections::HashMap;
 

@@ -1,8 +1,8 @@
 //! Arguments of `seamwright machine`.
 
-use super::KinematicsArgs;
 use super::io::IoArgs;
 use super::move_to::MoveArgs;
+use super::planning::KinematicsArgs;
 use super::run::LatencyArgs;
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;

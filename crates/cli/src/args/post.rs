@@ -52,7 +52,7 @@ pub(crate) struct PostArgs {
     /// Program or job file, or the name of an example
     pub(crate) job: PathBuf,
     #[command(flatten)]
-    pub(crate) planning: super::PlanningArgs,
+    pub(crate) planning: super::planning::PlanningArgs,
     /// The control
     #[arg(long, value_enum)]
     pub(crate) dialect: DialectArg,

@@ -15,7 +15,7 @@ pub(crate) struct PulsesArgs {
     /// Job or program file, or the name of an example
     pub(crate) job: PathBuf,
     #[command(flatten)]
-    pub(crate) planning: super::PlanningArgs,
+    pub(crate) planning: super::planning::PlanningArgs,
     /// Period of the set-points, ms, a whole number of ticks [default: the machine's servo period]
     #[arg(long, value_name = "T")]
     pub(crate) period_ms: Option<f64>,

@@ -1,7 +1,7 @@
 //! Arguments of `seamwright run` and `seamwright machine latency`.
 
-use super::PlanningArgs;
 use super::part::PartArgs;
+use super::planning::PlanningArgs;
 use super::records::RecordArgs;
 use clap::Args;
 use seamwright_executive::Place;

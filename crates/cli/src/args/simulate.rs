@@ -1,7 +1,7 @@
 //! Arguments of `seamwright simulate`.
 
-use super::PlanningArgs;
 use super::part::PartArgs;
+use super::planning::PlanningArgs;
 use super::records::RecordArgs;
 use clap::Args;
 use std::path::PathBuf;

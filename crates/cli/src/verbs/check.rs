@@ -1,11 +1,11 @@
 use crate::args::CheckArgs;
-use crate::failure::{Failure, write_findings};
-use crate::load::load;
 use crate::planning;
 use crate::refusals::error_text;
 use crate::rows::{print_json, print_text};
 use seamwright_message::{Language, Message};
 use seamwright_program::Finding;
+use seamwright_project::failure::{Failure, write_findings};
+use seamwright_project::load::load;
 use serde_json::{Value, json};
 use std::io;
 use std::path::Path;

@@ -2,9 +2,6 @@
 
 use super::positive;
 use crate::args::follow::{CornerArg, FollowArgs};
-use crate::csv::CsvReader;
-use crate::failure::Failure;
-use crate::load;
 use crate::refusals::{in_file, not_allowed, unreadable};
 use crate::rows::{Cell, Rows};
 use glam::DVec3;
@@ -14,6 +11,9 @@ use seamwright_message::{Message, Unit};
 use seamwright_motion::speed_profile::{ProfilePoint, ProfileStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
 use seamwright_program::Finding;
+use seamwright_project::csv::CsvReader;
+use seamwright_project::failure::Failure;
+use seamwright_project::load;
 use std::cell::RefCell;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write as _};

@@ -1,4 +1,4 @@
-use crate::load::Loaded;
+use seamwright_project::load::Loaded;
 use seamwright_project::run_rows::head_names;
 use seamwright_simulation::tracking::HeadSample;
 use seamwright_simulation::{Conditions, Sample};

@@ -1,13 +1,13 @@
 mod plot;
 
 use crate::args::{CurveArg, InterpolateArgs, MethodArg, RuleArg, StepArg};
-use crate::failure::Failure;
-use crate::files;
 use crate::refusals::of_option;
 use crate::rows::{Cell, Rows};
 use glam::DVec2;
 use seamwright_message::Message;
 use seamwright_motion::textbook::{AngleRule, EqualStep, Method, Request, Shape, Statistics};
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
 
 const POINT_COLUMNS: [&str; 7] = ["method", "t_s", "phi_deg", "x_mm", "y_mm", "z_mm", "chord_mm"];
 

@@ -2,11 +2,11 @@
 
 use super::positive;
 use crate::args::io::IoArgs;
-use crate::failure::Failure;
-use crate::load::machine;
 use crate::rows::{Cell, Rows};
 use seamwright_executive::devices::modbus::{InspectedRegister, ModbusError, RegisterInspector};
 use seamwright_message::{Language, Message};
+use seamwright_project::failure::Failure;
+use seamwright_project::load::machine;
 use std::time::{Duration, Instant};
 
 const COLUMNS: [&str; 9] = ["t_s", "device", "register", "place", "raw", "value", "unit", "age_s", "trouble"];

@@ -1,12 +1,12 @@
 use crate::args::KinematicsArgs;
-use crate::csv::CsvReader;
-use crate::failure::Failure;
-use crate::load;
 use crate::refusals::refused;
 use crate::rows::{Cell, Rows};
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine, Solution};
 use seamwright_message::{Language, Message};
+use seamwright_project::csv::CsvReader;
+use seamwright_project::failure::Failure;
+use seamwright_project::load;
 use std::io;
 
 const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];

@@ -1,10 +1,10 @@
 use crate::args::run::LatencyArgs;
-use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::refusals::{between, not_allowed};
 use crate::rows::{print_json, print_text};
 use seamwright_executive::realtime::{Latency, Pacer, RealtimeRights};
 use seamwright_message::{Language, Message, Unit};
+use seamwright_project::failure::Failure;
 use std::fmt::Write;
 
 /// Parts of all cycles whose lateness is printed.

@@ -1,11 +1,11 @@
 use crate::args::ListArgs;
-use crate::examples::EXAMPLES;
-use crate::failure::Failure;
 use crate::labels::{columns, padded};
 use crate::rows::{print_json, print_text};
 use seamwright_machine::{Machine, SHIPPED};
 use seamwright_message::Message;
 use seamwright_program::{PROCEDURES, Procedure};
+use seamwright_project::examples::EXAMPLES;
+use seamwright_project::failure::Failure;
 use seamwright_weld::Welding;
 use serde::Serialize;
 use std::fmt::Write;

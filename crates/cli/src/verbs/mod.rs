@@ -35,9 +35,9 @@ pub(crate) mod stripe;
 pub(crate) mod teach;
 mod weld_summary;
 
-use crate::failure::Failure;
 use crate::refusals::not_allowed;
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
 
 /// A number from the command line that must be finite and greater than zero.
 pub(crate) fn positive(name: &str, value: f64) -> Result<f64, Failure> {

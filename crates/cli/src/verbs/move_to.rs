@@ -1,12 +1,12 @@
 use super::positive;
 use crate::args::move_to::MoveArgs;
-use crate::failure::Failure;
-use crate::load;
 use crate::refusals::{in_file, not_allowed, refused, unit_of};
 use crate::rows::{Cell, Rows};
 use seamwright_machine::{Axis, AxisSet, Clamped, Joints, Machine, Surroundings};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::jog::{PointToPoint, State};
+use seamwright_project::failure::Failure;
+use seamwright_project::load;
 use std::io::{self, Write};
 
 /// Maximum number of set-points; more are a mistake in the period.

@@ -2,10 +2,10 @@
 
 use super::positive;
 use crate::args::PlacesArgs;
-use crate::failure::Failure;
 use crate::refusals::{between, not_allowed, of_option, refused};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{is_beyond, part_start, parts_of};
+use seamwright_project::failure::Failure;
 use seamwright_weld::SeamCurve;
 
 /// Maximum number of points along a seam.

@@ -1,8 +1,5 @@
 use super::positive;
 use crate::args::post::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArgs};
-use crate::failure::Failure;
-use crate::files;
-use crate::load::{Loaded, load};
 use crate::planning;
 use crate::refusals::{at_least, at_most, between, not_allowed, not_json, of_option, refused};
 use crate::rows::print_text;
@@ -10,6 +7,9 @@ use seamwright_document::Positive;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_post::{Control, Dialect, Feed, Interpolation, Level, Options, Verification};
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
+use seamwright_project::load::{Loaded, load};
 use seamwright_project::posting::{self, Unproven};
 use std::io::{self, Write as _};
 

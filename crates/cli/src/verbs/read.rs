@@ -3,16 +3,14 @@
 use super::positive;
 use crate::args::post::LevelArg;
 use crate::args::read::ReadArgs;
-use crate::failure::Failure;
-use crate::files;
-use crate::load;
 use crate::refusals::{in_file, not_json, refused};
 use crate::rows::{print_json, print_text};
 use seamwright_document::Positive;
 use seamwright_message::{Language, Message, Unit};
 use seamwright_post::{Control, Dialect, Level, ReadOptions, Reading, What, read, to_program};
 use seamwright_program::Program;
-use seamwright_project::posting;
+use seamwright_project::failure::Failure;
+use seamwright_project::{files, load, posting};
 use serde::Serialize;
 use std::io::{self, Write as _};
 

@@ -1,12 +1,12 @@
 //! Destination of a weld's rows: a trace in the output folder, or a recording in the library that is copied there.
 
 use crate::args::records::RecordArgs;
-use crate::failure::Failure;
-use crate::files::Output;
-use crate::load::Loaded;
 use crate::refusals::not_json;
 use seamwright_message::Message;
 use seamwright_motion::WeldMotion;
+use seamwright_project::failure::Failure;
+use seamwright_project::files::Output;
+use seamwright_project::load::Loaded;
 use seamwright_project::recording::{Header, Who, most_rows, record_plan};
 use seamwright_record::journal::Journal;
 use seamwright_record::library::{Alarm, AuditEntry, Event, WeldResult};

@@ -4,14 +4,14 @@ pub(super) mod plot;
 
 use super::positive;
 use crate::args::reduce::{MethodArg, ReduceArgs};
-use crate::csv::CsvReader;
-use crate::failure::Failure;
-use crate::files;
 use crate::refusals::{in_file, unreadable};
 use crate::rows::{Cell, Rows, print_json};
 use glam::DVec3;
 use seamwright_geometry::reduce::{MAX_COORDINATE_MM, Method, Reduction, Shape, Span, Tolerances, reduce};
 use seamwright_message::{Message, Unit};
+use seamwright_project::csv::CsvReader;
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use seamwright_report::format_number;
 use serde_json::{Value, json};
 use std::fs::File;

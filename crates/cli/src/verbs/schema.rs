@@ -1,9 +1,9 @@
 use crate::args::{Format, SchemaArgs};
-use crate::failure::Failure;
 use crate::rows::print_json;
 use seamwright_machine::MachineFile;
 use seamwright_program::edit::Operation;
 use seamwright_program::{Procedure, Program};
+use seamwright_project::failure::Failure;
 use seamwright_weld::Job;
 
 pub(crate) fn run(args: &SchemaArgs) -> Result<(), Failure> {

@@ -1,8 +1,8 @@
 use super::places::Places;
 use crate::args::SeamArgs;
-use crate::failure::Failure;
-use crate::load::load;
 use crate::rows::{Cell, Rows};
+use seamwright_project::failure::Failure;
+use seamwright_project::load::load;
 use seamwright_weld::SeamPoint;
 
 const COLUMNS: [&str; 18] = [

@@ -1,11 +1,11 @@
 use super::places::Places;
 use crate::args::SectionArgs;
-use crate::failure::Failure;
-use crate::files;
-use crate::load::load;
 use crate::rows::{Cell, Rows};
 use seamwright_message::Message;
 use seamwright_program::Role;
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
+use seamwright_project::load::load;
 use seamwright_report::{Language, sections};
 use seamwright_weld::Welding;
 

@@ -1,11 +1,11 @@
 use crate::args::serve::{QuestionArgs, ServeArgs};
-use crate::examples::EXAMPLES;
-use crate::failure::Failure;
-use crate::files;
-use crate::load::{load_text, machine};
 use crate::refusals::{not_json, refused};
 use crate::rows::print_text;
 use seamwright_message::Message;
+use seamwright_project::examples::EXAMPLES;
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
+use seamwright_project::load::{load_text, machine};
 use seamwright_server::{Error, Settings, Tls, serve};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};

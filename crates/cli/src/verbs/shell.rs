@@ -2,9 +2,9 @@
 
 use crate::args::Cli;
 use crate::args::shell::{CompletionsArgs, ManArgs};
-use crate::failure::Failure;
-use crate::files::not_writable;
 use crate::rows::print_text;
+use seamwright_project::failure::Failure;
+use seamwright_project::files::not_writable;
 
 pub(crate) fn completions(args: &CompletionsArgs) -> Result<(), Failure> {
     let mut text = Vec::new();

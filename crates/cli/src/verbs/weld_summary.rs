@@ -1,12 +1,12 @@
 //! Summary of a planned or simulated weld at the command line.
 
-use crate::failure::{places, severity_word};
-use crate::files::written_text;
 use crate::labels::{labelled, line};
 use crate::refusals::{range, unit_of};
 use seamwright_executive::tracking::BeamSummary;
 use seamwright_message::{Message, Unit};
 use seamwright_program::group_findings;
+use seamwright_project::failure::{places, severity_word};
+use seamwright_project::files::written_text;
 use seamwright_report::{PassFigures, WeldReport};
 use seamwright_simulation::Summary;
 use seamwright_simulation::tracking::HeadSummary;

@@ -1,4 +1,3 @@
-use super::state::named;
 use crate::tracking::trouble;
 use seamwright_message::{Argument, Language, Message};
 
@@ -274,6 +273,11 @@ pub fn catalogue() -> String {
         text += &format!("| {} | {line} |\n", alarm.number());
     }
     text
+}
+
+/// Name of item `i`, counted from 0.
+pub(super) fn named(names: &[&str], i: u8) -> String {
+    names.get(usize::from(i)).map_or_else(|| format!("{}", u16::from(i) + 1), ToString::to_string)
 }
 
 #[cfg(test)]

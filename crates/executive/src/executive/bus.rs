@@ -1,11 +1,12 @@
-use super::guide::SeamOrders;
 use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_servo::SetPoint;
-use seamwright_tracking::beam::Picture;
+use seamwright_tracking::beam::{Beam, Picture};
 use seamwright_tracking::lead::Measurement;
 
 /// Maximum number of process values of a weld.
 pub const VALUES: usize = 16;
+/// Maximum age of fresh inputs and of a fresh source report, s.
+pub(super) const LATE_S: f64 = 0.1;
 
 /// Orders to the devices in a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -33,6 +34,29 @@ pub struct ProcessOrders {
     pub on: bool,
     /// Process values, in the order of [`super::Work::values`]; NaN for values that are not requested.
     pub values: [f64; VALUES],
+}
+
+/// Orders to the joint sensors and to the deflected beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeamOrders {
+    /// The cell's clock at the start of the period, s: exposures are stamped with it.
+    pub t_s: f64,
+    /// The pass whose joint is observed, counted from 1; 0 for no pass.
+    pub pass: usize,
+    /// Path length of the torch's set-point in it, mm; negative before its start.
+    pub s_mm: f64,
+    /// The torch is on its path and may weave.
+    pub weaves: bool,
+    /// Beam mode.
+    pub beam: Beam,
+    /// Lateral beam deflection, mm.
+    pub deflection_mm: f64,
+}
+
+impl Default for SeamOrders {
+    fn default() -> Self {
+        Self { t_s: 0.0, pass: 0, s_mm: 0.0, weaves: false, beam: Beam::Weld, deflection_mm: 0.0 }
+    }
 }
 
 /// Device reports; by default of infinite age.

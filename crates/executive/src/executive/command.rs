@@ -1,4 +1,5 @@
-use super::{Alarm, Event};
+use super::alarm::Alarm;
+use super::mode::Event;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::jog;
 
@@ -77,6 +78,11 @@ pub enum Ask {
 }
 
 impl Ask {
+    /// Returns true for commands that are always accepted.
+    pub(super) fn stops(&self) -> bool {
+        matches!(self, Self::Stop | Self::Hold)
+    }
+
     /// Its name in files and interfaces; for people there is [`Ask::message`].
     pub fn name(&self) -> &'static str {
         match self {

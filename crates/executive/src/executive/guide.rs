@@ -1,32 +1,9 @@
 //! Seam tracking interface: corrections between the planned set-point of a pass and the orders of a cycle.
 
-use super::Reports;
+use super::bus::{Reports, SeamOrders};
 use seamwright_machine::Joints;
-use seamwright_tracking::beam::{Beam, Picture};
+use seamwright_tracking::beam::Picture;
 use seamwright_tracking::lead::Sight;
-
-/// Orders to the joint sensors and to the deflected beam.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SeamOrders {
-    /// The cell's clock at the start of the period, s: exposures are stamped with it.
-    pub t_s: f64,
-    /// The pass whose joint is observed, counted from 1; 0 for no pass.
-    pub pass: usize,
-    /// Path length of the torch's set-point in it, mm; negative before its start.
-    pub s_mm: f64,
-    /// The torch is on its path and may weave.
-    pub weaves: bool,
-    /// Beam mode.
-    pub beam: Beam,
-    /// Lateral beam deflection, mm.
-    pub deflection_mm: f64,
-}
-
-impl Default for SeamOrders {
-    fn default() -> Self {
-        Self { t_s: 0.0, pass: 0, s_mm: 0.0, weaves: false, beam: Beam::Weld, deflection_mm: 0.0 }
-    }
-}
 
 /// Tracking state of a head; lateral and height in the torch's frame, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,13 +1,14 @@
 //! Homing: the drives find their references, then axes go home in the order of the machine file.
 
+use super::activity::Doing;
+use super::alarm::Alarm;
 use super::bus::Devices;
-use super::core::Doing;
-use super::jogging::obey;
+use super::core::Executive;
 use super::mode::{Event, Mode};
-use super::state::{Missing, Port};
+use super::reduced_speed::obey;
+use super::state::Port;
 use super::work::Work;
-use super::{Alarm, Executive};
-use seamwright_machine::{Joints, Level};
+use seamwright_machine::Level;
 use seamwright_motion::jog::{self, Jog, Signals};
 
 /// Minimum time to find the references, s: the drives must drop the old ones first.
@@ -18,58 +19,35 @@ const HOMING_S: f64 = 120.0;
 const SAID_S: f64 = 0.05;
 /// Tolerance of arrival at the home position, mm or rad, and of rest, mm/s or rad/s.
 const THERE: f64 = 1e-6;
-/// Distance within which an axis counts as at home, mm or rad.
-const AT_HOME: f64 = 0.01;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Waits until all references are known; meanwhile the drives move the axes and report their positions. Then the
     /// axes go home.
     pub(super) fn home(&mut self, work: Option<&Work<'_>>) {
-        if let Some(axis) = self.homes_one.take() {
+        if let Some(axis) = self.requests.homes_one.take() {
             return self.send_home(&[axis], work);
         }
         let begun = self.now();
         let mut found = false;
         while self.mode == Mode::Homing && !found {
-            self.orders.home = true;
-            self.rest_at_actual();
+            self.io.orders.home = true;
+            self.rest();
             self.tick(Doing::default(), work);
             let took = self.now() - begun;
-            found = self.unreferenced() == 0 && took > MIN_HOMING_S;
+            found = self.io.unreferenced() == 0 && took > MIN_HOMING_S;
             if took > HOMING_S && !found {
                 self.happened(Alarm::NoReference, 0);
                 self.event(Event::Abort);
             }
         }
         // Positions change their meaning when a reference is found: hold the reported positions from here on.
-        self.orders.home = false;
-        self.take_actual();
+        self.io.orders.home = false;
+        self.io.take_actual();
         if self.mode != Mode::Homing {
             return;
         }
         let machine = self.machine;
         self.send_home(&machine.home_order, work);
-    }
-
-    /// Returns the index of `axis`, if it may go home alone.
-    ///
-    /// # Errors
-    /// [`Missing::References`] if one is unknown: the drives find them together. [`Missing::HomesFirst`] if another
-    /// axis comes first in the machine file's order and is not at home. [`Missing::Value`] if the axis does not exist.
-    pub(super) fn home_one(&self, axis: u8) -> Result<usize, Missing> {
-        let one = usize::from(axis);
-        if one >= self.machine.axes.len() {
-            return Err(Missing::Value);
-        }
-        if self.unreferenced() != 0 {
-            return Err(Missing::References(self.unreferenced()));
-        }
-        let order = &self.machine.home_order;
-        let before = order.iter().position(|named| *named == one).unwrap_or(0);
-        let home = self.machine.home();
-        let away = |axis: usize| (self.orders.set[axis].position - home[axis]).abs() > AT_HOME;
-        let first = order[..before].iter().copied().find(|&axis| away(axis));
-        first.map_or(Ok(one), |axis| Err(Missing::HomesFirst(axis as u8)))
     }
 
     /// Sends axes to their home positions, one after another; then ends homing.
@@ -88,12 +66,11 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Jogs axis after axis to its home position: slowly, without collisions, and with a stop at rest in every case.
     fn go_home(&mut self, jog: &mut Jog<'_>, axes: &[usize], work: Option<&Work<'_>>) {
         let machine = self.machine;
-        let mut target = Joints::default();
-        target.iter_mut().zip(&self.orders.set).for_each(|(q, set)| *q = set.position);
+        let mut target = self.io.positions();
         if !jog.begin(&target) {
             return self.refuse_jog();
         }
-        self.busy = true;
+        self.activity.busy = true;
         let home = machine.home();
         let mut axes = axes.iter();
         let mut goes = axes.next();
@@ -107,14 +84,14 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                     target[axis] = home[axis];
                     jog::Command::To(target)
                 });
-                obey(jog, machine, self.feed_override, command);
+                obey(jog, machine, self.requests.feed_override, command);
                 said = Some((wants, self.now() + SAID_S));
             }
-            let enabled = self.interlocks.unmet(Level::Motion, self.reports.inputs) == 0;
+            let enabled = self.supervision.interlocks.unmet(Level::Motion, self.io.reports.inputs) == 0;
             let point = jog.step(&Signals { enabled, alive: true, hold: false });
-            self.set(&point.state.q, &point.state.speed, &point.state.acceleration);
+            self.io.set(&point.state.q, &point.state.speed, &point.state.acceleration);
             self.tick(Doing::default(), work);
-            if !self.power {
+            if !self.io.power {
                 break;
             }
             if self.mode != Mode::Homing {
@@ -125,7 +102,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 goes = axes.next();
             }
         }
-        self.busy = false;
+        self.activity.busy = false;
     }
 }
 

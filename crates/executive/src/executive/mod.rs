@@ -1,11 +1,17 @@
 //! Runs a cell cycle by cycle, from power-on to the end of a weld and after every fault: see the front page of the crate.
 
+mod activity;
 mod alarm;
 mod alarm_list;
 mod bus;
+mod clock;
 mod command;
+mod command_handling;
 mod core;
+mod cycle;
+mod device_io;
 mod guide;
+mod guide_state;
 mod guiding;
 mod homing;
 mod interlocks;
@@ -13,7 +19,12 @@ mod jogging;
 mod mode;
 mod process;
 mod program;
+mod reaction;
 mod readiness;
+mod reduced_speed;
+mod report_checks;
+mod requests;
+mod serve;
 mod shutdown;
 mod state;
 mod supervision;
@@ -21,13 +32,16 @@ mod work;
 
 pub use alarm::{Alarm, Entry, Reaction, catalogue};
 pub use alarm_list::{AlarmList, AlarmState, MAX_ALARMS, Place, Raised};
-pub use bus::{Devices, DriveReport, Orders, ProcessOrders, Reports, SensorReport, Slack, SourceReport, VALUES};
+pub use bus::{
+    Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, Slack, SourceReport, VALUES,
+};
 pub use command::{Ask, Command, Origin};
-pub use core::{End, Executive};
-pub use guide::{Guide, Guided, Planned, SeamOrders, Seen, Tracked, Trouble};
+pub use core::Executive;
+pub use guide::{Guide, Guided, Planned, Seen, Tracked, Trouble};
 pub use interlocks::{Interlocks, MAX_INPUTS};
-pub use jogging::REDUCED_MM_S;
 pub use mode::{Event, Mode, Refused, table};
 pub use process::ProcessState;
+pub use reduced_speed::REDUCED_MM_S;
+pub use requests::End;
 pub use state::{Cycle, Missing, Note, Port, SilentDevice, Status};
 pub use work::{Start, Work};

@@ -1,7 +1,9 @@
-use super::Alarm;
-use super::bus::SourceReport;
-use super::supervision::LATE_S;
+use super::alarm::Alarm;
+use super::bus::{LATE_S, SourceReport};
 use seamwright_machine::Source;
+
+/// Validity of an arming, s.
+const ARMED_S: f64 = 60.0;
 
 /// State of arc or beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -35,6 +37,8 @@ pub(super) struct Process {
     lit: bool,
     /// Time for which it may burn although it is off, s.
     lit_for: f64,
+    /// End of the arming, s.
+    armed_until: f64,
 }
 
 impl Process {
@@ -48,7 +52,21 @@ impl Process {
             out_for: 0.0,
             lit: false,
             lit_for: 0.0,
+            armed_until: f64::NEG_INFINITY,
         }
+    }
+
+    /// Allows the next start.
+    pub(super) fn arm(&mut self, now: f64) {
+        self.armed_until = now + ARMED_S;
+    }
+
+    pub(super) fn is_armed(&self, now: f64) -> bool {
+        now < self.armed_until
+    }
+
+    pub(super) fn disarm(&mut self) {
+        self.armed_until = f64::NEG_INFINITY;
     }
 
     pub(super) fn state(&self) -> ProcessState {

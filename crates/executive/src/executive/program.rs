@@ -1,17 +1,19 @@
 //! Execution of a program from its first transfer move to its last, with or without the process.
 
+use super::activity::Doing;
+use super::alarm::Alarm;
 use super::alarm_list::Place;
-use super::bus::Devices;
-use super::core::Doing;
-use super::guide::{Planned, SeamOrders};
+use super::bus::{Devices, SeamOrders, VALUES};
+use super::core::Executive;
+use super::guide::Planned;
 use super::mode::{Event, Mode};
+use super::process::ProcessState;
 use super::state::{Note, Port};
 use super::work::Work;
-use super::{Alarm, Executive, ProcessState, VALUES};
-use seamwright_machine::Joints;
 use seamwright_motion::feed_override::{FeedOverride, Instant, Order, Run, RunPhase, Timed};
 use seamwright_motion::transfer::Leg;
 use seamwright_program::{ArcTime, Sequence};
+use std::mem::take;
 
 /// Tolerance of the feed override.
 const PACED: f64 = 1e-3;
@@ -44,19 +46,18 @@ struct Progress<'a> {
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Runs the program until it ends or is aborted.
     pub(super) fn run(&mut self, work: &Work<'_>) {
-        self.busy = true;
+        self.activity.busy = true;
         let before = Place { pass: work.start.pass + 1, s_mm: work.start.welded_mm };
         self.leave(None);
         // The axes are near the start of the approach: move there without a step.
-        let mut here = Joints::default();
-        here.iter_mut().zip(&self.orders.set).for_each(|(q, set)| *q = set.position);
+        let here = self.io.positions();
         let first = work.start.approach.legs.first().map(|leg| Leg::new(self.machine, &here, leg.start()));
         let there = self.fly(work, first.as_slice()) && self.fly(work, &work.start.approach.legs);
-        if !there && self.welds && before.s_mm > 0.0 {
+        if !there && self.activity.welds && before.s_mm > 0.0 {
             self.leave(Some(before));
         }
         let done = there && self.weld(work);
-        (self.busy, self.guided) = (false, false);
+        (self.activity.busy, self.guide.corrects) = (false, false);
         self.heed(None);
         if done {
             self.event(Event::Finish);
@@ -68,7 +69,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         for i in work.start.pass..work.passes.len() {
             let from_mm = if i == work.start.pass { work.start.welded_mm } else { 0.0 };
             let one = &work.passes[i];
-            let welds = self.welds && one.planned.arc;
+            let welds = self.activity.welds && one.planned.arc;
             if !self.look(work, i, from_mm) {
                 let before = Place { pass: i + 1, s_mm: from_mm };
                 self.leave((welds && (i > 0 || from_mm > 0.0)).then_some(before));
@@ -76,11 +77,11 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             }
             let stretch = Stretch { profile: &one.timed, sequence: one.times(welds), pass: Some(i), from_mm };
             if !self.play(work, &stretch) {
-                let place = Place { pass: i + 1, s_mm: self.doing.welded_mm };
+                let place = Place { pass: i + 1, s_mm: self.activity.doing.welded_mm };
                 self.leave(welds.then_some(place));
                 return false;
             }
-            self.port.note(self.now(), Note::PassEnds(Place { pass: i + 1, s_mm: self.doing.welded_mm }));
+            self.port.note(self.now(), Note::PassEnds(Place { pass: i + 1, s_mm: self.activity.doing.welded_mm }));
             let next = work.air.get(i + 1).map_or(&[][..], |air| &air.legs);
             if !(self.settle(work) && self.fly(work, next)) {
                 let after = Place { pass: i + 2, s_mm: 0.0 };
@@ -109,7 +110,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             return false;
         };
         let mut run = Run::new(feed_override, stretch.sequence.clone(), &[]);
-        let welds = self.welds && stretch.pass.is_some_and(|i| work.passes[i].planned.arc);
+        let welds = self.activity.welds && stretch.pass.is_some_and(|i| work.passes[i].planned.arc);
         // A welded stretch starts without an arc.
         run.set_burning(!welds);
         let mut asked = 1.0;
@@ -143,18 +144,26 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             doing.steady = steady_s > SETTLES_S;
             match self.follow(&planned(&now)) {
                 Some(guided) => doing.seam = guided.seam,
-                None => self.set(&now.played.rates.q, &now.played.rates.v, &now.played.rates.a),
+                None => self.io.set(&now.played.rates.q, &now.played.rates.v, &now.played.rates.a),
             }
             self.tick(doing, Some(work));
             run.set_burning(!welds || self.process.state() == ProcessState::Burns);
             self.drop_power_at_rest();
-            if !self.power {
-                self.doing.welded_mm = run.welded_to();
+            if !self.io.power {
+                self.activity.doing.welded_mm = run.welded_to();
                 return false;
             }
         }
-        self.doing.welded_mm = run.welded_to();
+        self.activity.doing.welded_mm = run.welded_to();
         matches!(self.mode, Mode::DryRun | Mode::Weld | Mode::Hold)
+    }
+
+    /// Stores the position at which the program was left with the weld unfinished.
+    fn leave(&mut self, place: Option<Place>) {
+        self.activity.left = place;
+        if let Some(place) = place {
+            self.port.note(self.now(), Note::Left(place));
+        }
     }
 
     /// Gives the run the orders that follow from the change of mode; returns the current mode.
@@ -162,14 +171,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let order = match (seen, self.mode) {
             (Mode::Hold, Mode::DryRun | Mode::Weld) => Order::Resume,
             (Mode::DryRun | Mode::Weld, Mode::Hold) => Order::Hold,
-            (Mode::Hold, Mode::Hold) if self.halt => {
-                self.halt = false;
-                Order::Hold
-            }
-            (Mode::Hold, Mode::Hold) if self.reverse => {
-                self.reverse = false;
-                Order::Reverse
-            }
+            (Mode::Hold, Mode::Hold) if take(&mut self.requests.halt) => Order::Hold,
+            (Mode::Hold, Mode::Hold) if take(&mut self.requests.reverse) => Order::Reverse,
             (Mode::DryRun | Mode::Weld | Mode::Hold, Mode::Ready | Mode::Fault) => Order::Abort,
             _ => return self.mode,
         };
@@ -182,7 +185,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
 
     /// Passes the requested feed override to the run.
     fn steer<L: Timed>(&mut self, run: &mut Run<'_, L>, asked: &mut f64) {
-        let wanted = self.allowed_override(*asked);
+        let wanted = self.guide.allowed_override(*asked, self.requests.feed_override);
         if (wanted - *asked).abs() > 0.0 && run.order(Order::Override(wanted)).is_ok() {
             *asked = wanted;
         }

@@ -1,43 +1,35 @@
 //! Shutdown without an operator's command: by a signal, or by a fault of the program.
 
+use super::activity::Doing;
+use super::alarm::Reaction;
 use super::bus::Devices;
-use super::core::{Doing, End};
+use super::clock::REST_S;
+use super::core::Executive;
 use super::mode::Event;
+use super::requests::End;
 use super::state::Port;
-use super::{Executive, Reaction};
-
-/// Maximum time until the axes are at rest, s: then the power is switched off and the brakes hold.
-pub(super) const REST_S: f64 = 3.0;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Switches the process off in `doing`, stops everything on its path, then switches the power off and ends.
     pub(super) fn shut_down(&mut self, doing: &mut Doing) {
-        let now = self.now();
-        let since = *self.shuts_down_since.get_or_insert(now);
+        let elapsed_s = self.shutdown.elapsed(self.now());
         // From here on no cycle requests the process, so that it cannot ignite again before the program ends.
         doing.asked = false;
         self.process.kill();
-        self.disarm();
-        if self.busy || self.mode.moves() {
-            if now <= since {
+        self.process.disarm();
+        if self.activity.busy || self.mode.moves() {
+            if elapsed_s <= 0.0 {
                 self.stop();
-            } else if now - since > REST_S {
+            } else if elapsed_s > REST_S {
                 self.react(Reaction::PowerOff);
-            } else if self.rests() {
+            } else if self.io.rests() {
                 // Do not wait for the gas post-flow.
-                self.power = false;
+                self.io.power = false;
             }
             return;
         }
-        self.power = false;
+        self.io.power = false;
         self.event(Event::SwitchOff);
-        self.end = Some(End::Quit);
-    }
-
-    /// Switches the process off, stops on the path and aborts the program.
-    pub(super) fn stop(&mut self) {
-        self.process.kill();
-        self.halt = true;
-        self.event(Event::Abort);
+        self.requests.end = Some(End::Quit);
     }
 }

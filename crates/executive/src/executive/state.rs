@@ -1,6 +1,10 @@
+use super::alarm::{Alarm, named};
 use super::alarm_list::{AlarmList, Place, Raised};
-use super::command::{Ask, Command};
-use super::{Alarm, Mode, Orders, ProcessState, Refused, Reports, Tracked};
+use super::bus::{Orders, Reports};
+use super::command::Command;
+use super::guide::Tracked;
+use super::mode::{Mode, Refused};
+use super::process::ProcessState;
 use seamwright_message::{Argument, Message, Unit};
 use seamwright_motion::feed_override::RunPhase;
 use std::ops::Deref;
@@ -62,7 +66,7 @@ pub enum Note {
     Taken(Command),
     /// A command was refused; the first reason.
     Refused(Command, Missing),
-    /// One of the reasons against the action of an [`Ask::Why`].
+    /// One of the reasons against the action of an [`super::Ask::Why`].
     Lacks(Command, Missing),
     /// An alarm was raised.
     Alarm(Raised),
@@ -169,11 +173,6 @@ impl SilentDevice {
     }
 }
 
-/// Name of item `i`, counted from 0.
-pub(super) fn named(names: &[&str], i: u8) -> String {
-    names.get(usize::from(i)).map_or_else(|| format!("{}", u16::from(i) + 1), ToString::to_string)
-}
-
 impl Note {
     /// Returns the words of a note that is an event of a weld; `None` for refusals and alarms.
     pub fn message(&self) -> Option<Message> {
@@ -232,12 +231,5 @@ impl<P: Port + ?Sized> Port for &mut P {
 
     fn shuts_down(&self) -> bool {
         (**self).shuts_down()
-    }
-}
-
-impl Ask {
-    /// Returns true for commands that are always accepted.
-    pub(super) fn stops(&self) -> bool {
-        matches!(self, Self::Stop | Self::Hold)
     }
 }

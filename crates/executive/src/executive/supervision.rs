@@ -1,14 +1,10 @@
-//! Supervision: compares reports with limits and conditions in every cycle, and reacts.
+//! Supervision: history of the reports, and its limits.
 
-use super::alarm_list::{AlarmState, Place, Raised};
-use super::bus::Devices;
-use super::mode::{Event, Mode};
-use super::state::{Note, Port};
-use super::{Alarm, Executive, ProcessState, Reaction, VALUES};
-use seamwright_machine::{AxisKind, Level, MAX_AXES, Machine};
+use super::bus::{Reports, Slack, VALUES};
+use super::interlocks::Interlocks;
+use super::state::Note;
+use seamwright_machine::{AxisKind, MAX_AXES, Machine};
 
-/// Maximum age of fresh inputs and of a fresh source report, s.
-pub(super) const LATE_S: f64 = 0.1;
 /// Maximum time for the drives to power up, s.
 const POWER_S: f64 = 1.0;
 /// Number of periods after which a following error counts.
@@ -22,13 +18,15 @@ const NOTED_EVERY_S: f64 = 10.0;
 
 /// Reports with an age of their own, and their indices in [`Supervision::gaps_s`].
 const REPORTS: usize = 3;
-const DRIVES: usize = 0;
-const INPUTS: usize = 1;
-const SOURCE: usize = 2;
+pub(super) const DRIVES: usize = 0;
+pub(super) const INPUTS: usize = 1;
+pub(super) const SOURCE: usize = 2;
 
 /// State of the supervision.
 #[derive(Debug, Clone)]
 pub(super) struct Supervision {
+    pub(super) interlocks: Interlocks,
+    period_s: f64,
     /// Last start counts of drives, inputs and source; 0 before the first report.
     starts: [u32; 3],
     /// Last underrun count of the drives.
@@ -39,7 +37,7 @@ pub(super) struct Supervision {
     off: [f64; VALUES],
     /// Missed cycles that the drives have not recovered, and whether these are too many.
     missed: f64,
-    too_many: bool,
+    pub(super) too_many: bool,
     /// Missed cycles since the last note, the longest gap in cycles, and the time of that note, s.
     unnoted: (u32, u32, f64),
     /// Part of each report's age due to missed cycles rather than its device, s: of [`REPORTS`].
@@ -57,6 +55,8 @@ impl Supervision {
             *allowed = if axis.kind == AxisKind::Linear { 1.0 } else { 1f64.to_radians() };
         }
         Self {
+            interlocks: Interlocks::new(&machine.interlocks),
+            period_s: machine.servo_period_s,
             starts: [0; 3],
             starved: 0,
             following: [0; MAX_AXES],
@@ -72,6 +72,64 @@ impl Supervision {
 
     pub(super) fn switched_on(&mut self) {
         (self.powered_for, self.following) = (0.0, [0; MAX_AXES]);
+    }
+
+    /// Counts missed cycles; returns the note that is due.
+    pub(super) fn count_missed(&mut self, now: f64, reports: &Reports, slack: Slack) -> Option<Note> {
+        let (period, lost) = (self.period_s, reports.missed);
+        self.missed = (self.missed - slack.regained).max(0.0) + f64::from(lost);
+        let were_too_many = std::mem::replace(&mut self.too_many, self.missed > f64::from(slack.cycles));
+        let gap = Gap { lost_s: f64::from(lost) * period, rides_out_s: f64::from(slack.cycles) * period };
+        let ages_s = [reports.drives.age_s, reports.inputs_age_s, reports.source.age_s];
+        for (gap_s, age_s) in self.gaps_s.iter_mut().zip(ages_s) {
+            *gap_s = gap.in_age(*gap_s, age_s);
+        }
+        let (cycles, longest, since) = self.unnoted;
+        let (cycles, longest) = (cycles.saturating_add(lost), longest.max(lost));
+        let long = f64::from(longest) * period >= NOTED_GAP_S && now - since >= NOTED_EVERY_S;
+        let due = long || (self.too_many && !were_too_many);
+        self.unnoted = if due { (0, 0, now) } else { (cycles, longest, since) };
+        due.then(|| Note::Missed(cycles, 1e3 * f64::from(longest) * period))
+    }
+
+    /// Returns true if a report is older than `usual_s`, not counting missed cycles.
+    pub(super) fn is_late(&self, report: usize, age_s: f64, usual_s: f64) -> bool {
+        age_s.is_nan() || age_s > usual_s + self.gaps_s[report]
+    }
+
+    /// Returns which of drives, inputs and source have restarted.
+    pub(super) fn restarted(&mut self, reports: &Reports) -> [bool; 3] {
+        let starts = [reports.drives.starts, reports.inputs_starts, reports.source.starts];
+        let known = std::mem::replace(&mut self.starts, starts);
+        // The very first report is not a restart.
+        std::array::from_fn(|i| starts[i] != known[i] && known[i] > 0)
+    }
+
+    /// Returns true if the count of underruns has changed.
+    pub(super) fn starves(&mut self, starved: u32) -> bool {
+        std::mem::replace(&mut self.starved, starved) != starved
+    }
+
+    /// Returns true if the drives have had enough time, but do not report power.
+    pub(super) fn lacks_power(&mut self, power: bool, powered: bool) -> bool {
+        self.powered_for = if power { self.powered_for + self.period_s } else { 0.0 };
+        power && !powered && self.powered_for > POWER_S
+    }
+
+    /// Returns true in the period in which the following error of axis `i` becomes a fault.
+    pub(super) fn strays(&mut self, i: usize, error: f64, speed: f64, counts: bool) -> bool {
+        // A NaN following error counts as too large.
+        let within = error.abs() <= self.allowed[i] + FOLLOWING_S * speed.abs();
+        let periods = &mut self.following[i];
+        *periods = if within || !counts { 0 } else { *periods + 1 };
+        *periods == PERIODS
+    }
+
+    /// Returns true in the period in which process value `i` has been out of tolerance for `within_s`.
+    pub(super) fn deviates(&mut self, i: usize, off: bool, within_s: f64) -> bool {
+        let before = self.off[i];
+        self.off[i] = if off { before + self.period_s } else { 0.0 };
+        before <= within_s && self.off[i] > within_s
     }
 }
 
@@ -92,230 +150,15 @@ impl Gap {
     }
 }
 
-impl<D: Devices, P: Port> Executive<'_, D, P> {
-    /// Evaluates the reports of a cycle.
-    pub(super) fn supervise(&mut self) {
-        self.judge_cycles();
-        self.judge_drives();
-        self.judge_following();
-        self.judge_inputs();
-        self.judge_source();
-        self.judge_values();
-        self.condition(Alarm::RecordFailing, 0, self.port.record_fails());
-    }
-
-    /// Counts and notes missed cycles; more than the drives tolerate raise an alarm.
-    fn judge_cycles(&mut self) {
-        let (now, period, slack) = (self.now(), self.machine.servo_period_s, self.devices.rides_out());
-        let lost = self.reports.missed;
-        let ages_s = [self.reports.drives.age_s, self.reports.inputs_age_s, self.reports.source.age_s];
-        let Supervision { missed, too_many, unnoted, gaps_s, .. } = &mut self.supervision;
-        *missed = (*missed - slack.regained).max(0.0) + f64::from(lost);
-        let were_too_many = std::mem::replace(too_many, *missed > f64::from(slack.cycles));
-        let gap = Gap { lost_s: f64::from(lost) * period, rides_out_s: f64::from(slack.cycles) * period };
-        for (gap_s, age_s) in gaps_s.iter_mut().zip(ages_s) {
-            *gap_s = gap.in_age(*gap_s, age_s);
-        }
-        let (cycles, longest, since) = *unnoted;
-        let (cycles, longest) = (cycles.saturating_add(lost), longest.max(lost));
-        let long = f64::from(longest) * period >= NOTED_GAP_S && now - since >= NOTED_EVERY_S;
-        *unnoted = (cycles, longest, since);
-        let too_many = *too_many;
-        if long || (too_many && !were_too_many) {
-            *unnoted = (0, 0, now);
-            self.port.note(now, Note::Missed(cycles, 1e3 * f64::from(longest) * period));
-        }
-        self.condition(Alarm::Overrun, 0, too_many);
-    }
-
-    /// Returns true if a report is older than `usual_s`, not counting missed cycles.
-    fn is_late(&self, report: usize, age_s: f64, usual_s: f64) -> bool {
-        age_s.is_nan() || age_s > usual_s + self.supervision.gaps_s[report]
-    }
-
-    fn judge_drives(&mut self) {
-        let period = self.machine.servo_period_s;
-        let drives = self.reports.drives;
-        let starts = [drives.starts, self.reports.inputs_starts, self.reports.source.starts];
-        let known = std::mem::replace(&mut self.supervision.starts, starts);
-        let restarted = [Alarm::DrivesRestarted, Alarm::InputsRestarted, Alarm::SourceRestarted];
-        for (i, alarm) in restarted.into_iter().enumerate() {
-            // The very first report is not a restart.
-            if starts[i] != known[i] && known[i] > 0 {
-                self.happened(alarm, 0);
-            }
-        }
-        let fresh = !self.is_late(DRIVES, drives.age_s, self.devices.drives_late_s());
-        let lost = fresh && drives.referenced & self.all_axes() != self.all_axes();
-        if lost && self.power && !matches!(self.mode, Mode::Idle | Mode::Homing) {
-            self.happened(Alarm::DrivesRestarted, 0);
-        }
-        self.condition(Alarm::DrivesSilent, 0, !fresh);
-        for i in 0..self.machine.axes.len() {
-            // A NaN or infinite position is a drive fault.
-            let fault = drives.fault >> i & 1 == 1 || !drives.position[i].is_finite();
-            self.condition(Alarm::DriveFault, i as u8, fault);
-            self.condition(Alarm::LimitSwitch, i as u8, drives.limit_switch >> i & 1 == 1);
-        }
-        // Without power the drives do not follow set-points.
-        if std::mem::replace(&mut self.supervision.starved, drives.starved) != drives.starved && self.power {
-            self.happened(Alarm::Starved, 0);
-        }
-        self.supervision.powered_for = if self.power { self.supervision.powered_for + period } else { 0.0 };
-        let dropped = self.power && !drives.powered && self.supervision.powered_for > POWER_S;
-        if dropped {
-            self.happened(Alarm::DrivePower, 0);
-        }
-    }
-
-    fn judge_following(&mut self) {
-        for i in 0..self.machine.axes.len() {
-            let allowed = self.supervision.allowed[i] + FOLLOWING_S * self.orders.set[i].velocity.abs();
-            // A NaN following error counts as too large.
-            let within = self.reports.drives.following_error[i].abs() <= allowed;
-            let counts = self.power && self.reports.drives.powered && !self.orders.home;
-            let periods = &mut self.supervision.following[i];
-            *periods = if within || !counts { 0 } else { *periods + 1 };
-            if *periods == PERIODS {
-                self.happened(Alarm::FollowingError, i as u8);
-            }
-        }
-    }
-
-    fn judge_inputs(&mut self) {
-        let silent = self.is_late(INPUTS, self.reports.inputs_age_s, LATE_S);
-        // Inputs are not needed without power.
-        self.condition(Alarm::InputsSilent, 0, silent && self.mode.has_power());
-        let inputs = self.reports.inputs;
-        let burns = self.process.on() || self.doing.asked;
-        let moves = self.mode.moves() || self.orders.set.iter().any(|set| set.velocity != 0.0);
-        for (level, needed, reaction) in [
-            (Level::Power, self.power, Reaction::PowerOff),
-            (Level::Motion, moves || burns, Reaction::Stop),
-            (Level::Process, burns || self.mode == Mode::Weld, Reaction::ProcessOff),
-        ] {
-            let unmet = self.interlocks.unmet_of(level, inputs);
-            for i in 0..self.interlocks.conditions().len() as u8 {
-                if self.interlocks.conditions()[usize::from(i)].level != level {
-                    continue;
-                }
-                let is = unmet >> i & 1 == 1;
-                if is && needed {
-                    self.raise(Alarm::Interlock, i, reaction);
-                } else if !is {
-                    self.clear(Alarm::Interlock, i);
-                }
-            }
-        }
-    }
-
-    fn judge_source(&mut self) {
-        let source = self.reports.source;
-        let used = self.process.on() || self.mode == Mode::Weld;
-        // A source without mains is not an alarm outside of welding.
-        let silent = self.is_late(SOURCE, source.age_s, LATE_S);
-        self.condition(Alarm::SourceSilent, 0, silent && used);
-        self.condition(Alarm::SourceFault, 0, source.fault != 0 && used);
-        self.condition(Alarm::WireStuck, 0, source.stuck);
-        self.condition(Alarm::ProcessStuckOn, 0, self.process.stays_on());
-    }
-
-    fn judge_values(&mut self) {
-        let settings = self.machine.source;
-        let period = self.machine.servo_period_s;
-        let burns = self.process.state() == ProcessState::Burns && self.reports.source.age_s <= LATE_S;
-        for i in 0..VALUES {
-            let (asked, actual) = (self.orders.process.values[i], self.reports.source.values[i]);
-            let off = burns
-                && actual.is_finite()
-                && asked.is_finite()
-                && (actual - asked).abs() > settings.within * asked.abs().max(1e-9);
-            let time = &mut self.supervision.off[i];
-            let before = *time;
-            *time = if off { *time + period } else { 0.0 };
-            if before <= settings.within_s && *time > settings.within_s {
-                self.happened(Alarm::ProcessValue, i as u8);
-            }
-        }
-    }
-
-    /// Raises the alarm with its catalogue reaction while `is`, else clears it.
-    fn condition(&mut self, alarm: Alarm, detail: u8, is: bool) {
-        if is {
-            self.raise(alarm, detail, alarm.reaction());
-        } else {
-            self.clear(alarm, detail);
-        }
-    }
-
-    pub(super) fn clear(&mut self, alarm: Alarm, detail: u8) {
-        if self.alarms.clear(alarm, detail) {
-            self.port.note(self.now(), Note::Cleared(alarm, detail));
-        }
-    }
-
-    /// Raises a momentary alarm: it stays on the list as returned until it is acknowledged.
-    pub(super) fn happened(&mut self, alarm: Alarm, detail: u8) {
-        self.tell_raised(alarm, detail, alarm.reaction(), AlarmState::Returned);
-        self.alarms.clear(alarm, detail);
-    }
-
-    pub(super) fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction) {
-        self.tell_raised(alarm, detail, reaction, AlarmState::Unacknowledged);
-    }
-
-    /// Puts the alarm on the list, and notes it in its resulting state.
-    fn tell_raised(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, state: AlarmState) {
-        let place: Place = self.doing.place;
-        let now = self.now();
-        if let Some(raised) = self.alarms.raise(alarm, detail, reaction, now, place) {
-            self.port.note(now, Note::Alarm(Raised { state, ..raised }));
-            self.react(reaction);
-        }
-    }
-
-    /// Executes the reaction of an alarm.
-    pub(super) fn react(&mut self, reaction: Reaction) {
-        match reaction {
-            Reaction::Tell => {}
-            Reaction::Hold => self.hold(),
-            Reaction::ProcessOff => {
-                self.process.kill();
-                if self.welds {
-                    self.hold();
-                }
-            }
-            Reaction::Stop => {
-                self.process.kill();
-                if self.mode.has_power() {
-                    self.event(Event::Trip);
-                }
-            }
-            Reaction::PowerOff => {
-                self.process.kill();
-                self.power = false;
-                self.event(Event::Trip);
-            }
-        }
-    }
-
-    fn hold(&mut self) {
-        // In a hold the torch may move in reverse: that stops too.
-        self.halt = true;
-        if matches!(self.mode, Mode::DryRun | Mode::Weld) {
-            self.event(Event::Hold);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::Gap;
+    use crate::executive::bus::LATE_S;
 
     /// Returns the age at which a dead device counts as late, s, with a gap of `lost_s` every `every_s`.
     fn late_at(lost_s: f64, every_s: f64, rides_out_s: f64) -> f64 {
         let (mut gap_s, mut age_s) = (0.0, 0.0);
-        while age_s <= super::LATE_S + gap_s {
+        while age_s <= LATE_S + gap_s {
             age_s += every_s;
             gap_s = Gap { lost_s, rides_out_s }.in_age(gap_s, age_s);
             assert!(age_s < 10.0, "never");

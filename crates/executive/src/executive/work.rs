@@ -1,6 +1,6 @@
-use super::VALUES;
 use super::alarm_list::Place;
-use super::jogging::hand;
+use super::bus::VALUES;
+use super::reduced_speed::hand;
 use seamwright_machine::{AxisSet, Joints, Machine, Surroundings};
 use seamwright_motion::feed_override::{Limits, PassTimed};
 use seamwright_motion::jog::Jog;

@@ -7,7 +7,8 @@
 
 use super::motion::Motion;
 use super::twist::{Deviation, Seen, Twists};
-use crate::{Error, SignedDistance};
+use crate::distance::SignedDistance;
+use crate::error::Error;
 use glam::{DAffine3, DVec3};
 
 /// A touched point.

@@ -1,5 +1,5 @@
 use super::pairs::spread;
-use crate::Error;
+use crate::error::Error;
 use glam::{DAffine3, DMat3, DVec3};
 
 /// A frame from touches of three faces.

@@ -1,5 +1,5 @@
 use super::twist::{Deviation, Seen, Twists};
-use crate::Error;
+use crate::error::Error;
 use glam::{DAffine3, DMat3, DVec3};
 use nalgebra::{DMatrix, Matrix3};
 

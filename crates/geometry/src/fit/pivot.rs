@@ -5,7 +5,7 @@
 //! Directions with an amplification above four are undetermined, and the tip keeps its value there.
 
 use super::twist::axes_first;
-use crate::Error;
+use crate::error::Error;
 use glam::{DAffine3, DMat3, DVec3};
 use nalgebra::{Matrix3, SymmetricEigen};
 

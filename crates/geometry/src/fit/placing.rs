@@ -1,7 +1,7 @@
 //! Pose of a part from touched points: a plane with two marks on it, or a face and a round in a chuck.
 
-use super::plane_line_point;
-use crate::Error;
+use super::datums::plane_line_point;
+use crate::error::Error;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use std::f64::consts::TAU;
 

@@ -1,6 +1,7 @@
 use super::best::{Touch, best_fit};
 use super::motion::Motion;
-use crate::{Error, Tube};
+use crate::error::Error;
+use crate::tube::Tube;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 /// Run-out of a tube that turns about its nominal axis.

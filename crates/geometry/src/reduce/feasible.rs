@@ -5,9 +5,9 @@
 //! three discs prove that they have none; the same three mostly prove it for the following runs too.
 
 use super::measure::{Bow, Course, Fault, measure};
+use super::reduction::{Shape, Span};
 use super::run::{Found, Near, Run, Witness};
 use super::track::{Allowance, Track};
-use super::{Shape, Span};
 
 /// Reasons of earlier refusals, tried first on the next run.
 #[derive(Debug, Clone, Copy, Default)]

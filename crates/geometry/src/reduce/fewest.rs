@@ -1,7 +1,7 @@
 //! The fewest spans: bounds from both ends, then dynamic programming over the remaining points.
 
-use super::Span;
 use super::feasible::{Care, Ends, Memory};
+use super::reduction::Span;
 use super::track::Track;
 
 /// Limit of the search for fewer spans: points checked per point of the path.

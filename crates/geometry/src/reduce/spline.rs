@@ -1,8 +1,12 @@
 //! Polylines to one cubic spline through few of their points.
 
-use super::{Tolerances, check};
+use super::check;
+use super::reduction::Tolerances;
+use crate::cubic_spline::CubicSpline;
+use crate::curve::Curve as _;
+use crate::error::Error;
 use crate::slopes::End;
-use crate::{CubicSpline, Curve as _, Ends, Error, Spline, chord_lengths};
+use crate::spline::{Ends, Spline, chord_lengths};
 use glam::DVec3;
 
 /// A polyline as a spline.

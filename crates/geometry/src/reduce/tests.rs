@@ -2,8 +2,8 @@
 
 use super::feasible::{Care, Ends, Memory};
 use super::fewest::fewest;
+use super::reduction::{Span, Tolerances};
 use super::track::Track;
-use super::{Span, Tolerances};
 use glam::{DQuat, DVec3};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};

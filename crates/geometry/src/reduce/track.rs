@@ -1,4 +1,4 @@
-use super::Tolerances;
+use super::reduction::Tolerances;
 use glam::DVec3;
 use std::cell::Cell;
 

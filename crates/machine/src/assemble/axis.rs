@@ -1,5 +1,5 @@
-use super::File;
-use crate::{Axis, AxisKind, StepFile};
+use crate::axis::{Axis, AxisKind};
+use crate::file::{File, StepFile};
 use seamwright_document::{DocumentError, Finite, Positive, RESERVED_COLUMNS};
 use seamwright_message::Message;
 

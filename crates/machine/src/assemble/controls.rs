@@ -1,5 +1,5 @@
-use super::File;
-use crate::{Axis, ControlFile};
+use crate::axis::Axis;
+use crate::file::{ControlFile, File};
 use seamwright_document::DocumentError;
 use seamwright_message::Message;
 

@@ -1,7 +1,7 @@
-use super::File;
-use crate::{
-    Axis, AxisKind, BacklashCompensation, Drive, DriveFile, FrictionCompensation, Gains, Load, Notch, Transmission,
+use crate::axis::{
+    Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, Transmission,
 };
+use crate::file::{DriveFile, File};
 use seamwright_document::{DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
 
@@ -201,7 +201,7 @@ impl Table<'_> {
             return Err(self.error(".notches", "machine-notches-many", allowed));
         }
         let half_rate = 0.5 / self.file.value.servo_period_ms.map_or(1e-3, |p| p.get() * 1e-3);
-        let notch = |(i, n): (usize, &crate::NotchFile)| {
+        let notch = |(i, n): (usize, &crate::file::NotchFile)| {
             let key = |name| format!(".notches[{i}].{name}");
             for (name, hz) in [("frequency_hz", n.frequency_hz.get()), ("width_hz", n.width_hz.get())] {
                 if hz >= 0.999 * half_rate {

@@ -1,4 +1,4 @@
-use super::File;
+use crate::file::File;
 use seamwright_document::DocumentError;
 use seamwright_message::{Message, Unit};
 

@@ -10,18 +10,15 @@ mod solids;
 mod stepper;
 mod tree;
 
+use crate::axis::Axis;
 use crate::chain::MAX_AXES;
+use crate::file::{DeflectionFile, File, Load, StepFile};
+use crate::machine::Machine;
 use crate::pair::Pair;
-use crate::{Axis, DeflectionFile, Machine, MachineFile, StepFile};
 use glam::DVec3;
-use seamwright_document::{Direction, Document, DocumentError};
+use seamwright_document::{Direction, DocumentError};
 use seamwright_message::{Message, Unit};
 use std::collections::BTreeMap;
-
-type File = Document<MachineFile>;
-
-/// Reads the bytes of a file named in the machine file.
-pub(crate) type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
 /// Maximum number of heads of a machine.
 const MAX_HEADS: usize = 2;

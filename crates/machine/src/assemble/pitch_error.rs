@@ -1,6 +1,6 @@
-use super::File;
-use crate::pitch_error::STEEPEST;
-use crate::{Axis, AxisKind, PitchError, PitchErrorFile};
+use crate::axis::{Axis, AxisKind};
+use crate::file::{File, PitchErrorFile};
+use crate::pitch_error::{PitchError, STEEPEST};
 use seamwright_document::{DocumentError, Finite};
 use seamwright_geometry::CubicSpline;
 use seamwright_message::{Message, Unit};

@@ -1,7 +1,8 @@
 //! Sensors and their maps from pixels to mm.
 
-use super::File;
-use crate::{CameraSensor, Links, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
+use crate::file::File;
+use crate::links::Links;
+use crate::sensor::{CameraSensor, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
 use glam::{DMat3, DVec2, DVec3};
 use seamwright_document::{DocumentError, Finite, Positive};
 use seamwright_geometry::{HeightTable, Homography, MapParameters, PlaneMap};

@@ -1,8 +1,8 @@
 //! Shapes on links, and zones.
 
-use super::{File, Load};
+use crate::file::{File, Load, ZoneKind};
+use crate::links::Links;
 use crate::solids::{LinkSolids, Zone};
-use crate::{Links, ZoneKind};
 use seamwright_clearance::{Solid, SolidFile};
 use seamwright_document::{DocumentError, Positive};
 use seamwright_message::Message;
@@ -49,7 +49,7 @@ pub(super) fn solids(file: &File, links: &Links, load: Load) -> Result<LinkSolid
             if links.frame(name).is_none() && !FROM_JOB.contains(&name.as_str()) {
                 return Err(unknown(file, links, &format!("{path}.watch[{k}]"), name, &FROM_JOB));
             }
-            let bare = |f: &crate::NamedFrame| !all.solids.iter().any(|(link, _)| *link == f.link);
+            let bare = |f: &crate::links::NamedFrame| !all.solids.iter().any(|(link, _)| *link == f.link);
             if links.frame(name).is_some_and(bare) {
                 let message = Message::new("machine-zone-watches-nothing").text("link", name);
                 let allowed = Message::new("machine-shapes-first").text("link", name);

@@ -1,6 +1,7 @@
-use super::File;
 use super::axis::of_another_kind;
-use crate::{Axis, AxisKind, Stepper, StepperFile, StepperMotor};
+use crate::axis::{Axis, AxisKind};
+use crate::file::{File, StepperFile};
+use crate::stepper::{Stepper, StepperMotor};
 use seamwright_document::{DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
 use std::f64::consts::TAU;

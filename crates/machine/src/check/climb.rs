@@ -1,5 +1,6 @@
 use super::random::ranges;
-use crate::{Joints, Machine};
+use crate::chain::Joints;
+use crate::machine::Machine;
 
 /// Number of halvings of the step: from a quarter of a range to about 1e-11 of it.
 const HALVINGS: usize = 34;

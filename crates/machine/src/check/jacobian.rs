@@ -1,5 +1,7 @@
 use super::random::Random;
-use crate::{AxisKind, Joints, Machine};
+use crate::axis::AxisKind;
+use crate::chain::Joints;
+use crate::machine::Machine;
 use serde::Serialize;
 
 /// Number of positions at which the Jacobian is compared.

@@ -24,7 +24,9 @@ pub use skeleton::{AxisPlace, Side, Skeleton};
 pub use task::{TYPICAL_RADIUS_MM, TYPICAL_SPEED_MM_S};
 pub use voxels::Volume;
 
-use crate::{Axis, AxisKind, Machine, MachineFile};
+use crate::axis::{Axis, AxisKind};
+use crate::file::MachineFile;
+use crate::machine::Machine;
 use seamwright_document::Document;
 use seamwright_message::{Message, Unit};
 use serde::Serialize;

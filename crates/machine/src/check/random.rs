@@ -1,4 +1,6 @@
-use crate::{AxisKind, Joints, Machine};
+use crate::axis::AxisKind;
+use crate::chain::Joints;
+use crate::machine::Machine;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use std::f64::consts::PI;

@@ -1,8 +1,9 @@
 use super::climb::climb;
 use super::random::Random;
 use super::voxels::{self, Volume};
+use crate::chain::Joints;
 use crate::inverse::angle_between;
-use crate::{Joints, Machine};
+use crate::machine::Machine;
 use glam::DVec3;
 use serde::Serialize;
 

@@ -1,7 +1,9 @@
 use super::random::Random;
 use super::task::Task;
-use crate::inverse::angle_between;
-use crate::{AxisKind, Joints, Machine, Solution, Target};
+use crate::axis::AxisKind;
+use crate::chain::Joints;
+use crate::inverse::{Solution, angle_between};
+use crate::machine::{Machine, Target};
 use seamwright_geometry::Pose;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
@@ -191,7 +193,7 @@ pub(super) fn pair(machine: &Machine, seed: u64, poses: u32, step: &mut dyn FnMu
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shipped;
+    use crate::shipped::shipped;
 
     /// A solution with any part beyond its limit fails.
     #[test]

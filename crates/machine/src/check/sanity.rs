@@ -1,5 +1,9 @@
 use super::usual::*;
-use crate::{Axis, AxisKind, Clamped, Machine, MachineFile, StepFile, Surroundings};
+use crate::axis::{Axis, AxisKind};
+use crate::file::{MachineFile, StepFile};
+use crate::machine::Machine;
+use crate::surroundings::Surroundings;
+use seamwright_clearance::Clamped;
 use seamwright_document::Document;
 use seamwright_message::{Argument, Language, Message, Quantity, Unit};
 use serde::ser::SerializeStruct;

@@ -1,4 +1,7 @@
-use crate::{AxisKind, Joints, LinkFrames, Machine};
+use crate::axis::AxisKind;
+use crate::chain::Joints;
+use crate::links::LinkFrames;
+use crate::machine::Machine;
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
 

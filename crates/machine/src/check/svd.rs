@@ -1,4 +1,4 @@
-use crate::MAX_AXES;
+use crate::chain::MAX_AXES;
 use arrayvec::ArrayVec;
 
 /// Rows of the matrices here: three of a point, three of a direction, three of another direction.

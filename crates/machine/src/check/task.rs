@@ -1,5 +1,7 @@
 use super::svd::{Columns, Svd, svd};
-use crate::{AxisKind, Joints, MAX_AXES, Machine};
+use crate::axis::AxisKind;
+use crate::chain::{Joints, MAX_AXES};
+use crate::machine::Machine;
 use arrayvec::ArrayVec;
 
 /// Typical weld speed: the tip moves at 10 mm/s around a bend of 100 mm radius, so that the torch turns at 0.1 rad/s.

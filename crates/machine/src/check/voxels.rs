@@ -1,5 +1,6 @@
 use super::random::{Random, ranges};
-use crate::{Joints, Machine};
+use crate::chain::Joints;
+use crate::machine::Machine;
 use glam::{DMat3, DVec3};
 use serde::Serialize;
 use std::collections::VecDeque;

@@ -3,7 +3,7 @@
 use super::modbus::{
     BitFile, ModbusDevice, ModbusFile, NumberFile, NumberType, Place, Register, Role, Scaled, Table, Word,
 };
-use crate::MachineFile;
+use crate::file::MachineFile;
 use seamwright_document::{Document, DocumentError, Finite, Positive};
 use seamwright_message::{Message, Unit};
 

@@ -1,21 +1,7 @@
-use crate::MachineFile;
-use schemars::JsonSchema;
+use super::file::LinuxCncFile;
+use crate::file::MachineFile;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use serde::Deserialize;
-
-/// The drives by LinuxCNC's HAL, as a real-time engine.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct LinuxCncFile {
-    /// HAL file that connects the hardware, beside the machine file; axes without hardware that follow at once if missing.
-    pub hal: Option<String>,
-    /// Set-points that the drives have in store, 2 to 200; 10 if missing. So many periods late is a correction, and so many
-    /// cycles may be missed.
-    pub store: Option<u32>,
-    /// Period of a second, faster thread called `cell-base` (software step pulses), us, 10 to 1000; none if missing.
-    pub base_period_us: Option<u32>,
-}
 
 /// The drives by LinuxCNC's HAL.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -71,7 +57,8 @@ pub(super) fn linuxcnc(
 
 #[cfg(test)]
 mod tests {
-    use crate::{Machine, shipped};
+    use crate::machine::Machine;
+    use crate::shipped::shipped;
 
     fn read(devices: &str) -> Result<Machine, String> {
         let text = format!("{}\n{devices}", shipped("ellipse-xy").unwrap().text);

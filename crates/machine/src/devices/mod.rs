@@ -1,37 +1,23 @@
 //! `[devices.<name>]`: devices of drives, process source, inputs and outputs. All others are simulated.
 
 mod check;
+mod file;
 mod linuxcnc;
 mod modbus;
 mod steps;
 
-pub use linuxcnc::{LinuxCnc, LinuxCncFile};
+pub use file::{DeviceFile, LinuxCncFile, StepsFile};
+pub use linuxcnc::LinuxCnc;
 pub use modbus::{
     BitFile, ModbusDevice, ModbusFile, NumberFile, NumberType, OutputsFile, Place, Register, ReportsFile, Role, Scaled,
     Table, Word, WordOrder,
 };
 
-pub use steps::{Steps, StepsFile};
+pub use steps::Steps;
 
-use crate::Axis;
-use schemars::JsonSchema;
+use crate::axis::Axis;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;
-use serde::Deserialize;
-
-/// A device, by how it is reached. Exactly one of them.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-#[allow(clippy::large_enum_variant, reason = "read once")]
-pub enum DeviceFile {
-    /// Process source, inputs and outputs over Modbus TCP.
-    Modbus(ModbusFile),
-    /// The drives by LinuxCNC's HAL.
-    #[serde(rename = "linuxcnc")]
-    LinuxCnc(LinuxCncFile),
-    /// The drives by step and direction pulses.
-    Steps(StepsFile),
-}
 
 /// The devices of a machine, checked.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -52,7 +38,10 @@ impl MachineDevices {
 }
 
 /// Assembles the devices of a machine file with these `axes`.
-pub(crate) fn devices(file: &Document<crate::MachineFile>, axes: &[Axis]) -> Result<MachineDevices, DocumentError> {
+pub(crate) fn devices(
+    file: &Document<crate::file::MachineFile>,
+    axes: &[Axis],
+) -> Result<MachineDevices, DocumentError> {
     let mut devices = MachineDevices::default();
     for (name, device) in &file.value.devices {
         let has_drives = devices.linuxcnc.is_some() || devices.steps.is_some();

@@ -1,18 +1,8 @@
-use crate::{Axis, MachineFile};
-use schemars::JsonSchema;
+use super::file::StepsFile;
+use crate::axis::Axis;
+use crate::file::MachineFile;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use serde::Deserialize;
-
-/// The drives by step and direction pulses to the steppers of `[drives.<axis>.stepper]`.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct StepsFile {
-    /// File or named pipe that the pulses go to as a value change dump, beside the machine file; none if missing.
-    pub stream: Option<String>,
-    /// Tick of the timer that makes the pulses, ns, 10 to 100000; 100 if missing. The period is a whole number of them.
-    pub tick_ns: Option<u32>,
-}
 
 /// The drives by step and direction pulses. Every axis has a stepper that meets its resolution with valid pulses for
 /// its driver. That holds up to the maximum speed, and at reversals under the maximum acceleration.
@@ -114,7 +104,8 @@ fn check(file: &Document<MachineFile>, name: &str, axis: &Axis, steps: &Steps) -
 
 #[cfg(test)]
 mod tests {
-    use crate::{Machine, shipped};
+    use crate::machine::Machine;
+    use crate::shipped::shipped;
 
     fn read(devices: &str, change: (&str, &str)) -> Result<Machine, String> {
         let text = shipped("torch-5axis").unwrap().text.replacen(change.0, change.1, 1);

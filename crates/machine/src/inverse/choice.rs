@@ -1,7 +1,7 @@
 //! Redundancy resolution: the axes that a pose decides if the chain has more than it needs.
 
+use crate::axis::{Axis, AxisKind};
 use crate::chain::{AxisSet, Chain, Joints};
-use crate::{Axis, AxisKind};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use std::f64::consts::PI;
@@ -79,7 +79,7 @@ fn best_triple(chain: &Chain, axes: &[Axis], linear: &[usize]) -> Option<AxisSet
 
 /// The two rotary axes that best turn the torch about home.
 fn best_pair(chain: &Chain, axes: &[Axis], rotary: &[usize]) -> AxisSet {
-    let home = super::home(axes);
+    let home = crate::inverse::choice::home(axes);
     let columns = chain.jacobian(&home);
     let later = |axis: usize| chain.screws.iter().position(|s| s.axis == axis).unwrap_or(0) as f64;
     let score = |pair: &[usize]| {
@@ -176,4 +176,9 @@ fn subsets(of: &[usize], size: usize) -> Vec<Vec<usize>> {
         }
     }
     all
+}
+
+/// Home positions of the axes.
+pub(super) fn home(axes: &[Axis]) -> Joints {
+    std::array::from_fn(|i| axes.get(i).map_or(0.0, |a| a.home))
 }

@@ -1,6 +1,8 @@
+use super::branches::Unreachable;
+use super::rotaries;
 use super::three_linear::move_linear;
-use super::{Unreachable, independent, rotaries};
-use crate::AxisKind;
+use super::vectors::independent;
+use crate::axis::AxisKind;
 use crate::chain::{AxisSet, Chain, Joints, MAX_AXES, Screw, Turn};
 use arrayvec::ArrayVec;
 use glam::{DMat3, DVec3};

@@ -1,7 +1,8 @@
+use super::branches::{Branches, Solution, Unreachable};
 use super::choice::spread;
-use super::{Branches, Solution, Unreachable, angle_between};
+use super::vectors::angle_between;
+use crate::axis::{Axis, AxisKind};
 use crate::chain::{Chain, Joints, MAX_AXES};
-use crate::{Axis, AxisKind};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use std::f64::consts::{PI, TAU};
@@ -140,7 +141,7 @@ impl Numeric {
         if branches.iter().any(|b| same(b) || (b.singular && solution.singular)) {
             return;
         }
-        if branches.len() < super::MAX_BRANCHES {
+        if branches.len() < crate::inverse::branches::MAX_BRANCHES {
             *branches.add() = solution;
         } else if let Some(worst) = branches.iter_mut().max_by(|a, b| a.attitude_error.total_cmp(&b.attitude_error)) {
             // Too few axes have many local minima of the direction error: keep the smallest.

@@ -1,4 +1,6 @@
-use super::{Branches, Solution, Unreachable, Which, angle_between, in_plane, rotaries};
+use super::branches::{Branches, Solution, Unreachable, Which};
+use super::rotaries;
+use super::vectors::{angle_between, in_plane};
 use crate::chain::{Chain, Joints, MAX_AXES, Turn};
 use seamwright_geometry::Pose;
 
@@ -18,7 +20,7 @@ impl PlaneOnRotary {
     pub(crate) fn new(chain: &Chain, linear: [usize; 2], rotary: &[usize]) -> Option<Self> {
         let (&first, rest) = rotary.split_first()?;
         let [a, b] = linear.map(|l| &chain.screws[l]);
-        if first > linear[0] || rest.len() > 1 || !super::independent(a, b) {
+        if first > linear[0] || rest.len() > 1 || !crate::inverse::vectors::independent(a, b) {
             return None;
         }
         let normal = a.direction.cross(b.direction).normalize();

@@ -1,5 +1,6 @@
+use super::branches::{Branches, Unreachable, Which};
 use super::rotaries::{self, Pair};
-use super::{Branches, Unreachable, Which, angle_between};
+use super::vectors::angle_between;
 use crate::chain::{Chain, Joints, MAX_AXES, Screw, Turn, Turns};
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -16,7 +17,7 @@ pub(crate) struct ThreeLinear {
 impl ThreeLinear {
     pub(crate) fn new(chain: &Chain, linear: [usize; 3], rotary: &[usize]) -> Option<Self> {
         if let &[a, b] = rotary
-            && !super::independent(&chain.screws[a], &chain.screws[b])
+            && !crate::inverse::vectors::independent(&chain.screws[a], &chain.screws[b])
         {
             return None;
         }

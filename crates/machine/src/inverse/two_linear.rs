@@ -1,4 +1,5 @@
-use super::{Branches, Unreachable, angle_between, in_plane};
+use super::branches::{Branches, Unreachable};
+use super::vectors::{angle_between, in_plane};
 use crate::chain::Chain;
 use seamwright_geometry::Pose;
 
@@ -14,7 +15,7 @@ pub(crate) struct TwoLinear {
 impl TwoLinear {
     pub(crate) fn new(chain: &Chain, linear: [usize; 2]) -> Option<Self> {
         let [a, b] = linear.map(|l| &chain.screws[l]);
-        super::independent(a, b).then_some(Self { linear })
+        crate::inverse::vectors::independent(a, b).then_some(Self { linear })
     }
 
     pub(crate) fn solve(&self, chain: &Chain, pose: &Pose, branches: &mut Branches) -> Result<(), Unreachable> {

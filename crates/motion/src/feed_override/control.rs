@@ -1,9 +1,10 @@
 mod search;
 
+use super::Command;
 use super::course::{Course, Return, Segment, State};
+use super::error::FeedOverrideError;
 use super::shield::Shield;
 use super::timed::{Limits, Pacing, Rates, Timed};
-use super::{Command, FeedOverrideError};
 
 /// Maximum override.
 const MAX_OVERRIDE: f64 = 1.5;

@@ -1,6 +1,7 @@
 use super::timed::{Rates, Timed, Tip};
+use crate::joint_path::JointPath;
+use crate::speed_profile::{ProfilePoint, SpeedProfile};
 use crate::tip_channels::{self, TipChannels};
-use crate::{JointPath, ProfilePoint, SpeedProfile};
 use seamwright_machine::{Machine, TipLimits};
 
 /// A pass in time: the axes' path with a speed profile.

@@ -1,9 +1,10 @@
 mod take;
 
+use super::Command;
 use super::control::{FeedOverride, Played};
+use super::error::FeedOverrideError;
 use super::order::{Instant, RunPhase};
 use super::timed::Timed;
-use super::{Command, FeedOverrideError};
 use seamwright_program::{AtHold, Sequence, is_before, is_beyond, is_same_position};
 
 /// Next action once the torch rests with the process off.

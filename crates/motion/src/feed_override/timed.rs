@@ -1,5 +1,5 @@
-use super::FeedOverrideError;
-use crate::LimitKind;
+use super::error::FeedOverrideError;
+use crate::limit_kind::LimitKind;
 use crate::pass_channels::limits;
 pub use crate::speed_profile::Limits as AxisLimits;
 use crate::tip_channels::{self, TipChannels};

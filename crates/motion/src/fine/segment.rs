@@ -1,4 +1,4 @@
-use super::Knot;
+use super::spline::Knot;
 use seamwright_machine::{Joints, MAX_AXES};
 
 /// The curve between two knots: the polynomial of the fifth degree with the position, speed and acceleration of both.

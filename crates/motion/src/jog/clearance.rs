@@ -1,4 +1,4 @@
-use super::PointToPoint;
+use super::point_to_point::PointToPoint;
 use crate::transfer::too_near;
 use seamwright_clearance::{ClearanceError, Limits};
 use seamwright_machine::{Course, Joints, Surroundings};

@@ -1,8 +1,8 @@
-use super::point_to_point::Goal;
-use super::state::AxisState;
+use super::error::{AxisName, AxisValue, JogError, JogSetting};
+use super::point_to_point::{Goal, PointToPoint};
+use super::state::{AxisState, State};
 use super::stop::{Commitment, Stop};
-use super::tip::{TipLine, same_way};
-use super::{AxisName, AxisValue, JogError, JogSetting, PointToPoint, State, TipFrame};
+use super::tip::{TipFrame, TipLine, same_way};
 use crate::limit_kind::position_unit;
 use glam::DVec3;
 use rsruckig::prelude::Synchronization;

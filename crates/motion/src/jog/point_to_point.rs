@@ -1,5 +1,6 @@
-use super::state::AxisState;
-use super::{AxisLimits, JogError, State};
+use super::error::JogError;
+use super::limits::AxisLimits;
+use super::state::{AxisState, State};
 use rsruckig::prelude::*;
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 

@@ -1,4 +1,4 @@
-use super::AxisLimits;
+use super::limits::AxisLimits;
 use super::state::AxisState;
 
 /// Time-optimal change of one axis from any speed and acceleration to a constant speed within its acceleration and

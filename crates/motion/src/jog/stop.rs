@@ -1,5 +1,6 @@
+use super::limits::AxisLimits;
 use super::ramp::Ramp;
-use super::{AxisLimits, State};
+use super::state::State;
 use seamwright_machine::{Course, Joints, MAX_AXES};
 
 /// Stop of every axis by its own fastest jerk-limited motion.

@@ -1,6 +1,6 @@
+use super::limits::AxisLimits;
 use super::ramp::Ramp;
-use super::state::AxisState;
-use super::{AxisLimits, State};
+use super::state::{AxisState, State};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};

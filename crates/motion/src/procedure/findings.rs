@@ -1,6 +1,7 @@
 //! Findings for a plan outside its procedure.
 
-use super::{PassProcedure, PlannedPass, Quantity};
+use super::PassProcedure;
+use super::planned_pass::{PlannedPass, Quantity};
 use seamwright_message::{Argument, Message, Unit};
 use seamwright_program::{Finding, Outside, Pass, PositionStretch, Procedure, Run, WeldingPosition};
 

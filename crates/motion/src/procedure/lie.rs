@@ -1,7 +1,7 @@
 //! Inclination of the weld against gravity and angles of the torch along a planned pass.
 
-use super::PlannedPass;
-use crate::survey::PLACES;
+use super::planned_pass::PlannedPass;
+use crate::joint_path::PLACES;
 use seamwright_program::{Inclination, TorchPath};
 
 /// Weld and torch at one station.

@@ -7,29 +7,12 @@
 
 mod findings;
 mod lie;
+mod planned_pass;
 mod windows;
 
-use crate::PassMotion;
-use seamwright_machine::Machine;
+pub use planned_pass::{PlannedPass, Quantity};
 use seamwright_message::Message;
-use seamwright_program::{
-    FilletOrButt, Finding, Inclination, Outside, Pass, PositionStretch, Procedure, TorchPath, Window,
-};
-
-/// A pass with its planned motion.
-#[derive(Clone, Copy)]
-pub struct PlannedPass<'a> {
-    /// The machine whose motion it is.
-    pub machine: &'a Machine,
-    /// The torch path of the pass.
-    pub path: &'a dyn TorchPath,
-    /// The pass.
-    pub pass: &'a Pass,
-    /// Its number in the program, from 1.
-    pub number: usize,
-    /// The planned motion.
-    pub motion: &'a PassMotion,
-}
+use seamwright_program::{FilletOrButt, Finding, Inclination, PositionStretch, Procedure};
 
 /// Values of a planned pass, and the windows of its procedure.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,19 +32,6 @@ pub struct PassProcedure {
     pub positions: Vec<PositionStretch>,
     /// Findings for values outside the procedure.
     pub findings: Vec<Finding>,
-}
-
-/// A value along a pass.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Quantity {
-    /// Its key in the procedure, which ends in its unit.
-    pub key: String,
-    /// Minimum and maximum value found; none if missing in the plan.
-    pub found: Option<(f64, f64)>,
-    /// The window, if the procedure has one.
-    pub allowed: Option<Window>,
-    /// Stretches outside the window, in the order of path length.
-    pub outside: Vec<Outside>,
 }
 
 impl PassProcedure {

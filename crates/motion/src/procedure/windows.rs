@@ -1,7 +1,7 @@
 //! Comparison of values along a planned pass with their windows.
 
 use super::lie::{self, Lie};
-use super::{PlannedPass, Quantity};
+use super::planned_pass::{PlannedPass, Quantity};
 use seamwright_document::Finite;
 use seamwright_program::{ArcTime, Outside, Pass, Procedure, Run, Span, SpanValue, Window};
 

@@ -1,6 +1,6 @@
-use super::timing::check_period;
-use super::train::EvenTicks;
-use super::{Error, Timing, Train};
+use super::Error;
+use super::timing::{Timing, check_period};
+use super::train::{EvenTicks, Train};
 
 /// Fraction bits of a position in steps. Positions are even multiples of the smallest fraction and pulse positions odd
 /// ones, so the two never coincide.

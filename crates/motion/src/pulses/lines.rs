@@ -1,4 +1,7 @@
-use super::{Error, Generator, Timing, Train};
+use super::Error;
+use super::generator::Generator;
+use super::timing::Timing;
+use super::train::Train;
 
 /// Edge of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,8 @@
 //! stations and samples only; every solution is then continued into the neighbouring cells, from there into theirs, and
 //! so on. A branch found in one cell is thus followed over the whole lattice.
 
-use super::{Place, Task};
+use super::cost::Place;
+use super::task::Task;
 use seamwright_machine::{AxisKind, Joints, MAX_BRANCHES};
 use std::collections::VecDeque;
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
-use crate::redundancy::{Aim, Clearance, Place};
 use crate::singular;
-use seamwright_machine::{AxisKind, AxisSet, Joints, MAX_AXES, Machine};
+use glam::DVec3;
+use seamwright_machine::{AxisKind, AxisSet, Joints, MAX_AXES, Machine, Target};
 use seamwright_program::{
     FilletOrButt, Inclination, Pass, Position, PositionLimits, Procedure, SpareAxes, TorchPath, WeldingPosition,
 };
@@ -176,4 +176,35 @@ fn tilts(machine: &Machine, axes: AxisSet, base: &Joints) -> bool {
         q[axis] += 0.1;
         (machine.up_in_work(&q) - up).length() > 1e-6
     })
+}
+
+/// Distance to obstacles, for the choice of the free axes.
+#[derive(Clone, Copy)]
+pub struct Clearance<'a> {
+    /// Minimum distance (mm) at axis positions, negative inside an obstacle; continuous.
+    pub distance: &'a dyn Fn(&Joints) -> f64,
+    /// Distance above which more has no benefit, mm; greater than 0.
+    pub wanted_mm: f64,
+}
+
+/// Criteria for the choice of the free axes.
+#[derive(Clone, Copy)]
+pub(crate) struct Aim<'a> {
+    /// Maximum speed along the path, mm/s.
+    pub(crate) speed: f64,
+    pub(crate) wishes: &'a SpareAxes,
+    /// Obstacles to keep clear of.
+    pub(crate) clearance: Option<Clearance<'a>>,
+    /// Welding positions that take precedence over the preferred ones.
+    pub(crate) positions: Option<AllowedPositions<'a>>,
+    /// False if the reason for a missing path is not needed: without a closed form it is slow to find.
+    pub(crate) explains: bool,
+}
+
+/// A station of the path.
+pub(super) struct Place {
+    pub(super) s: f64,
+    pub(super) target: Target,
+    pub(super) face: DVec3,
+    pub(super) tangent: DVec3,
 }

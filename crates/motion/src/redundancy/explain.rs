@@ -1,5 +1,6 @@
 use super::graph::Graph;
-use super::{HoldError, Task};
+use super::hold_error::HoldError;
+use super::task::Task;
 use crate::limit_kind::position_unit;
 use crate::limits::Runs;
 use seamwright_machine::{AxisKind, Joints};

@@ -1,4 +1,6 @@
-use super::{Cost, Place, Task, continuation};
+use super::continuation;
+use super::cost::{Cost, Place};
+use super::task::Task;
 use crate::effort::SearchStage;
 use seamwright_machine::{AxisKind, Joints};
 use std::collections::HashSet;

@@ -23,20 +23,21 @@ mod cost;
 mod explain;
 mod free_axes;
 mod graph;
+mod hold_error;
 mod refine;
+mod task;
 
 use crate::effort::Effort;
 use crate::limit_kind::position_unit;
-pub(crate) use cost::AllowedPositions;
-use cost::Cost;
+pub use cost::Clearance;
+pub(crate) use cost::{Aim, AllowedPositions};
 pub(crate) use explain::hold as hold_finding;
 pub use free_axes::FreeAxes;
-use glam::DVec3;
-use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Target};
-use seamwright_message::{Argument, Message, Unit};
+pub use hold_error::HoldError;
+use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, SpareAxes, TorchPath};
 use std::borrow::Cow;
-use std::f64::consts::TAU;
+use task::Task;
 
 /// Stations of the graph's first level and samples of the free axes there: a quick search, then a thorough one.
 const EFFORTS: [(usize, usize); 2] = [(24, 216), (48, 800)];
@@ -46,95 +47,6 @@ const NUMERIC_EFFORTS: [(usize, usize); 2] = [(24, 64), (48, 120)];
 const MAX_TURNS: f64 = 8.0;
 /// Number of levels of the graph after the first.
 const FINER: usize = 2;
-/// Stations and spline intervals of the refinement of every path, and of the best one after that.
-const FIRST_STAGE: (usize, usize) = (40, 8);
-const STAGES: [(usize, usize); 2] = [(120, 16), (1000, 48)];
-
-/// Distance to obstacles, for the choice of the free axes.
-#[derive(Clone, Copy)]
-pub struct Clearance<'a> {
-    /// Minimum distance (mm) at axis positions, negative inside an obstacle; continuous.
-    pub distance: &'a dyn Fn(&Joints) -> f64,
-    /// Distance above which more has no benefit, mm; greater than 0.
-    pub wanted_mm: f64,
-}
-
-/// Error of an invalid hold of an axis.
-#[derive(Debug, Clone, PartialEq)]
-pub enum HoldError {
-    /// The machine has no such axis, or it does not carry the torch.
-    Unknown {
-        /// Requested name.
-        axis: String,
-        /// Names of the axes that carry the torch.
-        axes: Vec<String>,
-    },
-    /// A torch pose needs every axis.
-    Decided {
-        /// Requested name.
-        axis: String,
-    },
-    /// The other axes cannot reach every torch pose.
-    TooFew {
-        /// The first of the axes to hold.
-        axis: String,
-        /// All axes to hold.
-        held: Vec<String>,
-        /// Number of axes that can be held.
-        redundant: usize,
-    },
-    /// The position lies outside the axis' range.
-    Range {
-        /// Requested name.
-        axis: String,
-        /// The position, in the file's unit.
-        value: f64,
-        /// The range, in the file's unit.
-        range: (f64, f64),
-        /// The file's unit.
-        unit: Unit,
-    },
-}
-
-impl HoldError {
-    /// Name of the axis.
-    pub fn axis(&self) -> &str {
-        match self {
-            Self::Unknown { axis, .. }
-            | Self::Decided { axis }
-            | Self::TooFew { axis, .. }
-            | Self::Range { axis, .. } => axis,
-        }
-    }
-
-    /// Describes the error.
-    pub fn message(&self) -> Message {
-        match self {
-            Self::Unknown { axis, .. } => Message::new("motion-hold-unknown").axis("axis", axis.as_str()),
-            Self::Decided { axis } => Message::new("motion-hold-decided").axis("axis", axis.as_str()),
-            Self::TooFew { held, .. } => {
-                Message::new("motion-hold-too-few").list("held", held.iter().cloned().map(Argument::Axis))
-            }
-            Self::Range { axis, value, unit, .. } => {
-                Message::new("motion-hold-range").axis("axis", axis.as_str()).value("value", *value, *unit)
-            }
-        }
-    }
-
-    /// Allowed axes, number or range.
-    pub fn allowed(&self) -> Message {
-        match self {
-            Self::Unknown { axes, .. } => Message::verbatim(axes.join(", ")),
-            Self::Decided { .. } => Message::new("motion-hold-allowed-none"),
-            Self::TooFew { redundant, .. } => Message::new("motion-hold-allowed-count").count("axes", *redundant),
-            Self::Range { range: (low, high), unit, .. } => {
-                Message::new("document-between").quantity("min", *low, *unit, 3).quantity("max", *high, *unit, 3)
-            }
-        }
-    }
-}
-
-seamwright_message::display_by_message!(HoldError);
 
 /// The machine with the axes held by `wishes` free of the torch's pose: `machine` itself if they are already free, else
 /// the one of [`Machine::freeing`].
@@ -177,20 +89,6 @@ fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, Hold
         held.push((axis, value));
     }
     Ok(held)
-}
-
-/// Criteria for the choice of the free axes.
-#[derive(Clone, Copy)]
-pub(crate) struct Aim<'a> {
-    /// Maximum speed along the path, mm/s.
-    pub(crate) speed: f64,
-    pub(crate) wishes: &'a SpareAxes,
-    /// Obstacles to keep clear of.
-    pub(crate) clearance: Option<Clearance<'a>>,
-    /// Welding positions that take precedence over the preferred ones.
-    pub(crate) positions: Option<AllowedPositions<'a>>,
-    /// False if the reason for a missing path is not needed: without a closed form it is slow to find.
-    pub(crate) explains: bool,
 }
 
 /// Resolves the free axes of `machine` along `path`, welded at up to `speed` mm/s: continuous, twice continuously
@@ -253,55 +151,7 @@ struct Found {
     inside: bool,
 }
 
-/// Problem of the search.
-struct Task<'a> {
-    effort: &'a Effort<'a>,
-    machine: &'a Machine,
-    path: &'a dyn TorchPath,
-    /// The axes to resolve.
-    free: Vec<usize>,
-    /// Home, with the held axes at their positions.
-    base: Joints,
-    /// Axes whose positions a whole turn apart are equivalent.
-    winding: AxisSet,
-    /// See [`Aim::explains`].
-    explains: bool,
-    cost: Cost<'a>,
-}
-
-/// A station of the path.
-struct Place {
-    s: f64,
-    target: Target,
-    face: DVec3,
-    tangent: DVec3,
-}
-
 impl<'a> Task<'a> {
-    fn new(
-        effort: &'a Effort<'a>,
-        machine: &'a Machine,
-        path: &'a dyn TorchPath,
-        aim: Aim<'a>,
-        held: &[(usize, f64)],
-    ) -> Self {
-        let mut base = machine.home();
-        held.iter().for_each(|&(axis, value)| base[axis] = value);
-        let still: AxisSet = held.iter().map(|(axis, _)| *axis).collect();
-        let looked_for = machine.free().different(still);
-        let cost = Cost::new(machine, aim, still, &base);
-        let winding = (0..machine.axes.len()).filter(|&axis| {
-            // A free axis is sampled over one turn: the path may need another one.
-            let turns = if looked_for.has(axis) { 2.0 } else { 1.0 };
-            let a = &machine.axes[axis];
-            let wide = a.range.is_none_or(|(low, high)| high - low >= turns * TAU * (1.0 - 1e-9));
-            // A table of pitch errors is not periodic.
-            a.kind == AxisKind::Rotary && wide && (a.range.is_none() || a.pitch_error.is_none())
-        });
-        let winding = winding.collect();
-        Self { effort, machine, path, free: looked_for.iter().collect(), base, winding, explains: aim.explains, cost }
-    }
-
     /// Runs a quick search, then a thorough one if that found no path inside the ranges.
     fn search(&self, still: &[(usize, f64)], pass: usize) -> Result<Found, Vec<Finding>> {
         let mut best: Option<Found> = None;
@@ -338,28 +188,6 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// Rotary axes without a limited range.
-    fn endless(&self) -> AxisSet {
-        let rotary = |axis: &usize| self.machine.axes[*axis].kind == AxisKind::Rotary;
-        (0..self.machine.axes.len()).filter(rotary).filter(|&axis| self.machine.axes[axis].range.is_none()).collect()
-    }
-
-    /// Approximate number of nodes per node if turns of all axes with ranges were distinguished.
-    fn telling_turns(&self) -> f64 {
-        let ranges = self.winding.iter().filter_map(|axis| self.machine.axes[axis].range);
-        ranges.map(|(low, high)| ((high - low) / TAU).ceil()).product()
-    }
-
-    fn places(&self, stations: usize) -> Vec<Place> {
-        let at = |i: usize| self.path.length() * i as f64 / stations as f64;
-        (0..=stations).map(|i| self.place(at(i))).collect()
-    }
-
-    fn place(&self, s: f64) -> Place {
-        let tangent = self.path.groove(s).map_or_else(|| self.path.tangent(s), |groove| groove.tangent);
-        Place { s, target: self.path.pose(s).into(), face: self.path.face(s), tangent }
-    }
-
     /// The path through successively finer nodes about `way`, whose nodes are `steps` apart.
     fn closer(&self, mut way: Vec<Joints>, mut steps: Vec<f64>) -> Vec<Joints> {
         for _ in 0..FINER {
@@ -367,28 +195,5 @@ impl<'a> Task<'a> {
             steps.iter_mut().for_each(|s| *s *= 0.5);
         }
         way
-    }
-
-    /// True if positions of `axis` a whole turn apart are equivalent.
-    fn winds(&self, axis: usize) -> bool {
-        self.winding.has(axis)
-    }
-
-    /// Shortest displacement of `axis` from `a` to `b`, modulo turns if these are equivalent.
-    fn way(&self, axis: usize, a: f64, b: f64) -> f64 {
-        let d = b - a;
-        if self.winds(axis) { d - TAU * (d / TAU).round() } else { d }
-    }
-
-    /// Turns winding axes by whole turns, so that they stay in their ranges if possible, and as near to home as
-    /// possible.
-    fn turn_home(&self, way: &mut [Joints]) {
-        for (i, axis) in self.machine.axes.iter().enumerate().filter(|(i, _)| self.winds(*i)) {
-            let (low, high) =
-                way.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q[i]), h.max(q[i])));
-            let home = ((axis.home - 0.5 * (low + high)) / TAU).round();
-            let turns = axis.turns_within(low..=high, home).unwrap_or(home);
-            way.iter_mut().for_each(|q| q[i] += TAU * turns);
-        }
     }
 }

@@ -1,7 +1,7 @@
 use super::banded::Banded;
-use super::cost::{Cost, ROWS};
+use super::cost::{Cost, Place, ROWS};
 use super::free_axes::{Basis, FreeAxes};
-use super::{FIRST_STAGE, Place, STAGES, Task};
+use super::task::Task;
 use crate::effort::SearchStage;
 use seamwright_machine::{AxisKind, Joints, MAX_AXES};
 
@@ -258,3 +258,8 @@ impl<'t, 'a> Stage<'t, 'a> {
         equations
     }
 }
+
+/// Stations and spline intervals of the refinement of every path, and of the best one after that.
+pub(super) const FIRST_STAGE: (usize, usize) = (40, 8);
+
+pub(super) const STAGES: [(usize, usize); 2] = [(120, 16), (1000, 48)];

@@ -1,5 +1,5 @@
 use super::error::SpeedProfileError;
-use crate::LimitKind;
+use crate::limit_kind::LimitKind;
 
 /// Input of a speed profile: the motion of everything with limits by the path's parameter `u`.
 ///

@@ -83,7 +83,10 @@ impl Iterator for ComparisonIntegral {
 #[cfg(test)]
 mod tests {
     use super::super::testing::Random;
-    use super::super::{Method, Point, Request, Shape};
+    use crate::textbook::method::Method;
+    use crate::textbook::point::Point;
+    use crate::textbook::request::Request;
+    use crate::textbook::shape::Shape;
     use glam::DVec2;
 
     fn request(shape: Shape, pulse_mm: f64) -> Request {

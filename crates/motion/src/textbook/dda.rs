@@ -108,8 +108,10 @@ impl Iterator for Dda {
 #[cfg(test)]
 mod tests {
     use super::super::testing::Random;
-    use super::super::{Method, Request, Shape};
     use super::*;
+    use crate::textbook::method::Method;
+    use crate::textbook::request::Request;
+    use crate::textbook::shape::Shape;
     use glam::DVec2;
 
     fn request(shape: Shape, pulse_mm: f64) -> Request {

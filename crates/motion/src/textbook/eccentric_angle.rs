@@ -83,8 +83,10 @@ impl Iterator for EccentricAngle {
 #[cfg(test)]
 mod tests {
     use super::super::testing::Random;
-    use super::super::{Method, Request, Shape};
     use super::*;
+    use crate::textbook::method::Method;
+    use crate::textbook::request::Request;
+    use crate::textbook::shape::Shape;
     use std::f64::consts::TAU;
 
     const RULES: [AngleRule; 3] = [AngleRule::Printed, AngleRule::Polar, AngleRule::Tangent];

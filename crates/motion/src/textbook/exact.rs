@@ -110,8 +110,10 @@ impl Iterator for Exact {
 #[cfg(test)]
 mod tests {
     use super::super::testing::{Random, arc};
-    use super::super::{Method, Request, Shape};
     use super::*;
+    use crate::textbook::method::Method;
+    use crate::textbook::request::Request;
+    use crate::textbook::shape::Shape;
     use glam::DVec2;
 
     fn points(shape: Shape, equal: EqualStep, step: f64) -> (Path, Vec<Point>) {

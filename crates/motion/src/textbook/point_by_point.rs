@@ -66,7 +66,9 @@ impl Iterator for PointByPoint {
 #[cfg(test)]
 mod tests {
     use super::super::testing::Random;
-    use super::super::{Method, Request, Shape};
+    use crate::textbook::method::Method;
+    use crate::textbook::request::Request;
+    use crate::textbook::shape::Shape;
     use glam::DVec2;
 
     fn request(shape: Shape, pulse_mm: f64) -> Request {

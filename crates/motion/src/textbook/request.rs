@@ -134,9 +134,9 @@ impl Request {
 
 #[cfg(test)]
 mod tests {
-    use super::super::AngleRule;
     use super::super::testing::Random;
     use super::*;
+    use crate::textbook::method::AngleRule;
     use glam::DVec2;
 
     const METHODS: [Method; 8] = [

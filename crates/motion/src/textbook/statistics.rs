@@ -163,8 +163,10 @@ fn chord_error(path: &Path, from: &Point, to: &Point) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{AngleRule, EqualStep, Method, Request, Shape};
     use super::*;
+    use crate::textbook::method::{AngleRule, EqualStep, Method};
+    use crate::textbook::request::Request;
+    use crate::textbook::shape::Shape;
     use glam::DVec2;
 
     fn statistics(method: Method) -> Statistics {

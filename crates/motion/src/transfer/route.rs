@@ -1,4 +1,5 @@
-use super::{Leg, too_near};
+use super::leg::Leg;
+use super::too_near::too_near;
 use crate::effort::{Effort, SearchStage};
 use seamwright_clearance::Limits;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings};

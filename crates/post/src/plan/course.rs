@@ -1,6 +1,6 @@
 //! Process values that the control interpolates, along a pass.
 
-use crate::Control;
+use crate::control::Control;
 use crate::part_program::ChannelKind;
 use seamwright_program::{ArcTime, Pass};
 use std::ops::Range;

@@ -1,10 +1,11 @@
 use super::arcs::{Arcs, Normal, through};
 use super::block::{Block, Linearisation, Shape, Speeds};
 use super::course::Course;
+use crate::error::Error;
 use crate::even_speed::EvenSpeed;
 use crate::feed::MIN_FEED;
+use crate::part_program::Level;
 use crate::polynomial::{Evenly, Polynomial};
-use crate::{Error, Level};
 use glam::DVec3;
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::{PassMotion, TipPath};

@@ -1,10 +1,10 @@
 //! Deviation of a block from the plan.
 
-use super::BRIEFEST_S;
 use super::block::{Block, Shape};
 use super::cutter::{CHECKS, Cutter};
-use crate::Level;
+use super::options::BRIEFEST_S;
 use crate::even_speed::EvenSpeed;
+use crate::part_program::Level;
 use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
 use seamwright_program::{PathRange, TorchPath};

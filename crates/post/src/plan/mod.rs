@@ -17,6 +17,7 @@ mod block;
 mod course;
 mod cutter;
 mod deviation;
+mod options;
 mod ramps;
 mod rows;
 mod spline;
@@ -25,81 +26,27 @@ mod steps;
 
 pub use block::{Block, Linearisation, Shape, Speeds};
 pub use cutter::linearise;
+use options::ROUNDING;
+pub use options::{BRIEFEST_S, Interpolation, Options};
+use steps::{PlannedPass, Steps, Transfers};
 
+use crate::control::{Code, Control, Dialect};
+use crate::error::Error;
 use crate::part_program::{Event, Level, PartProgram};
 use crate::points::{ends, event_of, is_posted_as_it_stands};
-use crate::{Code, Control, Dialect, Error};
 use arcs::Arcs;
 use course::Course;
 use cutter::{Cutting, HELD_BACK, Kind, cut};
 use ramps::{ramp_breaks, weave_breaks};
 use seamwright_machine::{Joints, Machine};
-use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, Program, TorchPath};
 use stands::Neighbours;
-use steps::{Steps, Transfers};
 
-/// Options that convert a weld into a part program.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// Level at which the control interpolates.
-    pub level: Level,
-    /// Maximum distance of the blocks' path from the planned one of the tip, mm.
-    pub tolerance_mm: f64,
-    /// Maximum deviation of the tip's speed from the planned one inside blocks between the acceleration and
-    /// deceleration phases, percent. The control's block rate limits it: see [`BRIEFEST_S`]. Passes that weave are
-    /// exempt.
-    pub speed_percent: f64,
-    /// Kind of blocks. LinuxCNC and grblHAL have lines and arcs alone, Sinumerik polynomials too.
-    pub interpolation: Interpolation,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        // Welding procedures leave speeds about ten times as much.
-        Self { level: Level::Joint, tolerance_mm: 0.01, speed_percent: 1.0, interpolation: Interpolation::Pvt }
-    }
-}
-
-/// Minimum duration of blocks cut for the sake of the tip's speed, s: all of the controls pass a hundred blocks a
-/// second without slowing down.
-pub const BRIEFEST_S: f64 = 0.01;
-
-impl Options {
-    /// Tolerance left to a control that rounds corners between blocks, mm.
-    pub fn rounding_mm(&self) -> f64 {
-        ROUNDING * self.tolerance_mm
-    }
-}
-
-/// Kind of blocks on controls that have more than lines and arcs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Interpolation {
-    /// Cubics in time, with speeds: PVT.
-    Pvt,
-    /// Splines with equal times: SPLINE1.
-    Spline1,
-    /// Lines and arcs: LINEAR and CIRCLE.
-    Linear,
-    /// Sinumerik: polynomials of the third degree, POLY.
-    Poly,
-}
-
-/// Part of the tolerance that is left to the control for rounding corners (LinuxCNC's G64 P).
-const ROUNDING: f64 = 0.1;
 /// Part of the tolerance that controls without a tolerance for blends, and rounding to decimals, may use.
 const SPARED: f64 = 0.05;
 /// Longest time of PMAC's cubics, s.
 const LONGEST_CUBIC_S: f64 = 4.095;
-
-/// A pass with its motion, process values and events.
-struct PlannedPass<'a> {
-    pass: &'a Pass,
-    motion: &'a PassMotion,
-    course: Course<'a>,
-    /// Events and messages with their path lengths, mm.
-    events: Vec<(f64, Event)>,
-}
 
 /// Converts the weld into a part program for `control`. Blocks keep to `options.tolerance_mm` and to the plan's timing,
 /// and outputs are switched with the motion. Transfer moves are as planned; their straight lines in axis space are
@@ -271,7 +218,7 @@ fn arcs_of(control: &Control, level: Level) -> Arcs {
 impl Control {
     /// Whether `name` is a process value that changes in steps.
     fn is_stepped(&self, name: &str) -> bool {
-        self.channel(name).is_some_and(|i| self.channels[i].kind == crate::ChannelKind::Stepped)
+        self.channel(name).is_some_and(|i| self.channels[i].kind == crate::part_program::ChannelKind::Stepped)
     }
 
     /// Whether the machine file has an output or code for `event`.
@@ -300,7 +247,8 @@ impl Control {
     pub(crate) fn axes_xyz(&self) -> [Option<usize>; 3] {
         ["x", "y", "z"].map(|name| {
             self.channel(name).filter(|i| {
-                self.addresses[*i].eq_ignore_ascii_case(name) && self.channels[*i].kind == crate::ChannelKind::Linear
+                self.addresses[*i].eq_ignore_ascii_case(name)
+                    && self.channels[*i].kind == crate::part_program::ChannelKind::Linear
             })
         })
     }

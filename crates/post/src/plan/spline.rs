@@ -1,10 +1,11 @@
 //! Uniform cubic B-splines in time whose ends are at rest: PMAC's SPLINE1.
 
-use super::BRIEFEST_S;
 use super::block::{Block, Linearisation, Shape};
 use super::cutter::{Cutting, MAX_BLOCKS};
+use super::options::BRIEFEST_S;
+use crate::error::Error;
 use crate::even_speed::EvenSpeed;
-use crate::{Error, Level};
+use crate::part_program::Level;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, MAX_AXES, Machine};

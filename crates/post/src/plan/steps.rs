@@ -2,13 +2,13 @@
 
 use super::block::{Block, Linearisation, Shape};
 use super::course::Course;
+use super::options::Options;
 use super::ramps::{RestStep, rest_steps};
 use super::rows::{SCALE, rounded};
 use super::spline::TICK;
-use super::{Options, PlannedPass};
+use crate::control::{Control, Dialect};
 use crate::part_program::{ChannelKind, Event, Level, PartProgram, Path, What};
 use crate::write::fixed;
-use crate::{Control, Dialect};
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_motion::transfer::{Leg, TransferMove};
@@ -342,4 +342,13 @@ impl<'a> Steps<'a> {
 /// Time of an approach or retract, s.
 fn approach_s(a: &Block, b: &Block) -> f64 {
     60.0 * (a.tip - b.tip).length().max(1.0) / APPROACH_MM_MIN
+}
+
+/// A pass with its motion, process values and events.
+pub(super) struct PlannedPass<'a> {
+    pub(super) pass: &'a Pass,
+    pub(super) motion: &'a PassMotion,
+    pub(super) course: Course<'a>,
+    /// Events and messages with their path lengths, mm.
+    pub(super) events: Vec<(f64, Event)>,
 }

@@ -1,5 +1,5 @@
+use crate::control::{Control, Dialect};
 use crate::part_program::{Arc, ChannelKind, Event, Level, Move, MoveRows, PartProgram, Path, What};
-use crate::{Control, Dialect};
 use glam::DVec3;
 use seamwright_document::{Direction, Finite};
 use seamwright_machine::{Joints, Machine};
@@ -150,7 +150,7 @@ impl Steps<'_> {
     fn events(&mut self, after: usize) {
         for event in self.points.events.iter().filter(|event| event.after == after) {
             let event = event_of(event);
-            self.program.steps.extend(event.map(|event| crate::Step {
+            self.program.steps.extend(event.map(|event| crate::part_program::Step {
                 line: 0,
                 number: None,
                 what: What::Event { event, at_once: true },
@@ -196,7 +196,7 @@ impl Steps<'_> {
         let number = self.number.map(|column| point[column].get() as u32).filter(|n| *n > 0);
         let row = self.program.add_row(to);
         let m = Move { path, row, seconds, level: Level::Joint, exact_stop: span.stops };
-        self.program.steps.push(crate::Step { line: 0, number, what: What::Move(m) });
+        self.program.steps.push(crate::part_program::Step { line: 0, number, what: What::Move(m) });
     }
 
     /// Way of the tip in a block, mm.

@@ -1,9 +1,10 @@
 mod blocks;
 
 use super::rests::{Gap, Rests};
+use crate::control::Control;
+use crate::error::Error;
 use crate::part_program::{ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
 use crate::play::{Segment, play};
-use crate::{Control, Error};
 use blocks::push;
 use seamwright_document::{Finite, Positive, SchemaVersion, Transform};
 use seamwright_machine::Machine;

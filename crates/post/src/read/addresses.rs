@@ -1,6 +1,6 @@
 use super::error::{Fault, Span};
 use super::lexer::same;
-use crate::{Code, Control};
+use crate::control::{Code, Control};
 use seamwright_message::Message;
 
 /// Finds channels and codes by their names in the program.

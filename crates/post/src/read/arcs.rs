@@ -1,7 +1,7 @@
 //! Arcs from the words of programs. All turn about `normal` by the right-hand rule; the opposite sense has the opposite
 //! normal.
 
-use crate::Arc;
+use crate::part_program::Arc;
 use glam::DVec3;
 use seamwright_geometry::Curve;
 use std::f64::consts::TAU;

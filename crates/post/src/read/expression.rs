@@ -2,7 +2,7 @@
 
 use super::error::{Fault, Read, Span};
 use super::lexer::{Cursor, same};
-use crate::Dialect;
+use crate::control::Dialect;
 use seamwright_message::Message;
 use std::collections::HashMap;
 

@@ -9,7 +9,9 @@ mod arcs;
 mod error;
 mod expression;
 mod lexer;
+mod lines;
 mod motion;
+mod options;
 mod pmac;
 mod programs;
 mod round;
@@ -19,8 +21,11 @@ mod state;
 mod target;
 
 pub use error::ReadError;
+use lines::{Flow, Lines};
+pub use options::{LeftOut, ReadOptions};
 
-use crate::{Control, Dialect, Level, PartProgram, What};
+use crate::control::{Control, Dialect};
+use crate::part_program::{PartProgram, What};
 use error::{Fault, Read, Span};
 use lexer::Cursor;
 use programs::Programs;
@@ -36,51 +41,6 @@ pub struct Reading {
     pub left_out: Vec<LeftOut>,
     /// Notes for the user: assumptions of the reader, with their position.
     pub notes: Vec<Message>,
-}
-
-/// Something that a lenient reader left out.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct LeftOut {
-    /// Line, from 1.
-    pub line: usize,
-    /// Column in characters, from 1.
-    pub column: usize,
-    /// The words.
-    pub text: String,
-    /// Reason why they were not understood.
-    pub why: Message,
-}
-
-/// Options of the reader.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ReadOptions {
-    /// Whether words that are not understood are listed and left out, instead of being errors.
-    pub lenient: bool,
-    /// Level at which the control interpolates at the start.
-    pub level: Level,
-    /// The row before the first block, as many numbers as the control has channels (mm, degrees); `None`: zeros.
-    pub start: Option<Vec<f64>>,
-}
-
-impl Default for ReadOptions {
-    fn default() -> Self {
-        Self { lenient: false, level: Level::Joint, start: None }
-    }
-}
-
-/// Flow of control after a line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Flow {
-    /// The next one.
-    Next,
-    /// The sub-program with this index, so many times; then the next one.
-    Call(usize, u32),
-    /// Behind the sub-program with this index, which is only written down here.
-    Over(usize),
-    /// The caller.
-    Return,
-    /// End of the program.
-    End,
 }
 
 /// A program that is being read.
@@ -129,12 +89,6 @@ fn run(state: &mut State, text: &str) -> Read {
         Dialect::Linuxcnc | Dialect::Grblhal => run_lines(state, text, &programs, rs274::Words::default()),
         Dialect::Pmac => run_lines(state, text, &programs, pmac::Words::default()),
     }
-}
-
-/// A dialect: the meaning of its lines.
-trait Lines {
-    /// Reads one line.
-    fn line(&mut self, state: &mut State, c: &mut Cursor, programs: &Programs) -> Read<Flow>;
 }
 
 fn run_lines(state: &mut State, text: &str, programs: &Programs, mut words: impl Lines) -> Read {

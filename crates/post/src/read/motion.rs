@@ -3,7 +3,7 @@
 use super::error::{Fault, Read, Span};
 use super::state::{FeedMode, Motion, State};
 use super::target::How;
-use crate::Dialect;
+use crate::control::Dialect;
 use crate::part_program::{Arc, ChannelKind, Curve, Level, Move, MoveRows, Path, What};
 use crate::polynomial::POWERS;
 use glam::DVec3;

@@ -5,11 +5,11 @@ mod keywords;
 use super::addresses::no_address;
 use super::error::{Fault, Read, Span};
 use super::lexer::Cursor;
+use super::lines::{Flow, Lines};
 use super::motion::Block;
 use super::programs::{Programs, remark};
 use super::state::{FeedMode, Motion, State};
 use super::target::{How, twice};
-use super::{Flow, Lines};
 use glam::DVec3;
 use seamwright_message::Message;
 

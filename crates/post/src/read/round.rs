@@ -5,7 +5,7 @@ use super::error::{Fault, Read, Span};
 use super::motion::{Block, INCH};
 use super::state::{Motion, State};
 use super::target::How;
-use crate::Dialect;
+use crate::control::Dialect;
 use crate::part_program::Arc;
 use glam::DVec3;
 use seamwright_message::{Message, Unit};

@@ -6,12 +6,13 @@ use super::addresses::no_address;
 use super::error::{Fault, Read, Span};
 use super::expression::Parameter;
 use super::lexer::{Cursor, same};
+use super::lines::{Flow, Lines};
 use super::motion::Block;
 use super::programs::{Programs, o_word, remark};
 use super::state::State;
 use super::target::{How, twice};
-use super::{Flow, Lines};
-use crate::{Dialect, Event};
+use crate::control::Dialect;
+use crate::part_program::Event;
 use seamwright_message::Message;
 
 /// grblHAL's buffer for a line has this many characters.

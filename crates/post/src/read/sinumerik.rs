@@ -2,37 +2,24 @@
 
 mod calls;
 mod codes;
+mod line;
 
 use super::addresses::no_address;
 use super::error::{Fault, Read, Span};
 use super::lexer::{Cursor, same};
+use super::lines::{Flow, Lines};
 use super::motion::Block;
 use super::programs::{Programs, remark};
 use super::state::{Motion, State};
 use super::target::{How, twice};
-use super::{Flow, Lines};
-use crate::Level;
+use crate::part_program::Level;
+use line::Line;
 use seamwright_message::Message;
 
 /// State of the text so far.
 #[derive(Debug, Default)]
 pub(super) struct Words {
     begun: bool,
-}
-
-/// Words of a line, beside the channels.
-#[derive(Debug, Default)]
-struct Line {
-    block: Block,
-    /// A bit for each modal group of which there was a code.
-    groups: u32,
-    feed: Option<(f64, Span)>,
-    dwell: Option<Span>,
-    /// M0, M1, M2, M17 and M30.
-    stop: Option<u32>,
-    /// Whether there was a word beside the block number.
-    begun: bool,
-    flow: Option<Flow>,
 }
 
 /// Words that steer the program: they are not read.

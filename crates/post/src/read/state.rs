@@ -4,11 +4,11 @@ use super::addresses::Addresses;
 use super::error::{Fault, Read, Span, floor_char};
 use super::expression::Expressions;
 use super::lexer::Cursor;
+use super::options::{LeftOut, ReadOptions};
 use super::target::Target;
-use super::{LeftOut, ReadOptions};
+use crate::control::{Code, Control};
 use crate::feed::FeedRule;
-use crate::part_program::ChannelKind;
-use crate::{Code, Control, Event, Level, PartProgram, Step, What};
+use crate::part_program::{ChannelKind, Event, Level, PartProgram, Step, What};
 use seamwright_message::Message;
 
 /// Motion mode of the axes.

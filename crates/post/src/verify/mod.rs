@@ -5,9 +5,9 @@
 mod plan;
 mod same;
 
-use crate::part_program::PartProgram;
+use crate::control::Control;
+use crate::part_program::{Level, PartProgram};
 use crate::points::is_posted_as_it_stands;
-use crate::{Control, Level};
 use seamwright_machine::Machine;
 use seamwright_message::{Argument, Language, Message, Unit};
 use seamwright_motion::WeldMotion;

@@ -1,4 +1,4 @@
-use crate::Control;
+use crate::control::Control;
 use crate::part_program::{ChannelKind, Event, PartProgram, Path, What};
 use crate::play::{Segment, play};
 use seamwright_message::{Message, Unit};
@@ -105,7 +105,7 @@ fn moves(program: &PartProgram, start: &[f64]) -> Vec<Segment> {
 /// The pass that each step belongs to.
 fn passes(program: &PartProgram) -> Vec<usize> {
     let mut pass: Option<usize> = None;
-    let of = |step: &crate::Step| {
+    let of = |step: &crate::part_program::Step| {
         if matches!(step.what, What::Pass(_)) {
             pass = Some(pass.map_or(0, |pass| pass + 1));
         }
@@ -116,7 +116,7 @@ fn passes(program: &PartProgram) -> Vec<usize> {
 
 /// Events in order, without messages.
 fn events<'a>(control: &Control, program: &'a PartProgram) -> Vec<&'a Event> {
-    let of = |step: &'a crate::Step| match &step.what {
+    let of = |step: &'a crate::part_program::Step| match &step.what {
         What::Event { event: Event::Message(_), .. } => None,
         What::Event { event: Event::Arc(_), .. } if !control.switches_arc() => None,
         What::Event { event, .. } => Some(event),

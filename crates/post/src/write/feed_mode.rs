@@ -1,4 +1,4 @@
-use super::Feed;
+use super::options::Feed;
 use super::writer::Writer;
 use crate::part_program::{Arc, Move};
 

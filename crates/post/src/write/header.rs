@@ -1,9 +1,9 @@
 //! The comments at the start of a text.
 
-use super::Feed;
+use super::options::Feed;
 use super::tongue::Tongue;
 use super::writer::Writer;
-use crate::Dialect;
+use crate::control::Dialect;
 use crate::part_program::{ChannelKind, Event, Level, What};
 
 impl Writer<'_> {

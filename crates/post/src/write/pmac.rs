@@ -1,6 +1,7 @@
+use super::number::fixed;
+use super::options::Feed;
 use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
-use super::{Feed, fixed};
 use crate::part_program::{Arc, Level, Move, Path};
 
 /// Delta Tau's Turbo PMAC.

@@ -1,7 +1,7 @@
 //! Words common to LinuxCNC and grblHAL.
 
 use super::feed_mode::FeedMode;
-use super::fixed;
+use super::number::fixed;
 use super::writer::{Problem, Writer};
 use crate::part_program::{Arc, Move, Path};
 use seamwright_message::Message;

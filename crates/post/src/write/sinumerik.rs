@@ -2,8 +2,8 @@ use super::feed_mode::FeedMode;
 use super::rs274::whole_turns;
 use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
-use crate::POWERS;
 use crate::part_program::{Arc, ChannelKind, Level, Move, Path};
+use crate::polynomial::POWERS;
 
 /// Siemens Sinumerik 840D.
 #[derive(Default)]

@@ -1,7 +1,7 @@
 //! Lines of a part program, put together in one buffer.
 
 use super::number;
-use crate::Dialect;
+use crate::control::Dialect;
 
 /// A comment is cut off behind so many characters.
 const LONGEST_COMMENT: usize = 200;

@@ -1,8 +1,9 @@
-use super::WriteOptions;
+use super::options::WriteOptions;
 use super::text::Text;
 use super::tongue::Tongue;
+use crate::control::{Code, Control, Dialect};
+use crate::error::Error;
 use crate::part_program::{Arc, ChannelKind, Event, Level, Move, MoveRows, PartProgram, Path, Step, What};
-use crate::{Code, Control, Dialect, Error};
 use glam::DVec3;
 use seamwright_message::{Message, Unit};
 use std::ops::Range;

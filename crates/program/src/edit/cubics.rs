@@ -1,7 +1,7 @@
 //! Speeds of cubics: each point of a span has its own, and so has the start of the span.
 
 use super::draft::{PointRange, PointsDraft, Row, RowSpan};
-use crate::Along;
+use crate::points::Along;
 use glam::DVec3;
 use seamwright_geometry::CubicSpline;
 
@@ -54,7 +54,7 @@ impl PointsDraft {
     /// The position's columns, in the order of a cubic's speeds.
     pub(super) fn place_columns(&self) -> Vec<usize> {
         let known = self.known();
-        let of_pose = crate::POSE_COLUMNS[..known.pose].iter().filter_map(|name| self.column(name));
+        let of_pose = crate::points::POSE_COLUMNS[..known.pose].iter().filter_map(|name| self.column(name));
         let mut columns: Vec<usize> = of_pose.chain(known.axes.iter().map(|(_, column)| *column)).collect();
         columns.sort_unstable();
         columns

@@ -1,7 +1,10 @@
 //! A program taken apart for editing: every pass, span, point and event knows where in the document it came from, so that
 //! its comments, layout and expressions go with it.
 
-use crate::{Along, Columns, Pass, PointEvent, PointSpan, Points, Program, Span};
+use crate::document::Program;
+use crate::pass::Pass;
+use crate::points::{Along, Columns, PointEvent, PointSpan, Points};
+use crate::span::Span;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, Point};
 use seamwright_message::{Message, Unit};
@@ -319,13 +322,13 @@ impl PointsDraft {
     /// Columns whose numbers are of the way to a point and not of the point: time or speed, block number, stepped values.
     pub(super) fn way_columns(&self) -> Vec<usize> {
         let mut columns: Vec<usize> = self.stepped.iter().filter_map(|name| self.column(name)).collect();
-        columns.extend(self.column(crate::NUMBER_COLUMN));
+        columns.extend(self.column(crate::points::NUMBER_COLUMN));
         columns.push(self.columns.len() - 1);
         columns
     }
 
     pub(super) fn timed(&self) -> bool {
-        self.columns.last().is_some_and(|name| name == crate::TIME_COLUMN)
+        self.columns.last().is_some_and(|name| name == crate::points::TIME_COLUMN)
     }
 }
 

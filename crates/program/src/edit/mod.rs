@@ -37,7 +37,7 @@ pub use spans::{Interpolate, JoinSpans, SplitSpan};
 pub use turn::{ReversePass, ShiftStart};
 pub use values::{Renumber, ScaleSpeed, SetProcess};
 
-use crate::Program;
+use crate::document::Program;
 use draft::Draft;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;

@@ -2,7 +2,9 @@
 
 use super::draft::{Draft, EventDraft, PassDraft, from_to};
 use super::report::Report;
-use crate::{Pass, PointEvent, Repeat, Role};
+use crate::pass::{Pass, Role};
+use crate::points::PointEvent;
+use crate::repeat::Repeat;
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Finite};
 use seamwright_message::{Argument, Message, Unit};

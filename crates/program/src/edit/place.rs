@@ -2,7 +2,9 @@
 
 use super::draft::{Body, Draft, PointRange, PointsDraft, Row, RowSpan, along_seam, through_points};
 use super::report::Report;
-use crate::{Along, ArcThrough, Bead};
+use crate::arc_through::ArcThrough;
+use crate::bead::Bead;
+use crate::points::Along;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point};

@@ -2,8 +2,8 @@
 
 use super::draft::{Draft, PointRange, PointsDraft, Row, RowSpan};
 use super::report::Report;
-use crate::points::numbers_for_columns;
-use crate::{Along, ArcThrough};
+use crate::arc_through::ArcThrough;
+use crate::points::{Along, numbers_for_columns};
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite};
@@ -181,7 +181,7 @@ impl PointsDraft {
         for column in self.way_columns() {
             row.numbers[column] = next.numbers[column];
         }
-        if let Some(n) = self.column(crate::NUMBER_COLUMN) {
+        if let Some(n) = self.column(crate::points::NUMBER_COLUMN) {
             row.numbers[n] = 0.0;
         }
         self.set_direction(&mut row, &before);

@@ -2,7 +2,8 @@
 
 use super::draft::{Draft, PointRange, PointsDraft, Row, RowSpan};
 use super::report::Report;
-use crate::{Along, ArcThrough};
+use crate::arc_through::ArcThrough;
+use crate::points::Along;
 use glam::{DQuat, DVec3};
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Positive};

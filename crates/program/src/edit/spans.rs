@@ -2,7 +2,12 @@
 
 use super::draft::{Body, Draft, PointsDraft, Row, RowSpan, SeamSpan, from_to};
 use super::report::Report;
-use crate::{Along, Pass, PathRange, Ramp, Span, SpanValue, is_before, is_beyond};
+use crate::pass::Pass;
+use crate::path_length::{is_before, is_beyond};
+use crate::path_range::PathRange;
+use crate::points::Along;
+use crate::span::Span;
+use crate::span_value::{Ramp, SpanValue};
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point, Positive};
 use seamwright_message::{Message, Unit};

@@ -3,7 +3,7 @@
 use super::draft::{PointsDraft, Row};
 use super::merge::take_out;
 use super::rows::{RowRun, Written};
-use crate::Points;
+use crate::points::Points;
 use toml_edit::{Array, Item, TableLike};
 
 /// Rows of each part, by how many there are in it; the first one has index 1.

@@ -1,7 +1,7 @@
 //! Events of a pass whose ways are reordered: outputs stay on over the same ways.
 
 use super::draft::EventDraft;
-use crate::PointEvent;
+use crate::points::PointEvent;
 
 /// Output that an event switches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use super::draft::{Body, Draft, PointsDraft, Row, SeamSpan, from_to, through_poi
 use super::points::no_point;
 use super::report::Report;
 use super::switches::reordered;
-use crate::is_before;
+use crate::path_length::is_before;
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};

@@ -2,7 +2,10 @@
 
 use super::draft::{Body, Draft, PointRange, PointsDraft, SeamSpan, along_seam, through_points};
 use super::report::Report;
-use crate::{NUMBER_COLUMN, ProcessValue, Ramp, SpanValue, is_beyond};
+use crate::path_length::is_beyond;
+use crate::points::NUMBER_COLUMN;
+use crate::process::ProcessValue;
+use crate::span_value::{Ramp, SpanValue};
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};

@@ -13,8 +13,9 @@ pub use shipped::{PROCEDURES, ShippedProcedure, shipped_procedure};
 pub use welding_process::WeldingProcess;
 pub use window::{Outside, Window};
 
-use crate::process::check_process_units;
-use crate::{FilletOrButt, Pass, Role, check_process_name, check_process_value};
+use crate::joint::FilletOrButt;
+use crate::pass::{Pass, Role};
+use crate::process::{check_process_name, check_process_units, check_process_value};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive, SchemaVersion};
 use seamwright_message::Message;

@@ -1,5 +1,6 @@
 use super::window::halve;
-use crate::{FilletOrButt, is_beyond};
+use crate::joint::FilletOrButt;
+use crate::path_length::is_beyond;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative};

@@ -1,5 +1,5 @@
 use super::Procedure;
-use crate::{ProcessValues, check_process_name};
+use crate::process::{ProcessValues, check_process_name};
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;
 

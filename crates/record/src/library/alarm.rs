@@ -1,5 +1,7 @@
 use super::Library;
-use crate::{Error, Moment, stored};
+use crate::error::Error;
+use crate::moment::Moment;
+use crate::stored;
 use rusqlite::{Row, params};
 use seamwright_message::{Language, Message};
 use serde::Serialize;

@@ -1,5 +1,7 @@
 use super::Library;
-use crate::{Error, Moment, sha256};
+use crate::error::Error;
+use crate::hash::sha256;
+use crate::moment::Moment;
 use rusqlite::{Row, params};
 use seamwright_message::Message;
 

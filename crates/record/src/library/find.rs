@@ -1,6 +1,7 @@
-use super::weld::{SELECT, weld_record};
-use super::{Library, WeldRecord, WeldResult};
-use crate::{Error, Moment};
+use super::Library;
+use super::weld::{SELECT, WeldRecord, WeldResult, weld_record};
+use crate::error::Error;
+use crate::moment::Moment;
 use rusqlite::types::Value;
 
 /// Search for welds; a missing criterion matches all.

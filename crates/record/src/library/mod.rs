@@ -18,7 +18,8 @@ pub use document::{Document, DocumentKind};
 pub use find::Query;
 pub use weld::{InvalidResult, NewWeld, WeldDetail, WeldEnd, WeldFile, WeldRecord, WeldResult};
 
-use crate::{Error, private};
+use crate::error::Error;
+use crate::private;
 use rusqlite::{Connection, OpenFlags, Params, Row};
 use seamwright_message::Message;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! Libraries that come from elsewhere: their schema held against ours, their rows copied into a file of our own.
 
 use super::{Library, schema};
-use crate::Error;
+use crate::error::Error;
 use rusqlite::{Connection, OpenFlags};
 use seamwright_message::Message;
 use std::collections::BTreeMap;
@@ -112,8 +112,9 @@ fn copy(db: &Connection, from: &Path) -> rusqlite::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Moment;
-    use crate::library::{AuditEntry, DocumentKind};
+    use crate::library::audit::AuditEntry;
+    use crate::library::document::DocumentKind;
+    use crate::moment::Moment;
     use std::path::PathBuf;
 
     fn audit(library: &mut Library, command: &str) {

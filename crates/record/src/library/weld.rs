@@ -1,6 +1,10 @@
-use super::{Alarm, Document, Event, Library};
+use super::Library;
+use super::alarm::{Alarm, Event};
+use super::document::Document;
+use crate::error::Error;
 use crate::figures::{Basis, Value};
-use crate::{Error, Moment, stored};
+use crate::moment::Moment;
+use crate::stored;
 use rusqlite::{Row, params};
 use seamwright_message::{Message, display_by_message};
 use serde::Serialize;

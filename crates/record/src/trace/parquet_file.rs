@@ -1,8 +1,9 @@
 //! A raw file as a Parquet file: row groups of bounded size, each column in the encoding that keeps it small.
 
+use super::column::{Column, Kind};
 use super::raw::{Header, RawReader};
-use super::{Column, Kind};
-use crate::{Doing, Error, whole_file};
+use crate::error::{Doing, Error};
+use crate::whole_file;
 use parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as PhysicalType};
 use parquet::data_type::{DoubleType, FloatType, Int32Type};
 use parquet::errors::ParquetError;

@@ -1,7 +1,8 @@
 //! The raw file, written block by block and read up to where it is whole.
 
-use super::Column;
-use crate::{Doing, Error, private};
+use super::column::Column;
+use crate::error::{Doing, Error};
+use crate::private;
 use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, TryLockError};
@@ -263,8 +264,8 @@ impl RawReader {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Kind;
     use super::*;
+    use crate::trace::column::Kind;
 
     fn header() -> Header {
         let column = |name: &str, kind| Column::new(name, "1", kind);

@@ -1,5 +1,5 @@
-use super::{Column, Kind};
-use crate::{Doing, Error};
+use super::column::{Column, Kind};
+use crate::error::{Doing, Error};
 use parquet::basic::{LogicalType, Type as PhysicalType};
 use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;

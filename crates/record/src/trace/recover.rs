@@ -1,6 +1,6 @@
 use super::parquet_file;
 use super::raw::RawReader;
-use crate::{Doing, Error};
+use crate::error::{Doing, Error};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,7 @@
+use super::column::Column;
+use super::parquet_file;
 use super::raw::{Header, RawReader, RawWriter};
-use super::{Column, parquet_file};
-use crate::{Doing, Error};
+use crate::error::{Doing, Error};
 use seamwright_message::{Message, Unit};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -162,8 +163,10 @@ fn finished(raw: &Path) -> Result<Part, Error> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Kind, Trace, recover};
     use super::*;
+    use crate::trace::column::Kind;
+    use crate::trace::read::Trace;
+    use crate::trace::recover::recover;
 
     fn columns() -> Vec<Column> {
         vec![
@@ -267,5 +270,5 @@ mod tests {
         assert_eq!(fs::read(folder.path().join("trace.raw.damaged")).unwrap(), &whole[..30]);
     }
 
-    use super::super::RecoveredPart;
+    use crate::trace::recover::RecoveredPart;
 }

@@ -2,11 +2,11 @@
 
 use super::drawing::{DrawnAxis, MachineDrawing, along};
 use super::glyph::{self, Point, Seen};
-use crate::Words as _;
 use crate::layout::Map;
 use crate::place::{self, Size};
 use crate::svg::{Anchor, Rect, Svg};
 use crate::text::width;
+use crate::words::Words as _;
 
 /// Minimum in-plane part of a direction; below it the symbol points towards or away from the viewer.
 const OUT_OF_PLANE: f64 = 0.35;

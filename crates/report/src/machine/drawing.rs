@@ -1,16 +1,15 @@
 use super::canvas::Canvas;
 use super::outlines::outlines;
-use crate::Language;
-use crate::Words as _;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::projection::Projection::Pictorial;
 use crate::svg::{Anchor, Svg, WIDTH};
 use crate::text::{fit, width};
 use crate::views::first_angle;
+use crate::words::Words as _;
 use seamwright_machine::check::Side;
 use seamwright_machine::{AxisKind, Machine};
-use seamwright_message::Message;
+use seamwright_message::{Language, Message};
 
 /// A machine at home in its base frame, with position and positive sense of every axis. It has three views in
 /// first-angle projection and a small pictorial one.

@@ -1,10 +1,11 @@
-use super::MachineDrawing;
+use super::drawing::MachineDrawing;
 use super::tables::{axes, measure, reach, results, singular, small, structure};
-use crate::Words as _;
+use crate::block::{Block, Finding, Severity, Tile};
 use crate::number::{Significant as _, significant};
-use crate::{Block, Finding, Language, Page, Severity, Tile, Verdict};
+use crate::page::{Page, Verdict};
+use crate::words::Words as _;
 use seamwright_machine::check::{Check, HeadCheck, Remark};
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
 
 /// Renders the check of a machine file as one self-contained HTML page in this language; `file` is its name, `source`
 /// its text, `date` that of the page.

@@ -1,10 +1,10 @@
 //! The tables of a check.
 
-use crate::Words as _;
+use crate::block::Table;
 use crate::number::{Significant as _, fixed, from_to, significant};
-use crate::{Language, Table};
+use crate::words::Words as _;
 use seamwright_machine::check::{AxisFigures, Check, HeadCheck, RoundTrip, SingularPlace};
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
 
 fn number(value: f64, language: Language) -> String {
     significant(value, 5, language)

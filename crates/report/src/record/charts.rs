@@ -1,7 +1,10 @@
-use crate::Words as _;
+use crate::block::Block;
+use crate::chart::{Axis, Chart};
+use crate::limit::LimitLine;
 use crate::names;
-use crate::{Axis, Block, Chart, Language, LimitLine, Series};
-use seamwright_message::{Message, Unit};
+use crate::series::Series;
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_record::figures::{BIN_MM, Curve, Figures, HEAT_INPUT, Value};
 
 /// Maximum number of curves in a chart: the palette has eight colours.

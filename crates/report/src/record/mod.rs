@@ -3,12 +3,13 @@
 mod charts;
 mod tables;
 
-use crate::Words as _;
+use crate::block::{Block, Severity, Tile};
 use crate::names;
 use crate::number::{Significant as _, significant};
+use crate::page::{Page, Verdict};
 use crate::weld::table;
-use crate::{Block, Language, Page, Severity, Tile, Verdict};
-use seamwright_message::{Message, Unit};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_record::figures::{Figures, Value};
 use seamwright_record::library::{WeldDetail, WeldRecord, WeldResult};
 

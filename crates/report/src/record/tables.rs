@@ -1,9 +1,9 @@
-use crate::Words as _;
+use crate::block::Block;
 use crate::names;
 use crate::number::{from_to, significant};
 use crate::weld::table;
-use crate::{Block, Language};
-use seamwright_message::Message;
+use crate::words::Words as _;
+use seamwright_message::{Language, Message};
 use seamwright_record::figures::Value;
 use seamwright_record::library::{Alarm, Event, Place, WeldFile, WeldRecord};
 

@@ -1,7 +1,7 @@
 use super::recorded_weld_page;
-use crate::{Language, names};
+use crate::names;
 use seamwright_executive::{Alarm as Catalogue, Mode, tracking};
-use seamwright_message::Message;
+use seamwright_message::{Language, Message};
 use seamwright_record::Moment;
 use seamwright_record::figures::{Curve, Figures, Value};
 use seamwright_record::library::{Alarm, Event, Place, WeldDetail, WeldFile, WeldRecord, WeldResult};

@@ -1,15 +1,23 @@
-use super::certificate::IntervalFigures;
+use super::certificate::{CertificateFigures, IntervalFigures};
+use super::chart_parts::{axis, chart, line, units};
+use super::curves::SimulationCurves;
 use super::limits::binds;
 use super::procedure::ProcedurePlots;
 use super::samples::Sample;
+use super::sections::sections;
 use super::taught::{TaughtPlot, taught};
-use super::{CertificateFigures, SimulationCurves, cut, order, sections, woven};
-use crate::Words as _;
-use crate::{
-    Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, names,
-};
+use super::{cut, order, woven};
+use crate::chart::{Axis, Band, Chart};
+use crate::gallery::Gallery;
+use crate::grid::ChartGrid;
+use crate::limit::LimitLine;
+use crate::names;
+use crate::order::OrderDrawing;
+use crate::series::{Series, Style};
+use crate::views::{Mark, ThreeViews};
+use crate::words::Words as _;
 use seamwright_machine::Machine;
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::{Leg, PassClearance, PassMotion};
 use seamwright_program::{Pass, Span, TorchPath, is_beyond};
 use seamwright_weld::{SeamCurve, Welding};
@@ -155,24 +163,6 @@ fn gallery(welding: &Welding, seam: &SeamCurve, language: Language) -> Gallery {
     sections(welding, &places, language)
 }
 
-pub(super) fn axis(language: Language, label: &'static str, unit: Unit) -> Axis {
-    Axis::new(language.words(label), language.symbol(unit))
-}
-
-pub(super) fn along(language: Language) -> Axis {
-    axis(language, "report-label-path-length", Unit::Mm)
-}
-
-pub(super) fn line(language: Language, name: &'static str, points: Vec<(f64, f64)>) -> Series {
-    Series::line(language.words(name), points)
-}
-
-/// Creates a chart over path length.
-pub(super) fn chart(language: Language, title: &'static str, y: Axis, series: Vec<Series>) -> Chart {
-    let title = language.words(title);
-    Chart { language, title, x: along(language), y, series, ..Chart::default() }
-}
-
 fn views(welding: &Welding, pass: usize, language: Language) -> ThreeViews {
     let path = welding.path(pass);
     let length = path.length();
@@ -296,14 +286,6 @@ fn jerks(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid
 /// Returns position (order 0), speed, acceleration or jerk of axis `i` over path length.
 fn curve(samples: &[Sample], i: usize, order: usize) -> Vec<(f64, f64)> {
     samples.iter().map(|s| (s.s, s.axes[i][order])).collect()
-}
-
-/// Returns the units of position, speed, acceleration and jerk of an axis whose positions are in `unit`.
-pub(super) fn units(unit: &str) -> [Unit; 4] {
-    match unit {
-        "deg" => [Unit::Deg, Unit::DegPerS, Unit::DegPerS2, Unit::DegPerS3],
-        _ => [Unit::Mm, Unit::MmPerS, Unit::MmPerS2, Unit::MmPerS3],
-    }
 }
 
 fn both_ways(limit: f64) -> Vec<f64> {

@@ -1,4 +1,4 @@
-use super::tracking::HeadCurves;
+use seamwright_cell::tracking::HeadSample;
 use seamwright_machine::Machine;
 use seamwright_simulation::Sample;
 
@@ -104,6 +104,38 @@ impl SimulationCurves {
     /// Returns the attitude error of the actual torch over path length.
     pub(crate) fn attitude(&self) -> Vec<(f64, f64)> {
         self.attitude.points()
+    }
+}
+
+/// One head's curves over path length, gathered sample by sample; mm.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct HeadCurves {
+    /// Actual position of the joint: lateral, height.
+    pub(super) seam: [Envelope; 2],
+    pub(super) miss: [Envelope; 2],
+    pub(super) sigma: Envelope,
+    /// Correction by the beam's deflection, and by the axes that carry the gun.
+    pub(super) beam: [Envelope; 2],
+}
+
+impl HeadCurves {
+    pub(super) fn new(length: f64) -> Self {
+        let empty = || Envelope::new(length);
+        Self { seam: [empty(), empty()], miss: [empty(), empty()], sigma: empty(), beam: [empty(), empty()] }
+    }
+
+    pub(super) fn add(&mut self, s: f64, head: &HeadSample) {
+        for k in 0..2 {
+            self.seam[k].add(s, head.seam[k]);
+            self.miss[k].add(s, head.miss[k]);
+        }
+        if let Some(beam) = head.beam {
+            self.beam[0].add(s, beam.deflection_mm);
+            self.beam[1].add(s, head.correction.x - beam.deflection_mm);
+        }
+        if let Some(sigma) = head.tracked.map(|tracked| tracked.sigma_mm).filter(|sigma| sigma.is_finite()) {
+            self.sigma.add(s, sigma);
+        }
     }
 }
 

@@ -1,9 +1,8 @@
 //! Template of a tube's cut end, unrolled at true size, to wrap around the tube.
 
-use crate::Language;
-use crate::Words as _;
 use crate::text::escape;
-use seamwright_message::{Message, Unit};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_weld::{Cut, Unrolled};
 use std::fmt::Write;
 

@@ -1,12 +1,13 @@
 //! Data of the job.
 
+use super::blocks::{number, table};
 use super::figures::WeldReport;
-use super::page::{number, table};
 use super::range::Range;
-use crate::Words as _;
+use crate::block::Block;
+use crate::names;
 use crate::number::from_to;
-use crate::{Block, Language, names};
-use seamwright_message::{Message, Unit};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_program::{Sequence, Slope, WeldDirection};
 
 /// Kinds of seams that do not go around a tube.

@@ -1,15 +1,14 @@
 //! Binding limits along the path, in words and tables.
 
-use super::CertificateFigures;
-use super::certificate::{IntervalFigures, TIP, UseFigures};
-use super::charts::units;
-use super::page::{number, table};
+use super::blocks::{number, table};
+use super::certificate::{CertificateFigures, IntervalFigures, TIP, UseFigures};
+use super::chart_parts::units;
 use super::plan::AxisFigures;
 use super::range::Range;
-use crate::Words as _;
-use crate::number::{Significant as _, from_to, significant};
-use crate::{Block, Language, format_number};
-use seamwright_message::{Message, Unit};
+use crate::block::Block;
+use crate::number::{Significant as _, format_number, from_to, significant};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 
 /// Maximum number of listed stretches, for a readable report; report.json has all of them.
 const LISTED: usize = 24;

@@ -1,6 +1,8 @@
 //! The report of one weld: its numbers ([`WeldReport`], which is also `report.json`), its plots and its page.
 
+mod blocks;
 mod certificate;
+mod chart_parts;
 mod charts;
 mod curves;
 mod cut;
@@ -24,11 +26,11 @@ mod totals;
 mod tracking;
 mod woven;
 
+pub(crate) use blocks::table;
 pub use certificate::CertificateFigures;
 pub use charts::Plots;
 pub use curves::SimulationCurves;
 pub use figures::{PassFigures, WeldReport};
-pub(crate) use page::table;
 pub use posts::PostFigures;
 pub use sections::sections;
 pub use taught::TaughtPlot;

@@ -1,9 +1,7 @@
-use super::WeldReport;
-use super::page::{number, table};
-use crate::Words as _;
-use crate::{Block, Language, OrderDrawing, OrderedLine};
+use crate::order::{OrderDrawing, OrderedLine};
+use crate::words::Words as _;
 use glam::DVec3;
-use seamwright_message::Message;
+use seamwright_message::{Language, Message};
 use seamwright_program::{Pass, Role, TorchPath};
 use seamwright_weld::Welding;
 
@@ -69,47 +67,4 @@ pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawin
         key: language.sentences(&key),
         lines: passes.iter().zip(&tips).map(line).collect(),
     })
-}
-
-impl WeldReport {
-    /// Returns the passes in the order of welding with their times.
-    pub(super) fn order_table(&self, language: Language) -> Block {
-        let mut begun = 0.0;
-        let rows = self.passes.iter().enumerate().map(|(i, pass)| {
-            let p = &pass.plan;
-            begun += pass.air_before_s;
-            let row = vec![
-                (i + 1).to_string(),
-                pass.name.clone(),
-                number(pass.air_before_s, language),
-                number(begun, language),
-                number(p.weld_s, language),
-                number(p.arc_on_s, language),
-                number(p.total_s, language),
-            ];
-            begun += p.total_s;
-            row
-        });
-        let mut rows: Vec<Vec<String>> = rows.collect();
-        let sum = |f: fn(&super::figures::PassFigures) -> f64| number(self.passes.iter().map(f).sum(), language);
-        rows.push(vec![
-            String::new(),
-            language.words("report-all-from-home"),
-            number(self.air_s, language),
-            String::new(),
-            sum(|p| p.plan.weld_s),
-            sum(|p| p.plan.arc_on_s),
-            number(self.total_s, language),
-        ]);
-        let head = [
-            "",
-            "report-column-pass",
-            "report-column-transfer-before-s",
-            "report-column-start-s",
-            "report-column-travel-s",
-            "report-column-arc-on-s",
-            "report-column-total-s",
-        ];
-        table(&language.words("report-caption-order-table"), &head.map(|head| language.words(head)), rows, 2..7)
-    }
 }

@@ -1,13 +1,14 @@
 //! Overview of a plan, at the top of its page.
 
+use super::blocks::{number, small};
 use super::figures::{PassFigures, WeldReport};
-use super::page::{number, small};
 use super::plan::PlanFigures;
 use super::range::Range;
-use crate::Words as _;
+use crate::block::{Severity, Tile};
 use crate::number::{Significant as _, significant};
-use crate::{Language, Severity, Tile, Verdict};
-use seamwright_message::{Argument, Message, Unit};
+use crate::page::Verdict;
+use crate::words::Words as _;
+use seamwright_message::{Argument, Language, Message, Unit};
 use seamwright_program::group_findings;
 use seamwright_simulation::Summary;
 

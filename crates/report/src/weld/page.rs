@@ -1,13 +1,17 @@
-use super::Plots;
+use super::blocks::{figure, paragraph, table};
+use super::charts::Plots;
 use super::figures::{PassFigures, WeldReport};
 use super::limits::{axes_table, bounds_table, speed_text, uses_table};
 use super::procedure::{positions_table, procedure_text, windows_table};
 use super::simulated::{following_table, simulation_text};
 use super::tracking;
-use crate::Words as _;
-use crate::number::{Significant as _, significant};
-use crate::{Block, Chart, ChartGrid, Finding, Language, Page, Severity, Table};
-use seamwright_message::{Message, Unit};
+use crate::block::{Block, Finding, Severity};
+use crate::chart::Chart;
+use crate::grid::ChartGrid;
+use crate::number::Significant as _;
+use crate::page::Page;
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_program::{FindingGroup, FindingPlace, group_findings};
 
 /// Maximum number of places listed of one finding.
@@ -228,24 +232,6 @@ fn released(language: Language) -> Block {
     table(&language.words("report-caption-by-hand"), &head, rows, 4..4)
 }
 
-/// Formats lengths, times and positions.
-pub(super) fn number(value: f64, language: Language) -> String {
-    significant(value, 5, language)
-}
-
-/// Formats errors and deviations, for which two digits suffice.
-pub(super) fn small(value: f64, language: Language) -> String {
-    significant(value, 2, language)
-}
-
-pub(super) fn paragraph(text: &'static str, language: Language) -> Block {
-    Block::Paragraph(language.words(text))
-}
-
-pub(super) fn figure(svg: String, caption: &'static str, language: Language) -> Block {
-    Block::Figure { svg, caption: language.words(caption) }
-}
-
 fn finding(group: &FindingGroup<'_>, several: bool, language: Language) -> Finding {
     let f = group.finding;
     let mut places: Vec<String> =
@@ -288,13 +274,4 @@ fn place_text(place: &FindingPlace, several: bool, language: Language) -> String
             .message("place", at),
     };
     message.in_language(language)
-}
-
-pub(crate) fn table(caption: &str, head: &[String], rows: Vec<Vec<String>>, numeric: std::ops::Range<usize>) -> Block {
-    Block::Table(Table {
-        caption: caption.to_owned(),
-        head: head.to_vec(),
-        numeric: (0..head.len()).map(|i| numeric.contains(&i)).collect(),
-        rows,
-    })
 }

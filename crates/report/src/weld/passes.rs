@@ -1,19 +1,23 @@
 //! Page of a weld of several passes: tables by pass, and the curves of one pass of each kind. The curves of all passes
 //! would fill a book with repetitions.
 
-use super::Plots;
+use super::blocks::{figure, number, paragraph, small, table};
 use super::certificate::UseFigures;
+use super::charts::Plots;
 use super::figures::{PassFigures, WeldReport};
 use super::limits::{axes_table, speed_text, uses_table};
-use super::page::{figure, number, paragraph, seam, small};
+use super::page::seam;
 use super::plan::AxisFigures;
 use super::range::Range;
 use super::simulated::simulation_text;
 use super::tracking;
-use crate::Words as _;
+use crate::block::{Block, Table};
+use crate::chart::Chart;
+use crate::grid::ChartGrid;
+use crate::names;
 use crate::number::{Significant as _, from_to, significant};
-use crate::{Block, Chart, ChartGrid, Language, Table, names};
-use seamwright_message::{Message, Unit};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_simulation::tracking::HeadSummary;
 
 /// A column of a table by pass: its heading and its cell for a pass.
@@ -321,4 +325,47 @@ fn pass_curves(pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Blo
     blocks.extend(drawn.into_iter().filter_map(|(svg, caption)| Some(figure(svg?, caption, language))));
     blocks.insert(0, Block::Paragraph(speed_text(&pass.certificate, language)));
     blocks
+}
+
+impl WeldReport {
+    /// Returns the passes in the order of welding with their times.
+    pub(super) fn order_table(&self, language: Language) -> Block {
+        let mut begun = 0.0;
+        let rows = self.passes.iter().enumerate().map(|(i, pass)| {
+            let p = &pass.plan;
+            begun += pass.air_before_s;
+            let row = vec![
+                (i + 1).to_string(),
+                pass.name.clone(),
+                number(pass.air_before_s, language),
+                number(begun, language),
+                number(p.weld_s, language),
+                number(p.arc_on_s, language),
+                number(p.total_s, language),
+            ];
+            begun += p.total_s;
+            row
+        });
+        let mut rows: Vec<Vec<String>> = rows.collect();
+        let sum = |f: fn(&super::figures::PassFigures) -> f64| number(self.passes.iter().map(f).sum(), language);
+        rows.push(vec![
+            String::new(),
+            language.words("report-all-from-home"),
+            number(self.air_s, language),
+            String::new(),
+            sum(|p| p.plan.weld_s),
+            sum(|p| p.plan.arc_on_s),
+            number(self.total_s, language),
+        ]);
+        let head = [
+            "",
+            "report-column-pass",
+            "report-column-transfer-before-s",
+            "report-column-start-s",
+            "report-column-travel-s",
+            "report-column-arc-on-s",
+            "report-column-total-s",
+        ];
+        table(&language.words("report-caption-order-table"), &head.map(|head| language.words(head)), rows, 2..7)
+    }
 }

@@ -1,10 +1,11 @@
 //! Verification of each part program written with the plan.
 
-use super::page::{number, table};
-use crate::Words as _;
+use super::blocks::{number, table};
+use crate::block::Block;
+use crate::names;
 use crate::number::{Significant as _, fixed};
-use crate::{Block, Language, names};
-use seamwright_message::{Message, Unit};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_post::{Dialect, Verification};
 use serde::Serialize;
 

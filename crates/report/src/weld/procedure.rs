@@ -1,11 +1,14 @@
 //! Comparison of a pass with its welding procedure: figures, charts and tables.
 
-use super::charts::{axis, chart, line};
-use super::page::{number, table};
-use crate::Words as _;
+use super::blocks::{number, table};
+use super::chart_parts::{axis, chart, line};
+use crate::block::Block;
+use crate::chart::{Band, Chart, Stretch};
+use crate::limit::LimitLine;
+use crate::names;
 use crate::number::{Significant as _, fixed, from_to};
-use crate::{Band, Block, Chart, Language, LimitLine, Stretch, names};
-use seamwright_message::{Message, Unit};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};
 use serde::Serialize;

@@ -1,8 +1,8 @@
 //! Ranges of figures, and their texts.
 
-use super::page::number;
-use crate::Language;
+use super::blocks::number;
 use crate::number::{from_to, significant};
+use seamwright_message::Language;
 
 /// Minimum and maximum of a figure.
 #[derive(Debug, Clone, Copy)]

@@ -1,14 +1,14 @@
 //! Values of the passes of each run of the procedure against its limits.
 
+use super::blocks::{number, table};
 use super::figures::WeldReport;
-use super::page::{number, table};
 use super::procedure::{
     PassProcedureFigures, QuantityFigures, degrees, positions_caption, procedure_text, verdict, window_row, windows,
 };
-use crate::Words as _;
+use crate::block::Block;
 use crate::number::from_to;
-use crate::{Block, Language};
-use seamwright_message::Message;
+use crate::words::Words as _;
+use seamwright_message::{Language, Message};
 use seamwright_program::WeldingPosition;
 
 /// The passes of one run.

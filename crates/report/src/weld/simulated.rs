@@ -1,12 +1,12 @@
 //! Results of a simulated pass in words and numbers.
 
-use super::charts::units;
+use super::blocks::{small, table};
+use super::chart_parts::units;
 use super::figures::ClearanceFigures;
-use super::page::{small, table};
-use crate::Words as _;
+use crate::block::Block;
 use crate::number::{Significant as _, significant};
-use crate::{Block, Language};
-use seamwright_message::{Message, Unit};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_simulation::Summary;
 
 /// Describes the simulation and its result.

@@ -1,11 +1,13 @@
 //! Charts of the taught spans of a seam.
 
-use super::charts::{axis, chart, line};
-use crate::Words as _;
+use super::chart_parts::{axis, chart, line};
+use crate::chart::{Band, Chart};
+use crate::grid::ChartGrid;
 use crate::number::Significant as _;
-use crate::{Band, Chart, ChartGrid, Language, Series, Style};
+use crate::series::{Series, Style};
+use crate::words::Words as _;
 use seamwright_machine::Machine;
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::PassMotion;
 use seamwright_weld::{SeamCurve, TaughtSpan};
 

@@ -1,45 +1,16 @@
 //! Deviation of a weld from a displaced joint, with and without tracking.
 
-use super::charts::{axis, chart, line};
+use super::chart_parts::{axis, chart, line};
 use super::curves::{Envelope, SimulationCurves};
-use crate::Words as _;
+use crate::block::Table;
+use crate::chart::Chart;
+use crate::grid::ChartGrid;
 use crate::number::{Significant as _, fixed, significant};
-use crate::{Chart, ChartGrid, Language, Series, Style, Table};
+use crate::series::{Series, Style};
+use crate::words::Words as _;
 use seamwright_executive::tracking::BeamFit;
-use seamwright_message::{Message, Unit};
-use seamwright_simulation::tracking::{HeadSample, HeadSummary};
-
-/// One head's curves over path length, gathered sample by sample; mm.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct HeadCurves {
-    /// Actual position of the joint: lateral, height.
-    seam: [Envelope; 2],
-    miss: [Envelope; 2],
-    sigma: Envelope,
-    /// Correction by the beam's deflection, and by the axes that carry the gun.
-    beam: [Envelope; 2],
-}
-
-impl HeadCurves {
-    pub(super) fn new(length: f64) -> Self {
-        let empty = || Envelope::new(length);
-        Self { seam: [empty(), empty()], miss: [empty(), empty()], sigma: empty(), beam: [empty(), empty()] }
-    }
-
-    pub(super) fn add(&mut self, s: f64, head: &HeadSample) {
-        for k in 0..2 {
-            self.seam[k].add(s, head.seam[k]);
-            self.miss[k].add(s, head.miss[k]);
-        }
-        if let Some(beam) = head.beam {
-            self.beam[0].add(s, beam.deflection_mm);
-            self.beam[1].add(s, head.correction.x - beam.deflection_mm);
-        }
-        if let Some(sigma) = head.tracked.map(|tracked| tracked.sigma_mm).filter(|sigma| sigma.is_finite()) {
-            self.sigma.add(s, sigma);
-        }
-    }
-}
+use seamwright_simulation::tracking::HeadSummary;
+use seamwright_message::{Language, Message, Unit};
 
 /// Plots for each head the joint relative to the planned path, and the weld relative to the joint.
 pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary], language: Language) -> Option<ChartGrid> {

@@ -1,8 +1,9 @@
-use super::charts::{axis, line};
-use crate::Words as _;
+use super::chart_parts::{axis, line};
+use crate::chart::Chart;
+use crate::limit::LimitLine;
 use crate::number::Significant as _;
-use crate::{Chart, Language, LimitLine};
-use seamwright_message::{Message, Unit};
+use crate::words::Words as _;
+use seamwright_message::{Language, Message, Unit};
 use seamwright_program::Pass;
 use seamwright_weld::PassPath;
 

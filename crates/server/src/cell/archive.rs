@@ -1,5 +1,6 @@
 //! Audit log and alarm archive, written by a separate thread.
 
+use super::audit_entry::{Change, entry, plain};
 use super::happening::happening;
 use super::hub::Hub;
 use super::refusals::Refusals;
@@ -20,9 +21,6 @@ use std::time::{Duration, Instant};
 const MAX_WAITING: usize = 4096;
 /// Maximum wait for the disk at the end.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Maximum number of characters of a field of the audit log.
-const MAX_FIELD_CHARS: usize = 500;
-
 /// Audit log and alarm archive. Alarms, orders and refusals have separate queues, so that none displaces another.
 #[derive(Clone)]
 pub(crate) struct Archive(Arc<Owner>);
@@ -120,48 +118,6 @@ impl Shared {
             let waited = self.came.wait_timeout(waiting, patience);
             waiting = waited.unwrap_or_else(PoisonError::into_inner).0;
         }
-    }
-}
-
-/// Returns true for invisible characters and those that change the look of text: controls, direction marks.
-pub(crate) fn hides(c: char) -> bool {
-    c.is_control()
-        || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
-}
-
-/// Returns foreign text as one line, with hidden characters escaped.
-pub(super) fn plain(text: &str) -> String {
-    let mut out = String::new();
-    for (i, c) in text.chars().enumerate() {
-        match c {
-            _ if i == MAX_FIELD_CHARS => {
-                out.push('…');
-                break;
-            }
-            c if hides(c) => out.extend(c.escape_default()),
-            c => out.push(c),
-        }
-    }
-    out
-}
-
-/// Old and new value of an audited change; both empty if nothing was changed.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Change<'a> {
-    pub(crate) old: &'a str,
-    pub(crate) new: &'a str,
-}
-
-/// Creates an entry from columns that are [`stored`] already.
-pub(super) fn entry(user: &str, station: &str, command: &str, change: Change<'_>, result: &str) -> AuditEntry {
-    AuditEntry {
-        at: Moment::now(),
-        user: plain(user),
-        station: station.to_owned(),
-        command: command.to_owned(),
-        old: plain(change.old),
-        new: plain(change.new),
-        result: result.to_owned(),
     }
 }
 
@@ -335,7 +291,8 @@ impl Archive {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::from_stored;
+    use crate::cell::audit_entry::MAX_FIELD_CHARS;
+    use crate::cell::stored::from_stored;
 
     fn words(entry: &AuditEntry) -> String {
         from_stored(entry.result.clone()).to_string()

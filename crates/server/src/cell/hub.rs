@@ -391,7 +391,7 @@ impl Told {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::happening;
+    use crate::cell::happening::happening;
     use seamwright_message::Message;
 
     /// An operator always gets one page, and further pages do not take the places of other operators.

@@ -2,6 +2,8 @@
 
 mod alarms;
 mod archive;
+mod audit_entry;
+mod base;
 mod connection;
 mod cycle;
 mod desk;
@@ -20,13 +22,14 @@ mod start;
 mod stillness;
 mod stored;
 
-pub(crate) use archive::{Change, hides};
+pub(crate) use audit_entry::{Change, hides};
+pub(crate) use base::{Planned, Task};
 pub(crate) use connection::{CellDevices, Connection};
 pub(crate) use desk::{Loading, ToDesk};
 pub(crate) use display_distances::Around;
 pub(crate) use happening::happening;
 pub(crate) use hub::{Connected, Hub, Refusal, Text};
 pub(crate) use names::WHY;
-pub(crate) use prepared::{Planned, Prepared, Task, fingerprint};
+pub(crate) use prepared::{Prepared, fingerprint};
 pub(crate) use start::Cell;
 pub(crate) use stored::from_stored;

@@ -1,6 +1,6 @@
 //! Distribution of the cycle's notes to pages, record, library and audit log.
 
-use super::archive::Change;
+use super::audit_entry::Change;
 use super::desk::{Desk, Welding};
 use super::happening::happening;
 use super::names::WHY;

@@ -1,92 +1,19 @@
+use super::base::{Base, Planned, Task};
 use super::connection::CellDevices;
 use super::guiding::{Guiding, Sensing};
 use seamwright_executive::{Place, Start, Work};
-use seamwright_machine::{Clamped, Joints, Machine, MachineDevices, Surroundings};
+use seamwright_machine::{Joints, Machine, MachineDevices, Surroundings};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_project::load::Loaded;
-use seamwright_project::part::Part;
 use seamwright_record::sha256;
 use seamwright_simulation::SimulatedCell;
-use seamwright_weld::WeldPath;
 use self_cell::self_cell;
 use std::path::Path;
 use std::sync::Arc;
 
 /// Maximum distance of an axis from home for the planned approach from home, mm or rad.
 const AT_HOME: f64 = 0.005;
-/// Random seed of a simulated cell.
-pub(super) const SEED: u64 = 1;
-
-/// A planned job, owned.
-pub(crate) struct Planned {
-    pub(crate) loaded: Loaded,
-    pub(crate) motion: WeldMotion,
-    /// Pose of its part, if devices are simulated.
-    pub(crate) part: Part,
-}
-
-/// Task of a cell: a planned job, or a machine alone.
-pub(crate) enum Task {
-    Job(Box<Planned>),
-    Machine(Box<Machine>),
-}
-
-impl Task {
-    pub(crate) fn machine(&self) -> &Machine {
-        match self {
-            Self::Job(planned) => &planned.loaded.machine,
-            Self::Machine(machine) => machine,
-        }
-    }
-}
-
-/// Data that borrows from a task.
-pub(super) struct Ground<'a> {
-    around: Surroundings<'a>,
-    paths: Vec<WeldPath<'a>>,
-}
-
-self_cell! {
-    pub(super) struct Stood {
-        owner: Task,
-        #[not_covariant]
-        dependent: Ground,
-    }
-}
-
-/// Present for a job only.
-type CellOf<'a> = Option<SimulatedCell<'a>>;
-
-self_cell! {
-    /// Owner of the data that everything in a task borrows from.
-    pub(super) struct Base {
-        owner: Stood,
-        #[not_covariant]
-        dependent: CellOf,
-    }
-}
-
-impl Base {
-    /// # Errors
-    /// In words, if the task is invalid.
-    fn of(task: Task) -> Result<Self, String> {
-        let stood = Stood::try_new(task, |task| {
-            let nothing = Clamped::default();
-            let (clamped, paths) = match task {
-                Task::Job(planned) => (&planned.loaded.clamped, planned.loaded.paths()),
-                Task::Machine(_) => (&nothing, Vec::new()),
-            };
-            let around = Surroundings::new(task.machine(), clamped).map_err(|e| e.to_string())?;
-            Ok::<_, String>(Ground { around, paths })
-        })?;
-        Ok(Self::new(stood, |stood| stood.with_dependent(cell)))
-    }
-
-    fn machine(&self) -> &Machine {
-        self.borrow_owner().borrow_owner().machine()
-    }
-}
 
 type WorkOf<'a> = Work<'a>;
 
@@ -158,13 +85,6 @@ impl Prepared {
     pub(crate) fn fingerprint(&self) -> &str {
         &self.fingerprint
     }
-}
-
-fn cell<'a, 'q>(task: &'q Task, ground: &'a Ground<'q>) -> Option<SimulatedCell<'a>> {
-    let Task::Job(planned) = task else { return None };
-    let Planned { loaded, motion, part } = &**planned;
-    let conditions = part.conditions(SEED, &[], &ground.around);
-    Some(SimulatedCell::new(&loaded.machine, loaded.passes(&ground.paths), motion, conditions))
 }
 
 fn work<'a>(base: &'a Base, at: &Joints, from: Option<Place>) -> Result<Work<'a>, String> {

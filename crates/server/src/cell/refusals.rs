@@ -1,6 +1,6 @@
 //! Refusals on their way to the audit log: counted and summed up, so that repetition fills neither queue nor disk.
 
-use super::archive::{Change, entry};
+use super::audit_entry::{Change, entry};
 use super::stored::stored;
 use seamwright_message::{Message, Unit};
 use seamwright_record::library::AuditEntry;
@@ -86,7 +86,7 @@ impl Refusals {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::from_stored;
+    use crate::cell::stored::from_stored;
 
     fn words(entry: &AuditEntry) -> String {
         from_stored(entry.result.clone()).to_string()

@@ -1,5 +1,6 @@
 use super::alarms::Mirror;
 use super::archive::Archive;
+use super::base::Task;
 use super::connection::CellDevices;
 use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, Records, ToDesk};
@@ -7,7 +8,7 @@ use super::display_distances::{self, Around};
 use super::happening::happening;
 use super::hub::Hub;
 use super::names::Names;
-use super::prepared::{Prepared, Task};
+use super::prepared::Prepared;
 use super::progress;
 use super::recorder::Recorder;
 use super::safe_outputs::SafeOutputs;

@@ -1,7 +1,7 @@
 //! Messages in the text columns of the audit log: JSON of code, arguments and English text, which begins with `{`. Any
 //! other text is shown as it is: what an older version wrote.
 
-use super::archive::plain;
+use super::audit_entry::plain;
 use seamwright_message::{Argument, Language, Message};
 use serde::Serialize;
 

@@ -1,10 +1,12 @@
-use crate::users;
-use crate::wire;
+use crate::{users, wire};
 use axum::Json;
 use axum::http::{StatusCode, header};
 use axum::response::{Html, IntoResponse, Response};
 use seamwright_message::Message;
 use seamwright_project::Failure;
+
+/// Content type of most bodies.
+pub(super) const JSON: &str = "application/json";
 
 /// A refused or failed request.
 #[derive(Debug)]

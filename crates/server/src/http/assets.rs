@@ -2,19 +2,12 @@
 
 use super::answer::Refused;
 use super::panel::Panel;
-use super::turns::Turns;
-use axum::body::{Body, Bytes};
+use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, Method, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
-use flate2::Compression;
-use flate2::write::GzEncoder;
 use rust_embed::{EmbeddedFile, RustEmbed};
-use std::borrow::Cow;
-use std::collections::HashMap;
-use std::io::Write as _;
-use std::sync::{Arc, Mutex, PoisonError};
-use tokio::sync::OnceCell;
+use std::sync::Arc;
 
 /// The panel as built.
 #[derive(RustEmbed)]
@@ -23,44 +16,6 @@ struct Web;
 
 /// Minimum size for compression, bytes; smaller files do not gain from it.
 const MIN_COMPRESSED: usize = 256;
-
-/// Maximum number of files that wait for compression: more than exist.
-const MAX_FILES: usize = 4096;
-
-/// Compressed files by tag; all are small beside the program. Each is compressed once, however many pages open at once:
-/// the first thing a page shows is its STOP button.
-pub(crate) struct Compressed {
-    files: Mutex<HashMap<String, Arc<OnceCell<Bytes>>>>,
-    turns: Turns,
-}
-
-impl Default for Compressed {
-    fn default() -> Self {
-        Self { files: Mutex::default(), turns: Turns::new(1, MAX_FILES) }
-    }
-}
-
-impl Compressed {
-    fn cell(&self, tag: &str) -> Arc<OnceCell<Bytes>> {
-        let mut files = self.files.lock().unwrap_or_else(PoisonError::into_inner);
-        Arc::clone(files.entry(tag.to_owned()).or_default())
-    }
-
-    /// Returns the compressed file of a tag, whose contents are `data`.
-    async fn of(&self, tag: &str, data: Cow<'static, [u8]>) -> Result<Bytes, Refused> {
-        let make = async || {
-            let made = move || gzip(&data).map_err(|e| Refused::server(e.to_string()));
-            self.turns.run(made).await.map(Bytes::from)
-        };
-        self.cell(tag).get_or_try_init(make).await.cloned()
-    }
-}
-
-fn gzip(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
-    encoder.write_all(bytes)?;
-    encoder.finish()
-}
 
 /// Serves a file of the panel.
 pub(super) async fn serve(State(panel): State<Arc<Panel>>, method: Method, uri: Uri, headers: HeaderMap) -> Response {

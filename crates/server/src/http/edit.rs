@@ -1,9 +1,9 @@
 use super::answer::{Answer, Refused};
+use super::loading::document_message;
 use super::panel::Panel;
 use crate::wire::EditAnswer;
 use axum::Json;
 use axum::extract::State;
-use seamwright_document::DocumentError;
 use seamwright_message::Message;
 use seamwright_program::edit::{Editor, Operation};
 use serde::Deserialize;
@@ -38,24 +38,6 @@ fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
     })?;
     let words = reports.into_iter().map(|report| report.words.into()).collect();
     Ok(EditAnswer { text: editor.text().to_owned(), words })
-}
-
-/// Describes an error without its line: the line belongs to a text that the user does not see.
-pub(super) fn document_message(e: &DocumentError) -> Message {
-    let mut message = match (e.key.as_str(), e.value.as_str()) {
-        ("", _) => e.message.clone(),
-        (key, "") => Message::new("server-at-key").key("key", key).message("what", e.message.clone()),
-        (key, value) => {
-            Message::new("server-at-value").key("key", key).text("value", value).message("what", e.message.clone())
-        }
-    };
-    if let Some(allowed) = &e.allowed {
-        message = Message::new("server-and-allowed").message("what", message).message("allowed", allowed.clone());
-    }
-    if let Some(help) = &e.help {
-        message = Message::new("server-and-help").message("what", message).message("help", help.clone());
-    }
-    message
 }
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
 use super::answer::{Answer, Refused};
+use super::job_name::checked;
 use super::panel::Panel;
 use crate::cell::Change;
 use crate::users::Session;
@@ -6,26 +7,15 @@ use crate::wire::{DistortionRow, JobKept, JobRow, JobText};
 use axum::extract::{Path, State};
 use axum::http::StatusCode;
 use axum::{Extension, Json};
-use seamwright_message::{Message, Unit};
+use seamwright_message::Message;
 use seamwright_program::Procedure;
-use seamwright_project::Failure;
 use seamwright_project::examples::{DISTORTIONS, EXAMPLES, Example};
-use seamwright_project::files;
+use seamwright_project::{Failure, files};
 use std::io::Read as _;
 use std::sync::Arc;
 
 /// Maximum number of own jobs.
 const MAX_JOBS: usize = 2000;
-
-/// Checks the file name of a job: no folders, no hidden files.
-pub(super) fn checked(name: &str) -> Result<&str, Refused> {
-    let good = |c: char| c.is_alphanumeric() || "-_. ()+".contains(c);
-    let is_toml = name.strip_suffix(".toml").is_some_and(|stem| !stem.is_empty());
-    if is_toml && name.len() <= 120 && !name.starts_with(['.', ' ']) && name.chars().all(good) && !name.contains("..") {
-        return Ok(name);
-    }
-    Err(Refused::input(Message::new("server-job-name").text("name", name).value("max", 120.0, Unit::Byte)))
-}
 
 fn example(name: &str) -> Option<&'static str> {
     EXAMPLES.iter().find(|e| name.strip_suffix(".toml") == Some(e.name)).map(|e| e.text)

@@ -1,4 +1,5 @@
-use super::routes::{JSON, routes};
+use super::answer::JSON;
+use super::routes::routes;
 use axum::Json;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};

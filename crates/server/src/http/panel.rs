@@ -1,4 +1,4 @@
-use super::assets::Compressed;
+use super::compression::Compressed;
 use super::turns::{Turn, Turns};
 use crate::cell::Cell;
 use crate::planner::Planner;

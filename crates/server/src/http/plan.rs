@@ -1,28 +1,22 @@
-use super::answer::{Answer, Refused, page_of};
-use super::jobs::{checked, text};
+use super::answer::{Answer, JSON, Refused, page_of};
+use super::job_name::checked;
+use super::jobs::text;
+use super::loading::{Ready, overlap, ready};
 use super::panel::Panel;
 use super::records::{reads, spoken};
-use super::routes::JSON;
 use crate::cell::{Around, CellDevices, Change, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
 use crate::planner::{Asked, Page, Question};
 use crate::users::Session;
-use crate::view::{tuning_view, work_view};
+use crate::view::tuning_view;
 use crate::wire::{JobText, Load, PlaceText, PlanningView, PostText, TuningView, WorkView};
 use axum::extract::{Path, Query, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
 use axum::{Extension, Json};
 use seamwright_executive::Place;
-use seamwright_message::{Message, Unit};
-use seamwright_motion::WeldMotion;
-use seamwright_project::load::{Loaded, load_foreign};
-use seamwright_project::part::Part;
-use seamwright_project::recording::{Header, Who, record_plan};
-use seamwright_project::run_rows;
-use seamwright_record::Plan;
+use seamwright_message::Message;
 use seamwright_simulation::tracking::Distortion;
 use serde::Deserialize;
-use std::path::Path as FilePath;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
@@ -237,53 +231,6 @@ pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), Mess
     put_in(panel, load, Page::default()).await.map(drop).map_err(|refused| refused.message)
 }
 
-/// A planned job to be loaded.
-struct Ready {
-    loaded: Loaded,
-    motion: WeldMotion,
-    part: Part,
-    from: Option<Place>,
-    view: WorkView,
-    record: Plan,
-    passes: usize,
-}
-
-/// Plans a job to be loaded, only from its text and the folder of jobs; `number` is the number of its view.
-fn ready(load: &Load, text: &str, jobs: &FilePath, number: u64) -> Result<Ready, Refused> {
-    let loaded = load_foreign(checked(&load.job)?, text, jobs)?;
-    let part = simulated_part(load.distortion.as_deref())?;
-    part.check_devices(&loaded.machine)?;
-    let motion = part.plan(&loaded)?;
-    let from = load.from.map(|(pass, s_mm)| Place { pass: pass as usize, s_mm });
-    let mut view = work_view(number, &load.job, &loaded, Ok(&motion));
-    let heads = if part.tracking { run_rows::head_names(&loaded) } else { Vec::new() };
-    (view.from, view.tracked, view.distortion) = (load.from, heads.len(), load.distortion.clone());
-    let columns = run_rows::columns(&loaded.machine, &view.values, &heads);
-    let title = loaded.welding.program.value.title.clone();
-    let mut about = vec![("title", title), ("machine", loaded.machine.name.clone())];
-    about.extend(view.distortion.clone().map(|text| ("distortion", text)));
-    let header = Header { columns: &columns, about: &about, from };
-    let simulated = loaded.machine.devices.is_empty();
-    let who = Who { part: load.part.clone().unwrap_or_default(), simulated, welder: None };
-    let record = record_plan(&loaded, &motion, &header, who)?;
-    let passes = motion.passes.len() - from.map_or(0, |place| place.pass.saturating_sub(1)).min(motion.passes.len());
-    Ok(Ready { loaded, motion, part, from, view, record, passes })
-}
-
-/// Performs all steps of loading that take memory and time, and discards the result.
-///
-/// # Errors
-/// If the job is invalid. The approach from the current axis positions is not checked.
-pub(crate) fn try_load(load: &Load, text: &str, jobs: &FilePath) -> Result<(), Refused> {
-    let Ready { loaded, motion, part, from, view, .. } = ready(load, text, jobs, 0)?;
-    let home = loaded.machine.home();
-    let around = Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?;
-    let prepared = Prepared::new(Task::Job(Box::new(Planned { loaded, motion, part })), &home, from);
-    // Dropped together: the cell also needs all of them at once.
-    drop((view, around, prepared));
-    Ok(())
-}
-
 fn loading(panel: &Panel, load: &Load, text: &str, user: String) -> Result<Loading, Refused> {
     let overlap_mm = overlap(load)?;
     let ready = ready(load, text, &panel.jobs(), panel.plan_number())?;
@@ -297,28 +244,6 @@ fn loading(panel: &Panel, load: &Load, text: &str, user: String) -> Result<Loadi
     let task = Task::Job(Box::new(Planned { loaded, motion, part }));
     let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
     Ok(Loading { prepared, view: Some(view), around, plan: Some(record), passes, overlap_mm, user })
-}
-
-/// Maximum overlap over finished weld that needs no confirmation at a start, mm.
-const MAX_OVERLAP_MM: f64 = 100.0;
-
-fn overlap(load: &Load) -> Result<f64, Refused> {
-    let overlap_mm = load.overlap_mm.unwrap_or(0.0);
-    if (0.0..=MAX_OVERLAP_MM).contains(&overlap_mm) {
-        return Ok(overlap_mm);
-    }
-    Err(Refused::input(Message::new("server-overlap").value("value", overlap_mm, Unit::Mm).value(
-        "max",
-        MAX_OVERLAP_MM,
-        Unit::Mm,
-    )))
-}
-
-/// Returns the part to be welded, for simulated devices.
-fn simulated_part(distortion: Option<&str>) -> Result<Part, Refused> {
-    let distortion = distortion.map(|text| Distortion::read("distortion", text)).transpose();
-    let distortion = distortion.map_err(|e| Refused::input(super::edit::document_message(&e)))?;
-    Ok(Part { tracking: distortion.is_some(), distortion, replay: None })
 }
 
 /// Plans a recorded weld again, to show the torch of its record.

@@ -1,3 +1,4 @@
+use super::answer::JSON;
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
@@ -24,7 +25,6 @@ pub(crate) const MAX_BYTES: usize = 4 << 20;
 pub(crate) const MAX_UNKNOWN: usize = 8 << 10;
 
 /// Content types of bodies.
-pub(super) const JSON: &str = "application/json";
 const TAR: &str = "application/x-tar";
 const PNG: &str = "image/png";
 

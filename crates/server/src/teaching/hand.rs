@@ -1,7 +1,6 @@
 //! Axis motion of a teaching session, by jog commands.
 
-use super::Teaching;
-use super::state::Wish;
+use super::state::{Teaching, Wish};
 use crate::cell::{Hub, ToDesk};
 use crate::http::Panel;
 use crate::wire::Status;

@@ -1,5 +1,4 @@
-use super::Teaching;
-use super::state::Found;
+use super::state::{Found, Teaching};
 use crate::wire::{TaughtProgram, TeachProgram};
 use glam::DVec3;
 use seamwright_geometry::reduce::Method;

@@ -1,8 +1,7 @@
 //! The camera on the cell's machine, moved by its axes; and the operator at the panel.
 
-use super::Teaching;
 use super::hand::{Came, Hand};
-use super::state::Wish;
+use super::state::{Teaching, Wish};
 use crate::cell::Hub;
 use crate::wire::TeachPhase;
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! Browsers in which a user has logged in before. Wrong passwords from elsewhere do not lock them out.
 
-use super::secret;
+use super::sessions::secret;
 use crate::log;
 use seamwright_message::Message;
 use seamwright_project::files;

@@ -1,6 +1,6 @@
 //! Password hashes: Argon2id, as PHC strings.
 
-use super::Trouble;
+use super::accounts::Trouble;
 use argon2::password_hash::phc::{Output, ParamsString, PasswordHash, Salt};
 use argon2::{ARGON2ID_IDENT, Algorithm, Argon2, Block, Params, Version};
 use seamwright_message::Message;

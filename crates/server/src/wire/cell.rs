@@ -1,4 +1,5 @@
-use super::{MessageView, SolidView};
+use super::message::MessageView;
+use super::weld::SolidView;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;

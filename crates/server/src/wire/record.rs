@@ -1,4 +1,4 @@
-use super::MessageView;
+use super::message::MessageView;
 use schemars::JsonSchema;
 use serde::Serialize;
 use ts_rs::TS;

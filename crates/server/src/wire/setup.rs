@@ -1,4 +1,4 @@
-use super::MessageView;
+use super::message::MessageView;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;

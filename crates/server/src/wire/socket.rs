@@ -1,4 +1,6 @@
-use super::{AlarmView, EventView, LackView, Status, TeachOrder, TeachView, WorkView};
+use super::status::{AlarmView, EventView, LackView, Status};
+use super::teach::{TeachOrder, TeachView};
+use super::weld::WorkView;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;

@@ -1,4 +1,4 @@
-use super::MessageView;
+use super::message::MessageView;
 use schemars::JsonSchema;
 use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,6 @@
-use super::{AxisView, CertificateView, MessageView};
+use super::cell::AxisView;
+use super::certificate::CertificateView;
+use super::message::MessageView;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;

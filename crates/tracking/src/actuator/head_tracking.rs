@@ -1,5 +1,7 @@
+use super::following::Following;
+use super::limits::SlideLimits;
 use super::preview::softened;
-use super::{Following, Slide, SlideLimits};
+use super::slide::Slide;
 use crate::lead::{Error, Estimate, Measurement, Moment, OwnCurve, Refusal, Settings, Sight, Tracker, Verdict};
 use glam::DVec2;
 use seamwright_message::Message;

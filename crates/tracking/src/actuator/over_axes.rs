@@ -1,4 +1,4 @@
-use super::SlideLimits;
+use super::limits::SlideLimits;
 use crate::lead::Error;
 use glam::{DMat3, DVec3};
 use nalgebra::SVector;

@@ -1,4 +1,4 @@
-use super::SlideLimits;
+use super::limits::SlideLimits;
 use crate::lead::Error;
 
 /// Maximum averaging window of set-points, s; half of it is the lag that previews compensate.

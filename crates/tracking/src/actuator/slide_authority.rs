@@ -1,4 +1,5 @@
-use super::{Slide, SlideLimits};
+use super::limits::SlideLimits;
+use super::slide::Slide;
 use crate::lead::Error;
 use glam::DVec2;
 

@@ -1,7 +1,9 @@
 use super::beam_authority::{BeamAuthority, SOON_S};
-use super::picture::{Course, located};
-use super::tracking::{Faults, judge};
-use super::{Allowed, Beam, DeviationRecord, Error, Orders, Picture, Row, Schedule};
+use super::error::Error;
+use super::picture::{Course, Picture, located};
+use super::record::{DeviationRecord, Row};
+use super::schedule::{Allowed, Beam, Schedule};
+use super::tracking::{Faults, Orders, judge};
 use crate::actuator::{Alarm, DeflectionLimits, Following, SlideLimits};
 use crate::lead::{Estimate, History, Moment, Sight};
 use arrayvec::ArrayVec;

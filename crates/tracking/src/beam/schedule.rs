@@ -1,4 +1,4 @@
-use super::Error;
+use super::error::Error;
 use crate::lead;
 use seamwright_message::Message;
 

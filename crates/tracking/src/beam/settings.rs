@@ -1,4 +1,6 @@
-use super::{Allowed, Error, Schedule, Zone, ZoneNeeds};
+use super::error::Error;
+use super::schedule::{Allowed, Schedule};
+use super::zone::{Zone, ZoneNeeds};
 use crate::lead;
 use glam::DVec2;
 use seamwright_message::Message;

@@ -1,6 +1,9 @@
 use super::beam_authority::{BeamAuthority, SOON_S, Shares};
-use super::picture::{Course, PLACES, Place, located, on_one_line};
-use super::{Beam, Error, Picture, Schedule, Settings, Taken, Zone};
+use super::error::Error;
+use super::picture::{Course, PLACES, Picture, Place, Taken, located, on_one_line};
+use super::schedule::{Beam, Schedule};
+use super::settings::Settings;
+use super::zone::Zone;
 use crate::actuator::{Alarm, DeflectionLimits, Following, SlideLimits};
 use crate::lead::{Estimate, Moment, OwnCurve, Refusal, Sight, Tracker};
 use arrayvec::ArrayVec;

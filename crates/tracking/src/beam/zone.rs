@@ -1,4 +1,4 @@
-use super::Error;
+use super::error::Error;
 
 /// Detection zone of a frame, mm ahead of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]

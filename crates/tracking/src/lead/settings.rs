@@ -1,4 +1,4 @@
-use super::Error;
+use super::error::Error;
 use glam::DVec2;
 use seamwright_message::Message;
 

@@ -1,12 +1,14 @@
 use super::cells::{BENT, CELLS, Cells, STRAIGHT};
+use super::error::Error;
 use super::filter::{Filter, Noise};
 use super::fit::{Fit, Seen};
 use super::history::{History, Moment};
+use super::measurement::{Measurement, Refusal, Verdict};
 use super::node::{Estimate, Node, Sight};
 use super::outliers::{GATE, IN_A_ROW, Suspects, begun};
+use super::own_curve::OwnCurve;
 use super::ring::Ring;
-use super::settings::REACH;
-use super::{Error, Measurement, OwnCurve, Refusal, Settings, Verdict};
+use super::settings::{REACH, Settings};
 use glam::DVec2;
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-use crate::Size;
+use crate::frame::Size;
 
 /// Length of a vector in pixels. Unlike `f32::hypot` it omits the slow protection against overflow.
 pub(super) fn length([x, y]: [f32; 2]) -> f32 {

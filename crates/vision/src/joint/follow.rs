@@ -1,13 +1,12 @@
-use super::axis::Axis;
+use super::axis::{Axis, length};
 use super::end::{Cut, cut};
 use super::levels::{Levels, Picture, from_level, to_level};
 use super::midline::Midline;
 use super::rims::{self, Rims};
-use super::second_attempt::{COARSE, NARROWER};
-use super::straight_on::{Hidden, is_passed};
+use super::second_attempt::same_within;
 use super::trail::{Limits, Look, ROWS, Trail};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge, make_room};
-use crate::Frame;
+use crate::frame::Frame;
 use std::f32::consts::PI;
 
 /// Widths tried at a start of unknown width: level, and pixels of that level.
@@ -27,6 +26,11 @@ const DEEP: f32 = 3.5;
 const WIDTH: (f32, f32) = (1.0, 400.0);
 /// Default gap that is coasted over, as a part of the frame's shorter side.
 const GAP: f32 = 0.2;
+/// An attempt with narrower widths tries widths up to this part of the previous one and accepts results below this part
+/// of those ...
+pub(super) const NARROWER: f32 = 0.7;
+/// A joint is wide if it is followed on this level or a coarser one.
+pub(super) const COARSE: usize = 2;
 
 /// Follows joints; reuses its buffers from frame to frame.
 #[derive(Debug, Clone)]
@@ -339,4 +343,18 @@ impl Inside {
         let Zone { left, top, right, bottom } = self.zone;
         x >= left && x <= right && y >= top && y <= bottom
     }
+}
+
+/// Place where an object may hide a joint that was followed aside there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Hidden {
+    /// Number of points behind the start.
+    pub(super) place: usize,
+    /// First row of the path aside, which leads to the border; the number of rows if the joint ended within the frame.
+    pub(super) aside: usize,
+}
+
+/// Returns true if one of the rows is near a point of the frame.
+pub(super) fn is_passed(rows: &[Row], at: [f32; 2]) -> bool {
+    rows.iter().any(|row| length([row.x - at[0], row.y - at[1]]) < same_within(row))
 }

@@ -1,7 +1,8 @@
 use super::make_room;
 use super::top_hat::TopHat;
-use crate::wide::{Simd, Work, wide};
-use crate::{Frame, Pixels, Size};
+use crate::frame::{Frame, Pixels, Size};
+use crate::wide::{Work, wide};
+use pulp::Simd;
 
 /// Maximum number of halvings.
 pub(super) const MAX_HALVINGS: usize = 5;

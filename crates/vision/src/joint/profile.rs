@@ -1,6 +1,7 @@
 use super::strip::{COLS, Line, MID, greater};
 use crate::aligned::Aligned;
-use crate::wide::{LANES, Scalar, Simd};
+use crate::wide::LANES;
+use pulp::{Scalar, Simd};
 
 /// Maximum columns to one side of the middle.
 const REACH: usize = 12;

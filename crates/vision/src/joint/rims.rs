@@ -5,7 +5,7 @@ use super::axis::Station;
 use super::levels::{Levels, to_level};
 use super::strip::{COLS, Line, MID, Strip, greater};
 use super::{CONFIDENT, Row, make_room};
-use crate::Frame;
+use crate::frame::Frame;
 
 /// Levels between the joint's level and the finer one for the rims: a joint 5 columns wide is 20 columns wide there.
 pub(super) const FINER: usize = 2;

@@ -3,7 +3,7 @@
 use super::axis::Station;
 use super::levels::OF_16_BITS;
 use super::strip::{COLS, Line, MID, greater, lesser};
-use crate::Size;
+use crate::frame::Size;
 use crate::wide::LANES;
 
 /// Fractions of a pixel that positions within a row are counted in.

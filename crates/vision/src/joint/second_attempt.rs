@@ -1,10 +1,10 @@
 //! Second attempts at a lost joint, in other ways. Rows found so get no confidence.
 
-use super::follow::{Follower, Inside, known_width};
+use super::follow::{COARSE, Follower, Inside, NARROWER, known_width};
 use super::levels::{DarkLine, Levels};
 use super::trail::{Look, ROWS};
 use super::{CONFIDENT, End, Row, Start, State, judge};
-use crate::Frame;
+use crate::frame::Frame;
 
 /// A second attempt is accepted if the joint is this many times as long, ...
 const LONGER: f32 = 1.25;
@@ -15,17 +15,12 @@ pub(super) const STRETCH: f32 = 100.0;
 /// Minimum distance of the last row from the border for a second attempt, pixels. If the joint left the image there,
 /// the attempt must be seen for half of the remaining distance.
 const UNSEEN: f32 = 16.0;
-/// An attempt with narrower widths tries widths up to this part of the previous one and accepts results below this part
-/// of those ...
-pub(super) const NARROWER: f32 = 0.7;
 /// ... if the joint is this part as long: then the wider result was the joint's surroundings.
 const AS_LONG: f32 = 0.9;
 /// Minimum width of a joint on the top-hat of a level coarser than its own, pixels.
 const NARROWEST: f32 = 2.5;
 /// Levels and widths there at which a start is searched on top-hats.
 const STARTS: [(usize, f32); 3] = [(1, 2.0), (1, 5.0), (2, 5.0)];
-/// A joint is wide if it is followed on this level or a coarser one.
-pub(super) const COARSE: usize = 2;
 /// Confident rows are kept if the new path passes them within this distance: the larger of pixels and parts of the
 /// width.
 const SAME: (f32, f32) = (2.0, 0.25);

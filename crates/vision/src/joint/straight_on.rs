@@ -1,15 +1,11 @@
 //! Turns too sharp for a joint, at the rim of a tack or at a junction, are left again: the joint may continue straight
 //! behind the object that hides it.
 
-use super::axis::length;
-use super::bend;
-use super::follow::{Follower, Inside};
-use super::second_attempt::{
-    HEADING, Lengths, STRETCH, last_sure, rim, same_within, start_at, to_rim, top_hat_level, way,
-};
+use super::follow::{Follower, Hidden, Inside};
+use super::second_attempt::{HEADING, Lengths, STRETCH, last_sure, rim, start_at, to_rim, top_hat_level, way};
 use super::trail::{Look, ROWS};
-use super::{End, Row, State};
-use crate::Frame;
+use super::{End, Row, State, bend};
+use crate::frame::Frame;
 
 /// Maximum turn of a joint beyond its own bend, rad.
 const CORNER: f32 = 0.45;
@@ -72,20 +68,6 @@ impl Follower {
         // Confident rows behind the corner belonged to another line.
         self.keep_sure(corner + 1)
     }
-}
-
-/// Place where an object may hide a joint that was followed aside there.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Hidden {
-    /// Number of points behind the start.
-    pub(super) place: usize,
-    /// First row of the path aside, which leads to the border; the number of rows if the joint ended within the frame.
-    pub(super) aside: usize,
-}
-
-/// Returns true if one of the rows is near a point of the frame.
-pub(super) fn is_passed(rows: &[Row], at: [f32; 2]) -> bool {
-    rows.iter().any(|row| length([row.x - at[0], row.y - at[1]]) < same_within(row))
 }
 
 /// Returns the first row from `from` on ([`bend::REACH`] at least) with a turn too sharp for a joint that is the

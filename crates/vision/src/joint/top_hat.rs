@@ -4,9 +4,10 @@
 
 use super::levels::{Grey, Picture};
 use super::make_room;
-use crate::Size;
 use crate::aligned::CACHE_LINE;
-use crate::wide::{Simd, Work, wide};
+use crate::frame::Size;
+use crate::wide::{Work, wide};
+use pulp::Simd;
 
 /// Resolution of grey values, parts of one. (A sum of two of them fits into 16 bits.)
 const PARTS: f32 = 64.0;

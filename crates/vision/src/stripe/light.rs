@@ -6,7 +6,7 @@
 use super::blobs::Blobs;
 use super::fit::{StripeArc, StripeLine};
 use super::profile::{Columns, Profile};
-use crate::{Frame, Pixels};
+use crate::frame::{Frame, Pixels};
 use glam::DVec2;
 use seamwright_geometry::Homography;
 

@@ -29,7 +29,7 @@ pub use features::{Doubt, Expected, Feature, Features, JointKind, NoFeatures, Qu
 pub use fit::StripeLine;
 pub use segments::Segment;
 
-use crate::Frame;
+use crate::frame::Frame;
 use blobs::Blobs;
 use chain::Chainer;
 use glam::DVec2;

@@ -2,7 +2,6 @@
 
 use super::blobs::{Blob, Blobs, MAX_BLOBS};
 use super::chain::StripePoint;
-use super::segments::Segment;
 use glam::DVec2;
 use seamwright_geometry::Homography;
 
@@ -163,36 +162,9 @@ impl Profile {
     pub(super) fn all_between(&self, columns: Columns) -> &[Sample] {
         within(&self.all, columns)
     }
-
-    /// Replaces points by another blob of their column that lies on a longer line than their own. Returns true if any
-    /// point changed.
-    pub(super) fn repick(&mut self, segments: &[Segment]) -> bool {
-        let (mut changed, grain) = (false, self.grain);
-        for segment in segments {
-            let longer = || segments.iter().filter(|g| g.length() > 1.5 * segment.length());
-            if longer().next().is_none() {
-                continue;
-            }
-            let on_longer = |at: DVec2| longer().any(|g| g.line.off(at).abs() < g.within(grain));
-            let Columns { from, to } = segment.columns;
-            let first = self.samples.partition_point(|s| s.column < from);
-            let end = self.samples.partition_point(|s| s.column <= to).max(first);
-            let mut rest = within(&self.all, segment.columns);
-            for sample in &mut self.samples[first..end] {
-                let passed = rest.iter().take_while(|s| s.column < sample.column).count();
-                rest = &rest[passed..];
-                let mut own = rest.iter().take_while(|s| s.column == sample.column);
-                if let Some(other) = own.find(|s| s.at != sample.at && on_longer(s.at)) {
-                    *sample = *other;
-                    changed = true;
-                }
-            }
-        }
-        changed
-    }
 }
 
-fn within(samples: &[Sample], columns: Columns) -> &[Sample] {
+pub(super) fn within(samples: &[Sample], columns: Columns) -> &[Sample] {
     let first = samples.partition_point(|s| s.column < columns.from);
     let end = samples.partition_point(|s| s.column <= columns.to);
     &samples[first..end.max(first)]
@@ -207,7 +179,8 @@ pub(super) fn median(values: &mut [f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stripe::StripeLine;
+    use crate::stripe::fit::StripeLine;
+    use crate::stripe::segments::Segment;
     use crate::testing::random;
 
     /// A level segment at this height, 1 mm per column.

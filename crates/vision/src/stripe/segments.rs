@@ -5,7 +5,7 @@
 //! lines in the runs without their ends, moves the cuts to where neighbours meet, and fits the lines again.
 
 use super::fit::{Moments, StripeLine, line};
-use super::profile::{Columns, Profile, Sample, median};
+use super::profile::{Columns, Profile, Sample, median, within};
 use glam::DVec2;
 
 /// Maximum number of segments.
@@ -210,6 +210,35 @@ impl Cutter {
         }
         segments.iter_mut().for_each(|s| shrink(profile, s));
         segments.retain(|s| s.columns.to > s.columns.from);
+    }
+}
+
+impl Profile {
+    /// Replaces points by another blob of their column that lies on a longer line than their own. Returns true if any
+    /// point changed.
+    pub(super) fn repick(&mut self, segments: &[Segment]) -> bool {
+        let (mut changed, grain) = (false, self.grain);
+        for segment in segments {
+            let longer = || segments.iter().filter(|g| g.length() > 1.5 * segment.length());
+            if longer().next().is_none() {
+                continue;
+            }
+            let on_longer = |at: DVec2| longer().any(|g| g.line.off(at).abs() < g.within(grain));
+            let Columns { from, to } = segment.columns;
+            let first = self.samples.partition_point(|s| s.column < from);
+            let end = self.samples.partition_point(|s| s.column <= to).max(first);
+            let mut rest = within(&self.all, segment.columns);
+            for sample in &mut self.samples[first..end] {
+                let passed = rest.iter().take_while(|s| s.column < sample.column).count();
+                rest = &rest[passed..];
+                let mut own = rest.iter().take_while(|s| s.column == sample.column);
+                if let Some(other) = own.find(|s| s.at != sample.at && on_longer(s.at)) {
+                    *sample = *other;
+                    changed = true;
+                }
+            }
+        }
+        changed
     }
 }
 

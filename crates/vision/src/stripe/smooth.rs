@@ -1,7 +1,8 @@
 //! Smoothing of the stripe's centres over several columns.
 
 use super::chain::StripePoint;
-use crate::wide::{Simd, Work, wide};
+use crate::wide::{Work, wide};
+use pulp::Simd;
 
 /// Columns to each side in a window, and the maximum distance of its centres from their straight line, pixels. Beside
 /// corners and ends, columns stay unchanged.

@@ -1,5 +1,5 @@
 use super::layers::Layer;
-use crate::Section;
+use crate::joint::Section;
 use glam::DVec2;
 
 /// Arrangement of beads in their layer.

@@ -1,5 +1,5 @@
 use super::file::Asked;
-use crate::Section;
+use crate::joint::Section;
 use seamwright_program::Role;
 
 /// A layer of beads, from the root out.

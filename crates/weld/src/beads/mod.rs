@@ -23,9 +23,9 @@ pub use file::{Adapt, Beads, Order, Run};
 pub use fill::BeadAt;
 pub use layers::Layer;
 pub use plan::BeadPlan;
-pub(crate) use refusal::NoPlan;
 
-use crate::{SeamCurve, SeamJoint};
+use crate::joint::SeamJoint;
+use crate::seam::SeamCurve;
 use layers::Runs;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;

@@ -1,7 +1,7 @@
 use super::file::{Adapt, Asked, Beads, WIRE_FEED};
 use super::layers::Runs;
 use super::plan::BeadPlan;
-use crate::SeamCurve;
+use crate::seam::SeamCurve;
 use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_program::{Bead, Pass, Ramp, Span, SpanValue, Weave, part_start, parts_of};
 

@@ -1,9 +1,9 @@
-use super::NoPlan;
 use super::file::{Adapt, Asked, Beads, Order};
 use super::fill::{BeadAt, Laying, fill};
 use super::layers::{Layer, Runs, layers};
-use crate::joint::SeamJoint;
-use crate::{SeamCurve, Section};
+use super::refusal::NoPlan;
+use crate::joint::{SeamJoint, Section};
+use crate::seam::SeamCurve;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Role, part_start, parts_of};
 

@@ -2,8 +2,8 @@
 
 use super::layers::{Runs, layers};
 use super::{BeadPlan, Beads, WeldValues};
-use crate::joint::SeamJoint;
-use crate::{SeamCurve, Section};
+use crate::joint::{SeamJoint, Section};
+use crate::seam::SeamCurve;
 use proptest::prelude::*;
 use seamwright_document::{Document, Positive};
 use seamwright_program::{Joint, ProcessValues, Role, Seam, SeamStart};

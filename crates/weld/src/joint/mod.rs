@@ -17,7 +17,7 @@ mod tests;
 pub use section::Section;
 
 use crate::allowed::{between, rounded};
-use crate::{SeamCurve, SeamPoint};
+use crate::seam::{SeamCurve, SeamPoint};
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Joint, is_beyond};

@@ -1,4 +1,5 @@
-use super::{SeamJoint, Section};
+use super::SeamJoint;
+use super::section::Section;
 use glam::DVec2;
 use seamwright_program::{Member, Preparation};
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
-use super::ShortSequence;
-use crate::SeamCurve;
+use super::short_sequence::ShortSequence;
 use crate::allowed::{between, rounded};
+use crate::seam::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};

@@ -20,7 +20,8 @@ pub use rows::Rows;
 pub use short_sequence::ShortSequence;
 pub use tacks::Tacks;
 
-use crate::{Job, SeamCurve};
+use crate::job::Job;
+use crate::seam::SeamCurve;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError, Transform};
 use seamwright_message::Message;

@@ -1,7 +1,6 @@
 use super::file::{Parts, WeldOrder};
-use crate::SeamCurve;
 use crate::allowed::{less_than, rounded};
-use crate::seam::SAME_MM;
+use crate::seam::{SAME_MM, SeamCurve};
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{

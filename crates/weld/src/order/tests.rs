@@ -1,6 +1,6 @@
 use super::file::Rule;
 use super::tour::{Leg, Stop, tour};
-use crate::Welding;
+use crate::welding::Welding;
 use glam::DVec3;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;

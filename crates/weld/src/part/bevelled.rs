@@ -1,7 +1,7 @@
 //! A nozzle whose end is prepared: the torch goes in where the edge is cut away.
 
 use super::{Impossible, Making};
-use crate::SeamJoint;
+use crate::joint::SeamJoint;
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Mesh, Shape, Solid};
 use seamwright_program::{Member, Nozzle, Preparation};

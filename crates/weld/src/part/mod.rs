@@ -8,8 +8,11 @@ mod plates;
 mod swept;
 mod tubes;
 
+use crate::joint::SeamJoint;
+use crate::plane;
+use crate::seam::SeamCurve;
 use crate::t_joint::Middle;
-use crate::{SeamCurve, SeamJoint, Welding, plane};
+use crate::welding::Welding;
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Clamped, ClearanceError, Shape, Solid, SolidFile};
 use seamwright_document::{Document, DocumentError, Positive};

@@ -1,10 +1,10 @@
 //! Beam mode on a simulated half-ring.
 
-use crate::failure::Failure;
 use seamwright_machine::{Machine, shipped};
 use seamwright_message::Message;
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath as _;
+use seamwright_project::failure::Failure;
 use seamwright_simulation::acceptance::{Gate, Limit};
 use seamwright_simulation::tracking::beam::{BeamJob, MOVED_MM, beam_rows, moved_since};
 use seamwright_teaching::{SeamLine, Station};

@@ -5,9 +5,9 @@ mod faults;
 mod tracking;
 
 use crate::args::bench::{BenchArgs, BenchVerb, BenchVisionArgs};
-use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
+use seamwright_project::failure::Failure;
 use seamwright_simulation::acceptance::{Gate, Limit};
 use seamwright_simulation::camera_simulator::acceptance::joint_gates;
 use seamwright_simulation::camera_simulator::scene::Kind;

@@ -2,17 +2,15 @@
 
 use super::{Table, beam};
 use crate::args::bench::{BenchTrackingArgs, TrackingTable};
-use crate::failure::Failure;
-use crate::load::load_text;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
 use seamwright_executive::tracking::RESERVE;
 use seamwright_machine::{Machine, shipped};
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::load_text;
 use seamwright_simulation::acceptance::Gate;
-use seamwright_simulation::tracking::acceptance::{
-    GateRow, cross_talk, fault_rows, heat_rows, misplaced_rows, stripe_rows, t_joint_rows, tracking_gates, weld_count,
-};
+use seamwright_simulation::tracking::acceptance::{GateRow, cross_talk, fault_rows, heat_rows, misplaced_rows, stripe_rows, t_joint_rows, tracking_gates, weld_count};
 use seamwright_weld::Welding;
 use serde::Serialize;
 use std::fmt::Write as _;

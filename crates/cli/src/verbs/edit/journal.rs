@@ -1,9 +1,9 @@
 //! The history of a program file, beside it.
 
-use crate::failure::Failure;
-use crate::files;
 use crate::refusals::not_json;
 use seamwright_program::edit::{Editor, History};
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use std::path::{Path, PathBuf};
 
 /// Path of the history of `file`.

@@ -4,12 +4,12 @@ mod journal;
 mod operation;
 
 use crate::args::edit::{EditArgs, EditVerb};
-use crate::failure::Failure;
-use crate::files;
 use crate::rows::{print_json, print_text};
 use seamwright_message::{Language, Message};
 use seamwright_program::Program;
 use seamwright_program::edit::{Editor, History, Operation, Patch, Report};
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use seamwright_weld::Job;
 use serde_json::{Value, json};
 use std::io::{self, Write as _};

@@ -1,8 +1,6 @@
 //! From the command line to an operation.
 
 use crate::args::edit::{EditVerb, EventArgs};
-use crate::failure::Failure;
-use crate::files;
 use crate::refusals::{between, in_file, not_allowed, of_option};
 use seamwright_document::serde_text;
 use seamwright_message::Message;
@@ -12,6 +10,8 @@ use seamwright_program::edit::{
     SetProcess, SetVariable, ShiftStart, SplitSpan,
 };
 use seamwright_program::{PointEvent, Ramp, Repeat, SpanValue};
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! Drawing of the result over the frame as in Fig. 4 of EBW-2004: midline, cross, motion vector, detection zone.
 
-use crate::failure::Failure;
 use glam::DVec2;
 use seamwright_frames::{COASTED, CROSS, Colour, MOTION, Overlay, sureness};
+use seamwright_project::failure::Failure;
 use seamwright_vision::Frame;
 use seamwright_vision::joint::{CONFIDENT, Joint, Row, Start, State, Zone};
 

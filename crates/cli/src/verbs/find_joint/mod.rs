@@ -3,12 +3,12 @@
 mod draw;
 
 use crate::args::find_joint::FindJointArgs;
-use crate::failure::Failure;
-use crate::files;
 use crate::refusals::{between, in_file, not_allowed, refused};
 use crate::rows::{Cell, Rows, print_json};
 use seamwright_frames::decode;
 use seamwright_message::{Message, Unit};
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use seamwright_vision::joint::{End, Follower, Joint, Options, Start, State, Zone};
 use seamwright_vision::{Frame, Pixels};
 use serde_json::{Value, json};

@@ -2,11 +2,11 @@
 //! distance from the true curve.
 
 use super::Named;
-use crate::failure::Failure;
 use crate::refusals::of_option;
 use glam::DVec3;
 use seamwright_message::Message;
 use seamwright_motion::textbook::{Path, Point};
+use seamwright_project::failure::Failure;
 use seamwright_report::{Axis, Chart, Series, Style, sheet};
 
 /// Pulses shown on each side of the middle of the path in the close view.

@@ -1,13 +1,13 @@
 use crate::args::machine::CheckMachineArgs;
 use crate::clock;
-use crate::failure::Failure;
-use crate::files::Output;
 use crate::labels::labelled;
-use crate::load::machine_and_file;
 use crate::progress::Progress;
 use crate::refusals::{between, not_allowed, not_json};
 use crate::rows::{print_json, print_text};
 use seamwright_machine::check::{Check, CheckOptions};
+use seamwright_project::failure::Failure;
+use seamwright_project::files::Output;
+use seamwright_project::load::machine_and_file;
 use seamwright_report::{Language, MachineDrawing, check_page, check_text};
 
 /// Maximum number of positions of a round trip: ten million take minutes.

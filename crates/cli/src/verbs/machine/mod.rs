@@ -10,7 +10,7 @@ mod tuning;
 use super::{io, kinematics, latency, lists, move_to};
 use crate::args::ListArgs;
 use crate::args::machine::{MachineArgs, MachineVerb};
-use crate::failure::Failure;
+use seamwright_project::failure::Failure;
 
 pub(crate) fn run(args: &MachineArgs) -> Result<(), Failure> {
     match &args.verb {

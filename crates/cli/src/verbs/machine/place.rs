@@ -1,9 +1,6 @@
 use super::placed::{Axis, Fitted, Placed};
 use super::touched::{Touched, Wanted, read};
 use crate::args::machine::{PlaceArgs, PlaceMethod};
-use crate::failure::Failure;
-use crate::files;
-use crate::load::{Loaded, load, load_text};
 use crate::refusals::{between, in_file, not_allowed, refused, signed};
 use crate::rows::{print_json, print_text};
 use crate::verbs::positive;
@@ -14,7 +11,9 @@ use seamwright_geometry::{Error, Tube};
 use seamwright_machine::{AxisKind, Machine};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{OFFSET_NAMES, is_offset_name};
-use seamwright_project::offset;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::{Loaded, load, load_text};
+use seamwright_project::{files, offset};
 use seamwright_weld::{SeamCurve, SeamSurfaces};
 use std::path::Path;
 

@@ -1,11 +1,11 @@
 //! Tables of touched points.
 
-use crate::failure::Failure;
-use crate::files;
 use crate::refusals::at_most;
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine};
 use seamwright_message::{Message, Unit};
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use std::io::Read;
 use std::path::Path;
 

@@ -1,14 +1,14 @@
 use super::tuning::{AxisTuning, snippet, table};
 use crate::args::machine::TuneArgs;
-use crate::failure::Failure;
-use crate::files::{Output, written_text};
 use crate::labels::labelled;
-use crate::load::machine_and_file;
 use crate::progress::Progress;
 use crate::refusals::refused;
 use crate::rows::{print_json, print_text};
 use seamwright_machine::{Axis, Machine};
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
+use seamwright_project::files::{Output, written_text};
+use seamwright_project::load::machine_and_file;
 use seamwright_simulation::tune_axis;
 
 pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {

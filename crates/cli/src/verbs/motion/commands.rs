@@ -1,9 +1,9 @@
 //! An operator's commands from a file.
 
-use crate::csv::CsvReader;
-use crate::failure::Failure;
 use crate::refusals::unreadable;
 use seamwright_message::{Message, Unit};
+use seamwright_project::csv::CsvReader;
+use seamwright_project::failure::Failure;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;

@@ -2,8 +2,6 @@
 
 use super::commands::{Command, MIN_OVERRIDE, Timed};
 use crate::args::MotionArgs;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::refusals::{between, refused};
 use crate::rows::{Cell, Rows};
 use crate::verbs::process::ProcessColumns;
@@ -14,6 +12,8 @@ use seamwright_motion::feed_override::{
 };
 use seamwright_motion::{PassMotion, SpeedProfile, Stage, WeldMotion};
 use seamwright_program::{ArcTime, Finding, Pass};
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 use std::io::Write;
 
 /// Maximum override; a speed profile of its own is planned for it if needed.

@@ -1,11 +1,11 @@
 use crate::args::ExportArg;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::rows::{Cell, Rows};
 use crate::verbs::process::ProcessColumns;
 use seamwright_machine::Joints;
 use seamwright_motion::SetPoint;
 use seamwright_program::ArcTime;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 
 /// The position along the seam at an instant.
 #[derive(Debug, Clone, Copy)]

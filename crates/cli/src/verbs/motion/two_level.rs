@@ -1,9 +1,9 @@
 use super::table::{Along, Row, Table};
 use crate::args::ExportArg;
-use crate::failure::Failure;
 use seamwright_machine::Joints;
 use seamwright_motion::fine::{CoarseSpline, Knot, Segment};
 use seamwright_program::ArcTime;
+use seamwright_project::failure::Failure;
 use std::collections::VecDeque;
 
 /// Coarse points at rest that lead a B-spline in and out: (2 - sqrt 3)^24 of a period's way, 2e-14, is left of the

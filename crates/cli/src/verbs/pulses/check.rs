@@ -1,10 +1,10 @@
 use super::motors::Motor;
-use super::stepped::{Clock, Stepped};
-use super::{Place, Play};
-use crate::failure::Failure;
+use super::play::{Place, Play};
+use super::stepped::Stepped;
 use seamwright_message::{Message, Unit};
-use seamwright_motion::pulses::{Edge, Error, Generator};
+use seamwright_motion::pulses::{Edge, Generator};
 use seamwright_program::Finding;
+use seamwright_project::failure::Failure;
 
 /// Figures of the pulses, found without writing them.
 pub(super) struct Checked {
@@ -64,41 +64,5 @@ impl Checked {
             findings.push(place.finding("steps", message, "cli-cure-lost-steps"));
         }
         findings
-    }
-}
-
-/// Pulses too close to each other, as a finding with axis, time and operator action.
-pub(super) fn crowded(axis: &Stepped, clock: &Clock, place: &Place, periods: u64, error: Error) -> Failure {
-    let what = match error {
-        Error::TooFast { asked, .. } => Message::new("cli-pulses-too-fast")
-            .number("asked", asked / clock.period_s(), 0)
-            .count("microsteps", axis.choice.microsteps as usize)
-            .number("max", axis.timing.max_hz(clock.tick_s()), 0),
-        other => other.message(),
-    };
-    let cure = match error {
-        Error::TooFast { .. } => "cli-cure-pulses-too-fast",
-        Error::Crowded { .. } => "cli-cure-pulses-crowded",
-        Error::Position { .. } | Error::Period { .. } => "cli-cure-fewer-microsteps",
-    };
-    let t = clock.seconds(periods * clock.ticks);
-    let code = if place.pass == 0 { "cli-pulses-crowded-in-transfer" } else { "cli-pulses-crowded" };
-    let message = Message::new(code).axis("axis", &axis.name).quantity("time", t, Unit::S, 6).message("fault", what);
-    Failure::Findings(vec![place.finding("pulses", message, cure)])
-}
-
-impl Place {
-    /// A finding against the pulses here; transfer moves count to the start of the first pass.
-    fn finding(&self, kind: &'static str, message: Message, cure: &'static str) -> Finding {
-        let s = if self.s_mm.is_finite() { self.s_mm } else { 0.0 };
-        Finding {
-            kind,
-            message,
-            pass: self.pass.max(1),
-            from_mm: s,
-            to_mm: s,
-            cure: Some(Message::new(cure)),
-            allowed: false,
-        }
     }
 }

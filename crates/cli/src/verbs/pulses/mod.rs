@@ -3,23 +3,23 @@
 
 mod check;
 mod motors;
+mod play;
 mod stepped;
 mod summary;
 
 use super::positive;
 use crate::args::PulsesArgs;
-use crate::failure::Failure;
-use crate::files;
-use crate::load::load;
 use crate::planning;
 use crate::progress::Progress;
 use crate::refusals::refused;
 use crate::rows::{Cell, Rows, print_json, print_text};
-use check::{Checked, check, crowded};
-use seamwright_machine::Joints;
+use check::{Checked, check};
+use play::Play;
 use seamwright_message::{Language, Message};
-use seamwright_motion::WeldMotion;
-use seamwright_motion::pulses::{Edge, Event, Lines};
+use seamwright_motion::pulses::Edge;
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
+use seamwright_project::load::load;
 use seamwright_record::{VcdAxis, VcdWriter, Wire};
 use std::io::Write;
 use std::path::Path;
@@ -76,80 +76,6 @@ pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
 fn print_note(remark: &Message) {
     let note = Message::new("cli-pulses-note").message("note", remark.clone());
     let _ = writeln!(std::io::stderr().lock(), "{note}");
-}
-
-/// Plays the motion for its callers, and counts.
-pub(super) struct Play<'a> {
-    motion: &'a WeldMotion,
-    clock: Clock,
-    home: bool,
-    progress: Progress,
-}
-
-/// A set-point: the pass (0 in the air), path length, and all axes.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
-    pass: usize,
-    s_mm: f64,
-    q: Joints,
-}
-
-impl Play<'_> {
-    fn each(&mut self, mut each: impl FnMut(&Place) -> Result<(), Failure>) -> Result<(), Failure> {
-        self.motion.play(self.clock.period_s(), self.home, |pass, set, _| {
-            self.progress.step();
-            each(&Place { pass, s_mm: set.profile.s, q: set.q })
-        })
-    }
-
-    /// The microstepping of every axis, for the fastest period of the motion.
-    fn choose(&mut self, stepped: &mut [Stepped]) -> Result<(), Failure> {
-        let mut last: Option<Joints> = None;
-        let mut longest = vec![0.0f64; stepped.len()];
-        self.each(|place| {
-            let before = last.replace(place.q).unwrap_or(place.q);
-            for (way, axis) in longest.iter_mut().zip(stepped.iter()) {
-                *way = way.max((place.q[axis.index] - before[axis.index]).abs());
-            }
-            Ok(())
-        })?;
-        let period = self.clock.period_s();
-        stepped.iter_mut().zip(longest).for_each(|(axis, way)| axis.choose(way / period, &self.clock));
-        Ok(())
-    }
-
-    /// Makes the pulses; `each` gets every event in the order of time, with the end of its period.
-    fn pulses(
-        &mut self,
-        stepped: &[Stepped],
-        mut each: impl FnMut(&Place, &Lines, Event) -> Result<(), Failure>,
-    ) -> Result<Option<Lines>, Failure> {
-        let mut lines: Option<Lines> = None;
-        let clock = self.clock;
-        let (mut periods, mut end) = (0u64, None);
-        self.each(|place| {
-            end = Some(*place);
-            let Some(lines) = &mut lines else {
-                let start: Vec<_> = stepped.iter().map(|a| (a.timing, a.steps(&place.q))).collect();
-                let failure = |(axis, e): (usize, _)| crowded(&stepped[axis], &clock, place, 0, e);
-                lines = Some(Lines::new(&start).map_err(failure)?);
-                return Ok(());
-            };
-            let to = stepped.iter().map(|a| a.steps(&place.q));
-            lines.advance(to).map_err(|(axis, e)| crowded(&stepped[axis], &clock, place, periods, e))?;
-            periods += 1;
-            while let Some(event) = lines.event() {
-                each(place, lines, event)?;
-            }
-            Ok(())
-        })?;
-        if let (Some(lines), Some(end)) = (&mut lines, end) {
-            while let Some(event) = lines.last_event() {
-                each(&end, lines, event)?;
-            }
-        }
-        Ok(lines)
-    }
 }
 
 /// Pulses and changes of direction as rows on standard output.

@@ -1,10 +1,10 @@
-use super::Place;
+use super::play::Place;
 use super::stepped::{Clock, Stepped};
-use crate::failure::Failure;
 use crate::refusals::in_file;
 use seamwright_machine::{AxisKind, Load};
 use seamwright_message::Message;
 use seamwright_motion::pulses::{Edge, Event};
+use seamwright_project::failure::Failure;
 use seamwright_servo::{StepperMotor, StepperParameters};
 use std::f64::consts::TAU;
 

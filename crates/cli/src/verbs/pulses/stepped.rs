@@ -1,8 +1,8 @@
-use crate::failure::Failure;
 use crate::refusals::of_option;
 use seamwright_machine::{Axis, Load, Machine, Stepper};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::pulses::{Error, Microstepping, Timing};
+use seamwright_project::failure::Failure;
 
 /// The timer and the period in its ticks.
 #[derive(Debug, Clone, Copy)]

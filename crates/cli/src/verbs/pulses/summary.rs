@@ -1,9 +1,9 @@
 use super::check::Checked;
 use super::stepped::{Clock, Stepped};
-use crate::load::Loaded;
 use crate::refusals::unit_of;
 use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::pulses::Bound;
+use seamwright_project::load::Loaded;
 use serde::{Serialize, Serializer};
 
 /// Summary of the pulses.

@@ -1,9 +1,9 @@
-use super::{folder, open};
+use super::data::{folder, open};
 use crate::args::records::{BackupArgs, RestoreArgs};
-use crate::failure::Failure;
-use crate::files;
 use crate::rows::{print_json, print_text};
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use serde_json::json;
 
 pub(super) fn backup(args: &BackupArgs) -> Result<(), Failure> {

@@ -1,11 +1,11 @@
-use super::open;
+use super::data::open;
 use crate::args::records::ExportArgs;
 use crate::clock;
-use crate::failure::Failure;
-use crate::files::{Output, written_text};
 use crate::refusals::not_json;
 use crate::rows::{print_json, print_text};
 use seamwright_message::{Language, Message};
+use seamwright_project::failure::Failure;
+use seamwright_project::files::{Output, written_text};
 use seamwright_report::recorded_weld_page;
 
 pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {

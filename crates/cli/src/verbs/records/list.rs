@@ -1,7 +1,7 @@
-use super::open;
+use super::data::open;
 use crate::args::records::ListArgs;
-use crate::failure::Failure;
 use crate::rows::{Cell, Rows};
+use seamwright_project::failure::Failure;
 use seamwright_record::library::Query;
 
 const COLUMNS: [&str; 12] = [

@@ -1,6 +1,7 @@
 //! `seamwright records`: the library of recorded welds.
 
 mod backup;
+mod data;
 mod export;
 mod list;
 mod recover;
@@ -8,11 +9,8 @@ mod show;
 mod verify;
 
 use crate::args::records::{Action, RecordsArgs};
-use crate::failure::Failure;
-use seamwright_message::Message;
-use seamwright_record::DataFolder;
-use seamwright_record::library::WeldResult;
-use std::path::{Path, PathBuf};
+pub(super) use data::folder;
+use seamwright_project::failure::Failure;
 
 pub(crate) fn run(args: &RecordsArgs) -> Result<(), Failure> {
     match &args.action {
@@ -24,32 +22,4 @@ pub(crate) fn run(args: &RecordsArgs) -> Result<(), Failure> {
         Action::Restore(a) => backup::restore(a),
         Action::Recover(a) => recover::run(a),
     }
-}
-
-/// The data folder, to be read.
-fn open(data: Option<&Path>) -> Result<DataFolder, Failure> {
-    Ok(DataFolder::open_to_read(&folder(data)?)?)
-}
-
-/// The folder asked for, or the usual one.
-pub(super) fn folder(data: Option<&Path>) -> Result<PathBuf, Failure> {
-    if let Some(data) = data {
-        return Ok(data.to_owned());
-    }
-    let named = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
-    let home = || named("HOME").or_else(|| named("USERPROFILE")).map(|home| home.join(".local/share"));
-    named("SEAMWRIGHT_DATA")
-        .or_else(|| Some(named("XDG_DATA_HOME").or_else(home)?.join("seamwright")))
-        .ok_or_else(|| Failure::refused(Message::new("cli-no-data-folder"), Message::new("cli-data-folder")))
-}
-
-/// Words of a weld's result.
-fn result(result: WeldResult) -> Message {
-    Message::new(match result {
-        WeldResult::Running => "cli-result-running",
-        WeldResult::Good => "cli-result-good",
-        WeldResult::Deviating => "cli-result-deviating",
-        WeldResult::Stopped => "cli-result-stopped",
-        WeldResult::Interrupted => "cli-result-interrupted",
-    })
 }

@@ -1,9 +1,9 @@
-use super::{folder, result};
+use super::data::{folder, result};
 use crate::args::records::RecoverArgs;
-use crate::failure::Failure;
 use crate::rows::{print_json, print_text};
 use crate::verbs::recorded::audit;
 use seamwright_message::{Message, Unit};
+use seamwright_project::failure::Failure;
 use seamwright_record::DataFolder;
 use seamwright_record::library::Library;
 use serde_json::{Value, json};

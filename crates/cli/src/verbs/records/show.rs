@@ -1,9 +1,9 @@
-use super::{open, result};
+use super::data::{open, result};
 use crate::args::records::ShowArgs;
-use crate::failure::Failure;
 use crate::labels::{padded, width_of};
 use crate::rows::{print_json, print_text};
 use seamwright_message::{Message, Unit};
+use seamwright_project::failure::Failure;
 use seamwright_record::figures::Value;
 use seamwright_record::library::{Alarm, WeldDetail, WeldFile, WeldRecord};
 use seamwright_report::format_number;

@@ -1,8 +1,8 @@
-use super::open;
+use super::data::open;
 use crate::args::records::VerifyArgs;
-use crate::failure::Failure;
 use crate::rows::{print_json, print_text};
 use seamwright_message::{Language, Message};
+use seamwright_project::failure::Failure;
 use serde_json::json;
 
 pub(super) fn run(args: &VerifyArgs) -> Result<(), Failure> {

@@ -3,14 +3,14 @@
 use super::Ended;
 use super::orders::Line;
 use super::table::Table;
-use crate::failure::Failure;
-use crate::files::Output;
 use crate::verbs::recorded::Happened;
 use seamwright_executive::realtime::{RealtimeRights, Shown, ShutdownCause};
 use seamwright_executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_machine::Machine;
 use seamwright_message::{Language, Message, Unit};
 use seamwright_project::devices;
+use seamwright_project::failure::Failure;
+use seamwright_project::files::Output;
 use seamwright_project::power_loss::Watch;
 use seamwright_project::weld_events;
 use seamwright_record::journal::{Journal, Position};

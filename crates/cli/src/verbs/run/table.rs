@@ -1,14 +1,14 @@
 //! The trace of a run: a row a cycle.
 
 use crate::args::records::RecordArgs;
-use crate::failure::Failure;
-use crate::files::Output;
-use crate::load::Loaded;
 use crate::verbs::recorded::{self, Happened, Rows};
 use seamwright_executive::Place;
 use seamwright_executive::realtime::Shown;
 use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
+use seamwright_project::failure::Failure;
+use seamwright_project::files::Output;
+use seamwright_project::load::Loaded;
 use seamwright_project::recording::Header;
 use seamwright_project::run_rows;
 use seamwright_record::Outcome;

@@ -1,12 +1,12 @@
 //! An image or a profile, by the content of the file.
 
-use crate::csv::CsvReader;
-use crate::failure::Failure;
-use crate::files;
 use crate::refusals::{at_most, in_file};
 use glam::DVec2;
 use seamwright_frames::decode;
 use seamwright_message::{Message, Unit};
+use seamwright_project::csv::CsvReader;
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use seamwright_vision::Image;
 use std::path::Path;
 

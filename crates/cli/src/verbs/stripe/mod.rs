@@ -5,9 +5,6 @@ mod overlay;
 
 use super::positive;
 use crate::args::stripe::{JointArg, StripeArgs};
-use crate::failure::Failure;
-use crate::files;
-use crate::load;
 use crate::refusals::{in_file, refused};
 use crate::rows::{Cell, Rows, print_json};
 use glam::DVec2;
@@ -15,6 +12,8 @@ use input::Input;
 use seamwright_geometry::Homography;
 use seamwright_machine::Sight;
 use seamwright_message::{Language, Message, Unit};
+use seamwright_project::failure::Failure;
+use seamwright_project::{files, load};
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{Features, JointKind, NoFeatures, Quantity, StripeReader, StripeTask};
 use serde_json::{Map, Value, json};

@@ -1,9 +1,10 @@
 //! Drawing of the result over the image.
 
-use crate::failure::Failure;
 use glam::DVec2;
 use seamwright_frames::{Colour, Overlay};
 use seamwright_geometry::Homography;
+use seamwright_project::failure::Failure;
+use seamwright_project::overlay::{Colour, Overlay};
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{Features, StripeReader};
 

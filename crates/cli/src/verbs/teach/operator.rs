@@ -1,12 +1,12 @@
 //! The operator at the terminal, asked when the joint is lost.
 
 use crate::args::teach::TeachArgs;
-use crate::failure::{Failure, with_allowed};
-use crate::files;
 use crate::progress::Progress;
 use crate::refusals::in_file;
 use glam::DVec3;
 use seamwright_message::{Message, Unit};
+use seamwright_project::files;
+use seamwright_project::failure::{Failure, with_allowed};
 use seamwright_teaching::{Answer, Crawl, Operator, Picture, SeamLine};
 use std::cell::RefCell;
 use std::io::{self, BufRead as _, IsTerminal as _, Write as _};

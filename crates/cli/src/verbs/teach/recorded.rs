@@ -1,14 +1,14 @@
 //! Teaching from recorded frames: the moves were made when they were.
 
 use super::session::Session;
-use super::start;
+use super::setup::start;
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::refusals::in_file;
 use glam::DVec3;
 use seamwright_frames::{FrameError, FrameSource, Recorded, TimedFrame};
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 use seamwright_teaching::{CameraPose, Outcome, Rig, SeamLine};
 use std::path::Path;
 

@@ -1,9 +1,9 @@
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
 use crate::refusals::not_json;
 use crate::rows::print_json;
 use seamwright_machine::Machine;
 use seamwright_message::{Language, Message, Unit};
+use seamwright_project::failure::Failure;
 use seamwright_simulation::teaching::Truth;
 use seamwright_teaching::{Curves, Figures, Outcome, Reduced, SeamLine, TaughtPoint, bridged};
 use serde_json::{Value, json};

@@ -2,15 +2,15 @@
 
 use super::recorded::{middle, play};
 use super::session::Session;
-use super::{start, within};
+use super::setup::{start, within};
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::refusals::{in_file, refused};
 use glam::DVec3;
 use seamwright_frames::{FrameError, FrameSource, FrameStream, TimedFrame};
 use seamwright_machine::Machine;
 use seamwright_message::Message;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 use seamwright_teaching::{CameraPose, Carrier, Outcome, PlannedWeld, Rig, SeamLine};
 use std::net::TcpStream;
 use std::ops::RangeInclusive;

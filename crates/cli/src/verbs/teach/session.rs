@@ -1,14 +1,14 @@
 //! Joint following with any carrier of the camera.
 
 use super::operator::Terminal;
-use super::{camera, follower, settings};
+use super::setup::{camera, follower, settings};
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::progress::Progress;
 use seamwright_frames::Recorder;
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor};
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 use seamwright_teaching::{CameraPose, Crawl, Look, Outcome, Picture, Rig, SeamLine, Setup};
 use std::cell::RefCell;
 

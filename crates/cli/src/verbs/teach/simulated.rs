@@ -2,13 +2,13 @@
 //! it.
 
 use super::session::Session;
-use super::start;
+use super::setup::start;
 use crate::args::teach::TeachArgs;
-use crate::failure::Failure;
-use crate::load::Loaded;
 use crate::refusals::{between, not_allowed, of_option};
 use glam::DVec3;
 use seamwright_message::{Message, Unit};
+use seamwright_project::failure::Failure;
+use seamwright_project::load::Loaded;
 use seamwright_simulation::camera_simulator::{Appearance, CameraSimulator, Distortion};
 use seamwright_simulation::teaching::{SimulatedRig, Truth, truth};
 use seamwright_teaching::{Outcome, PlannedWeld, SeamLine};

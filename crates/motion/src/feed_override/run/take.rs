@@ -1,7 +1,10 @@
 //! Effects of orders, by the current phase.
 
 use super::{Goal, Run, Then};
-use crate::feed_override::{Command, FeedOverrideError, Order, RunPhase, Timed};
+use crate::feed_override::Command;
+use crate::feed_override::error::FeedOverrideError;
+use crate::feed_override::order::{Order, RunPhase};
+use crate::feed_override::timed::Timed;
 use seamwright_program::is_beyond;
 
 /// Minimum override; below it the run holds.

@@ -1,7 +1,7 @@
 //! PMAC's words of more than one letter.
 
 use super::Words;
-use crate::Event;
+use crate::part_program::Event;
 use crate::read::addresses::no_address;
 use crate::read::error::{Fault, Read, Span};
 use crate::read::lexer::Cursor;

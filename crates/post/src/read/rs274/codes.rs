@@ -1,10 +1,11 @@
 //! Meaning of the codes of a line, and the order in which the line's words are executed.
 
 use super::{E, F, L, Line, P, Q, R, S};
-use crate::read::Flow;
+use crate::control::Dialect;
+use crate::part_program::{Event, Level, Step, What};
 use crate::read::error::{Fault, Read, Span, once};
+use crate::read::lines::Flow;
 use crate::read::state::{FeedMode, Motion, State};
-use crate::{Dialect, Event, Level, Step, What};
 use seamwright_message::Message;
 
 /// Modal groups, as bits.

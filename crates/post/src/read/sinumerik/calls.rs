@@ -1,8 +1,7 @@
 //! Words with brackets, system variables, and variables of the program's own.
 
-use super::Line;
-use crate::Event;
-use crate::part_program::ChannelKind;
+use super::line::Line;
+use crate::part_program::{ChannelKind, Event};
 use crate::polynomial::POWERS;
 use crate::read::addresses::no_address;
 use crate::read::error::{Fault, Read, Span};
@@ -23,7 +22,7 @@ pub(super) fn call(name: &str, state: &mut State, c: &mut Cursor, span: Span) ->
             let first = c.peek() == b'1';
             c.at += usize::from(first);
             c.need(b')')?;
-            state.switch_level(crate::Level::Tip, span)
+            state.switch_level(crate::part_program::Level::Tip, span)
         }
         "POLYPATH" => poly_path(c, span),
         "IF" | "WHILE" | "UNTIL" | "CASE" => {

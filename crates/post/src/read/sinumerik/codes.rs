@@ -1,9 +1,9 @@
 //! Meaning of the codes of a line, and the actions at its end.
 
-use super::Line;
-use crate::Event;
-use crate::read::Flow;
+use super::line::Line;
+use crate::part_program::Event;
 use crate::read::error::{Fault, Read, Span, once};
+use crate::read::lines::Flow;
 use crate::read::state::{FeedMode, Motion, State};
 use seamwright_message::Message;
 

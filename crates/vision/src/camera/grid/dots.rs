@@ -1,7 +1,7 @@
 //! Detection of dark dots in a picture.
 
-use super::GridError;
-use crate::{Frame, Pixels, Size};
+use super::identified::GridError;
+use crate::frame::{Frame, Pixels, Size};
 use glam::DVec2;
 
 /// Minimum relative darkness of the darkest dots against their surroundings; below it the picture counts as plain.

@@ -1,11 +1,11 @@
 //! Least-squares fit of the map to the dots.
 
+use super::identified::{Dot, Grid, GridError, Identified};
 use super::order::Crossing;
-use super::{Dot, Grid, GridError, Identified};
-use crate::Size;
-use crate::camera::{MapParameters, PlaneMap};
+use crate::frame::Size;
 use glam::{DMat2, DVec2};
 use nalgebra::{SMatrix, SVector};
+use seamwright_geometry::{MapParameters, PlaneMap};
 
 /// Pixels per mm (four numbers, by columns), offset in undistorted pixels, barrel distortion.
 const UNKNOWNS: usize = 7;

@@ -1,7 +1,7 @@
 //! Assignment of the dots to crossings of the grid.
 
-use super::{FEWEST_DOTS, GridError};
-use crate::Size;
+use super::identified::{FEWEST_DOTS, GridError};
+use crate::frame::Size;
 use glam::{DVec2, IVec2};
 use std::collections::{BTreeMap, VecDeque};
 

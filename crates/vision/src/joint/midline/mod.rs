@@ -9,7 +9,7 @@ use super::readings::Readings;
 use super::sliding_parabola::{Rows, SlidingParabola};
 use super::strip::{COLS, MID, Strip, lesser};
 use super::trail::{Look, Place, Trail};
-use crate::wide::Scalar;
+use pulp::Scalar;
 
 /// Points before and after over which a station is averaged.
 const SMOOTH: usize = 8;

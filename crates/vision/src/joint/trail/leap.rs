@@ -1,11 +1,9 @@
 use super::see::MinRows;
-use super::{BACK, FITTED, Limits, Look, Place, ROWS, TAKEN_CLEAR, Trail};
+use super::{BACK, CHORD, FITTED, Limits, Look, Place, ROWS, TAKEN_CLEAR, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
 use crate::joint::strip::{GROUP, LIT, SEEN_AROUND};
 
-/// Length of the chords, points ...
-pub(super) const CHORD: usize = 14;
 /// ... and the maximum turn between two of them, rad.
 const CORNER: f32 = 0.6;
 /// Curvatures of the joint tried below the object that hides it, rad/px.

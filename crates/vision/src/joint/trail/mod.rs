@@ -8,7 +8,6 @@ use crate::joint::make_room;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::{Around, Profile, about};
 use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
-use see::Known;
 
 /// Rows of a strip, ...
 pub(super) const ROWS: usize = 48;
@@ -47,6 +46,8 @@ const START_SPIKE: f32 = 2.0;
 const SPIKY: usize = 1;
 /// Minimum part of the first rows that show the joint at a start.
 const START_SEEN: f32 = 0.6;
+/// Length of the chords, points ...
+pub(super) const CHORD: usize = 14;
 
 /// A point of the trail.
 #[derive(Debug, Clone, Copy)]
@@ -137,7 +138,7 @@ impl Trail {
     /// Reserves capacity for this many points.
     pub(in crate::joint) fn make_room(&mut self, places: usize) {
         make_room(&mut self.places, places);
-        make_room(&mut self.aside, TAKEN_CLEAR + 2 * leap::CHORD);
+        make_room(&mut self.aside, TAKEN_CLEAR + 2 * CHORD);
         self.make_room_to_see();
     }
 
@@ -342,4 +343,12 @@ impl Trail {
         let turn = heading(first, places[REACH].at) - heading(places[count - 1 - REACH].at, last);
         turn.cos() > 0.8
     }
+}
+
+/// Last known course of the joint.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Known {
+    pub(super) axis: Axis,
+    /// Distance from its start, pixels.
+    pub(super) gone: f32,
 }

@@ -1,6 +1,6 @@
 //! Detection of the joint in a strip: in the present light and in another, straight on and aside.
 
-use super::{Look, ROWS, SPIKY, Trail};
+use super::{Known, Look, ROWS, SPIKY, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
 use crate::joint::make_room;
@@ -38,14 +38,6 @@ pub(super) struct MinRows {
     pub(super) shown: usize,
     /// Number of the strip's first rows that count.
     pub(super) among: usize,
-}
-
-/// Last known course of the joint.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Known {
-    pub(super) axis: Axis,
-    /// Distance from its start, pixels.
-    pub(super) gone: f32,
 }
 
 impl Trail {

@@ -1,7 +1,8 @@
 //! Passes over whole rows: sums of rows, their means in cells, and pairs of sums above a floor.
 
 use super::CELL;
-use crate::wide::{Simd, Work};
+use crate::wide::Work;
+use pulp::Simd;
 
 /// Pixels of 8 or 16 bits.
 pub(super) trait Grey: Copy {

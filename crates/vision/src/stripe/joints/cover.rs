@@ -91,9 +91,9 @@ impl View<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::stripe::features::{JointKind, StripeTask};
     use crate::stripe::fit::StripeLine;
     use crate::stripe::profile::Profile;
-    use crate::stripe::{JointKind, StripeTask};
     use glam::DVec2;
 
     /// Cover of `columns` on a level line of points, without the columns for which `missing` is true.

@@ -1,9 +1,10 @@
 use super::cover::Part;
 use super::{Support, View, ramp, turn};
 use crate::stripe::edges::Usual;
+use crate::stripe::features::{Feature, Features, NoFeatures, Quantity};
 use crate::stripe::light::Course;
 use crate::stripe::profile::Columns;
-use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
+use crate::stripe::segments::Segment;
 use glam::DVec2;
 use std::f64::consts::PI;
 

@@ -1,8 +1,9 @@
 use super::cover::Part;
 use super::{Edge, Support, View, between, ramp, turn, twice_area};
+use crate::stripe::features::{Feature, Features, NoFeatures, Quantity};
 use crate::stripe::light::Course;
 use crate::stripe::profile::{Columns, Sample, median};
-use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
+use crate::stripe::segments::Segment;
 use glam::DVec2;
 use std::f64::consts::PI;
 

@@ -3,9 +3,9 @@
 use super::cover::Part;
 use super::groove::SHOULDERS;
 use super::{Support, View, ramp, turn};
+use crate::stripe::features::{Feature, Features, NoFeatures, Quantity};
 use crate::stripe::light::Course;
 use crate::stripe::profile::Columns;
-use crate::stripe::{Feature, Features, NoFeatures, Quantity};
 
 /// Maximum apparent overlap of the sheets of a lap joint, columns.
 const OVERLAP: f64 = 8.0;

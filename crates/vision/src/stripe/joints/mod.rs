@@ -8,9 +8,8 @@ mod groove;
 mod lap;
 mod round;
 
-use super::Feature;
 use super::edges::{Usual, is_hidden, lit_columns, sub_column};
-use super::features::{Doubt, Features, JointKind, NoFeatures, Quantity, StripeTask};
+use super::features::{Doubt, Feature, Features, JointKind, NoFeatures, Quantity, StripeTask};
 use super::fit::StripeLine;
 use super::light::{Course, Light};
 use super::profile::{Columns, Profile, Sample};

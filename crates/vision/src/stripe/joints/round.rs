@@ -3,10 +3,11 @@
 use super::cover::Part;
 use super::groove::{SHOULDERS, mismatch};
 use super::{Edge, Support, View, between, ramp, turn};
+use crate::stripe::features::{Feature, Features, NoFeatures, Quantity};
 use crate::stripe::fit::{StripeArc, StripeLine, line};
 use crate::stripe::light::Course;
 use crate::stripe::profile::{Columns, Sample};
-use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
+use crate::stripe::segments::Segment;
 use arrayvec::ArrayVec;
 use glam::DVec2;
 

@@ -7,10 +7,11 @@ use super::cover::Part;
 use super::groove::mismatch;
 use super::{Edge, Support, View, between, ramp, turn};
 use crate::stripe::edges::Usual;
+use crate::stripe::features::{Feature, Features, NoFeatures, Quantity};
 use crate::stripe::fit::line;
 use crate::stripe::light::Course;
 use crate::stripe::profile::{Columns, Sample};
-use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
+use crate::stripe::segments::Segment;
 
 /// Maximum gap of a butt joint, columns.
 const WIDEST: f64 = 120.0;

@@ -1,0 +1,83 @@
+use crate::convex::Convex;
+use crate::shape::Shape;
+use glam::{DAffine3, DVec3};
+
+/// A direction with a smaller part across a round body's axis counts as along it: dividing the radius by it could
+/// overflow.
+const ALONG: f64 = 1e-290;
+
+/// Core of a convex shape, in the shape's frame.
+#[derive(Debug, Clone, Copy)]
+enum Core {
+    /// On z, between two heights.
+    Segment(f64, f64),
+    Box(DVec3),
+    /// Radii at z = 0 and at the length.
+    Frustum(f64, f64, f64),
+    Ellipsoid(DVec3),
+}
+
+/// A convex shape in a pose.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Placed {
+    core: Core,
+    radius: f64,
+    pose: DAffine3,
+}
+
+impl Placed {
+    /// None for half-spaces and meshes.
+    pub(crate) fn new(shape: &Shape, pose: DAffine3) -> Option<Self> {
+        let (core, radius) = match *shape {
+            Shape::Box { size } => (Core::Box(size / 2.0), 0.0),
+            Shape::Sphere { radius } => (Core::Segment(0.0, 0.0), radius),
+            Shape::Capsule { radius, length } => (Core::Segment(radius, length - radius), radius),
+            Shape::Cylinder { radius, length } => (Core::Frustum(radius, radius, length), 0.0),
+            Shape::Cone { radius, top_radius, length } => (Core::Frustum(radius, top_radius, length), 0.0),
+            Shape::Ellipsoid { semi_axes } => (Core::Ellipsoid(semi_axes), 0.0),
+            Shape::HalfSpace | Shape::Mesh(_) => return None,
+        };
+        Some(Self { core, radius, pose })
+    }
+
+    /// A point inside.
+    pub(crate) fn inner_point(&self) -> DVec3 {
+        let height = match self.core {
+            Core::Segment(low, high) => (low + high) / 2.0,
+            Core::Frustum(_, _, length) => length / 2.0,
+            Core::Box(_) | Core::Ellipsoid(_) => 0.0,
+        };
+        self.pose.transform_point3(DVec3::Z * height)
+    }
+
+    /// The farthest point in a unit direction, radius included.
+    pub(crate) fn extreme(&self, direction: DVec3) -> DVec3 {
+        self.support(direction) + direction * self.radius
+    }
+}
+
+impl Convex for Placed {
+    fn support(&self, direction: DVec3) -> DVec3 {
+        let d = self.pose.matrix3.transpose() * direction;
+        let local = match self.core {
+            Core::Segment(low, high) => DVec3::Z * if d.z > 0.0 { high } else { low },
+            Core::Box(half) => half.copysign(d),
+            Core::Ellipsoid(semi) => {
+                let scaled = semi * d;
+                semi * scaled.try_normalize().unwrap_or(DVec3::Z)
+            }
+            Core::Frustum(bottom, top, length) => {
+                let across = d.x.hypot(d.y);
+                let (radius, height) =
+                    if across * top + d.z * length > across * bottom { (top, length) } else { (bottom, 0.0) };
+                let scale = if across > ALONG { radius / across } else { 0.0 };
+                DVec3::new(d.x * scale, d.y * scale, height)
+            }
+        };
+        self.pose.transform_point3(local)
+    }
+
+    fn radius(&self) -> f64 {
+        self.radius
+    }
+}

@@ -1,0 +1,38 @@
+use clap::Args;
+
+/// Limits of planning.
+#[derive(Debug, Args)]
+pub(crate) struct PlanningArgs {
+    /// Time limit of planning's searches over all passes, s; at the limit the findings report the progress
+    #[arg(long, value_name = "S", default_value_t = 60.0)]
+    pub(crate) time_limit: f64,
+}
+
+#[derive(Debug, Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Examples:
+  echo 'x,y,z,a,c
+7.1077,33.3687,32.0754,8,60' | seamwright machine kinematics table-tilting-xyzac --forward
+  echo 'x_mm,y_mm,z_mm,ax,ay,az
+10,5,0,0,0,-1' | seamwright machine kinematics ellipse-xy --inverse"
+)]
+pub(crate) struct KinematicsArgs {
+    /// Shipped machine, or a machine file
+    pub(crate) machine: String,
+    /// Axis positions (mm, degrees) to torch tip and direction in the work frame
+    #[arg(long, group = "way", required_unless_present = "inverse")]
+    pub(crate) forward: bool,
+    /// Torch tip and direction to axis positions
+    #[arg(long, group = "way")]
+    pub(crate) inverse: bool,
+    /// Head of a machine with two heads [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) head: Option<String>,
+    /// With --inverse: the rows are one path; solve each row near the previous one, counting turns
+    #[arg(long, requires = "inverse")]
+    pub(crate) continuous: bool,
+    /// JSON instead of CSV
+    #[arg(long)]
+    pub(crate) json: bool,
+}
