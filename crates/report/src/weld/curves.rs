@@ -1,4 +1,4 @@
-use seamwright_cell::tracking::HeadSample;
+use seamwright_simulation::tracking::HeadSample;
 use seamwright_machine::Machine;
 use seamwright_simulation::Sample;
 

@@ -1,6 +1,6 @@
 //! The task of a cell, with the data that borrow from it.
 
-use seamwright_cell::SimulatedCell;
+use seamwright_simulation::SimulatedCell;
 use seamwright_machine::{Clamped, Machine, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_project::load::Loaded;
