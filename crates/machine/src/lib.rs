@@ -46,9 +46,7 @@ mod stepper;
 mod surroundings;
 mod tip_motion;
 
-pub use axis::{
-    Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, RangeViolation, Transmission,
-};
+pub use axis::{Axis, AxisKind, Drive, Load, RangeViolation};
 pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use collision_monitor::CollisionMonitor;
