@@ -1,10 +1,6 @@
 //! Slopes at the knots of cubic splines: the conditions that make them twice continuously differentiable.
 
-use std::ops::{Add, Mul, Sub};
-
-/// Value of a spline: a number or a vector.
-pub(crate) trait Value: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
-impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Value for T {}
+use crate::numeric::{Row, Value, tridiagonal};
 
 /// End condition of a cubic spline.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,15 +54,12 @@ impl<V: Value> Interval<V> {
     }
 }
 
-/// A row of the system for the slopes: coefficients of the one before, its own and the one after; right side.
-type Row<V> = ([f64; 3], V);
-
 /// The condition that the second derivative is continuous at a knot, from the intervals beside it.
 fn row<V: Value>(before: Interval<V>, after: Interval<V>) -> Row<V> {
     let Interval { width: h0, rise: rise0 } = before;
     let Interval { width: h1, rise: rise1 } = after;
     let right = (rise0 * (1.0 / (h0 * h0)) + rise1 * (1.0 / (h1 * h1))) * 3.0;
-    ([1.0 / h0, 2.0 / h0 + 2.0 / h1, 1.0 / h1], right)
+    Row::new([1.0 / h0, 2.0 / h0 + 2.0 / h1, 1.0 / h1], right)
 }
 
 /// Half the second derivative at the inner end of an end interval with a knot in its middle, as it follows from the
@@ -87,11 +80,11 @@ fn row_beside_jet<V: Value>(jet: Interval<V>, outer: EndDerivatives<V>, other: I
     if last {
         let (factor, rest) = inner(jet.reversed(), outer.reversed());
         // -3 rise1/h1^2 + (m0 + 2 m1)/h1 = -factor m1 + rest
-        ([1.0 / h1, 2.0 / h1 + factor, 0.0], rest + rise1 * (3.0 / (h1 * h1)))
+        Row::new([1.0 / h1, 2.0 / h1 + factor, 0.0], rest + rise1 * (3.0 / (h1 * h1)))
     } else {
         let (factor, rest) = inner(jet, outer);
         // factor m1 + rest = 3 rise1/h1^2 - (2 m1 + m2)/h1
-        ([0.0, 2.0 / h1 + factor, 1.0 / h1], rise1 * (3.0 / (h1 * h1)) - rest)
+        Row::new([0.0, 2.0 / h1 + factor, 1.0 / h1], rise1 * (3.0 / (h1 * h1)) - rest)
     }
 }
 
@@ -103,31 +96,25 @@ pub(crate) fn slopes<V: Value>(x: &[f64], y: &[V], start: &End<V>, end: &End<V>)
         return vec![zero; n];
     }
     let piece = |i: usize| Interval::new(x, y, i);
-    let fixed = |m: V| ([0.0, 1.0, 0.0], m);
-    let mut rows: Vec<Row<V>> = Vec::with_capacity(n);
-    for i in 0..n {
-        rows.push(match (i, start, end) {
-            (0, End::Slope(m) | End::Jet(m, _), _) => fixed(*m),
-            (0, End::Natural, _) => ([0.0, 2.0, 1.0], piece(0).rise * (3.0 / piece(0).width)),
-            (i, _, End::Slope(m) | End::Jet(m, _)) if i == n - 1 => fixed(*m),
-            (i, _, End::Natural) if i == n - 1 => ([1.0, 2.0, 0.0], piece(n - 2).rise * (3.0 / piece(n - 2).width)),
-            (1, &End::Jet(slope, second), &End::Jet(end_slope, end_second)) if n == 3 => {
-                let (f0, r0) = inner(piece(0), EndDerivatives { slope, second });
-                let outer = EndDerivatives { slope: end_slope, second: end_second };
-                let (f1, r1) = inner(piece(1).reversed(), outer.reversed());
-                ([0.0, f0 + f1, 0.0], r1 - r0)
-            }
-            (1, &End::Jet(slope, second), _) => {
-                row_beside_jet(piece(0), EndDerivatives { slope, second }, piece(1), false)
-            }
-            (i, _, &End::Jet(slope, second)) if i == n - 2 => {
-                row_beside_jet(piece(i), EndDerivatives { slope, second }, piece(i - 1), true)
-            }
-            _ => row(piece(i - 1), piece(i)),
-        });
-    }
-    // The known slopes go to the right side, where they are exact.
-    tridiagonal(&rows)
+    let fixed = |m: V| Row::new([0.0, 1.0, 0.0], m);
+    let equation = |i: usize| match (i, start, end) {
+        (0, End::Slope(m) | End::Jet(m, _), _) => fixed(*m),
+        (0, End::Natural, _) => Row::new([0.0, 2.0, 1.0], piece(0).rise * (3.0 / piece(0).width)),
+        (i, _, End::Slope(m) | End::Jet(m, _)) if i == n - 1 => fixed(*m),
+        (i, _, End::Natural) if i == n - 1 => Row::new([1.0, 2.0, 0.0], piece(n - 2).rise * (3.0 / piece(n - 2).width)),
+        (1, &End::Jet(slope, second), &End::Jet(end_slope, end_second)) if n == 3 => {
+            let (f0, r0) = inner(piece(0), EndDerivatives { slope, second });
+            let outer = EndDerivatives { slope: end_slope, second: end_second };
+            let (f1, r1) = inner(piece(1).reversed(), outer.reversed());
+            Row::new([0.0, f0 + f1, 0.0], r1 - r0)
+        }
+        (1, &End::Jet(slope, second), _) => row_beside_jet(piece(0), EndDerivatives { slope, second }, piece(1), false),
+        (i, _, &End::Jet(slope, second)) if i == n - 2 => {
+            row_beside_jet(piece(i), EndDerivatives { slope, second }, piece(i - 1), true)
+        }
+        _ => row(piece(i - 1), piece(i)),
+    };
+    tridiagonal((0..n).map(equation))
 }
 
 /// The knot in the middle of an end interval of width `h` (negative backwards) from the knot `outer`, with the second
@@ -153,13 +140,12 @@ pub(crate) fn periodic_slopes<V: Value>(x: &[f64], y: &[V]) -> Vec<V> {
     let piece = |i: usize| Interval::new(x, y, i);
     let mut rows: Vec<_> = (0..n).map(|i| row(piece((i + n - 1) % n), piece(i))).collect();
     let corner = 1.0 / piece(n - 1).width;
-    let shift = -rows[0].0[1];
-    rows[0].0[1] -= shift;
-    rows[n - 1].0[1] -= corner * corner / shift;
-    let plain = tridiagonal(&rows);
+    let shift = -rows[0].factors[1];
+    rows[0].factors[1] -= shift;
+    rows[n - 1].factors[1] -= corner * corner / shift;
+    let plain = tridiagonal(rows.iter().copied());
     let right = |i: usize| if i == 0 { shift } else { corner * f64::from(u8::from(i == n - 1)) };
-    let rows: Vec<Row<f64>> = rows.iter().enumerate().map(|(i, row)| (row.0, right(i))).collect();
-    let corrector = tridiagonal(&rows);
+    let corrector = tridiagonal(rows.iter().enumerate().map(|(i, row)| Row::new(row.factors, right(i))));
     let factor =
         (plain[0] + plain[n - 1] * (corner / shift)) * (1.0 / (1.0 + corrector[0] + corner / shift * corrector[n - 1]));
     let mut slopes: Vec<V> = plain.iter().zip(&corrector).map(|(p, c)| *p - factor * *c).collect();
@@ -176,22 +162,4 @@ fn closed_by_symmetry<V: Value>(x: &[f64], y: &[V], n: usize) -> Vec<V> {
     let right = (y[1] - y[0]) * (3.0 * (1.0 / (h0 * h0) - 1.0 / (h1 * h1)));
     let slope = right * (1.0 / (1.0 / h0 + 1.0 / h1) / 3.0);
     vec![slope, slope, slope]
-}
-
-/// Solves a tridiagonal system (Thomas' algorithm; the matrices here are diagonally dominant).
-fn tridiagonal<V: Value>(rows: &[Row<V>]) -> Vec<V> {
-    let mut above: Vec<f64> = Vec::with_capacity(rows.len());
-    let mut value: Vec<V> = Vec::with_capacity(rows.len());
-    for ([a, b, c], r) in rows {
-        let (pivot, r) = match (above.last(), value.last()) {
-            (Some(above), Some(value)) => (b - a * above, *r - *value * *a),
-            _ => (*b, *r),
-        };
-        above.push(c / pivot);
-        value.push(r * (1.0 / pivot));
-    }
-    for i in (0..rows.len().saturating_sub(1)).rev() {
-        value[i] = value[i] - value[i + 1] * above[i];
-    }
-    value
 }

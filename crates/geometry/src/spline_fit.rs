@@ -2,6 +2,7 @@
 
 use crate::curve::Curve;
 use crate::error::Error;
+use crate::numeric::Envelope;
 use crate::slopes::End;
 use crate::spline::{Ends, Spline, chord_lengths};
 use glam::DVec3;
@@ -202,10 +203,9 @@ impl Basis {
     }
 }
 
-/// Normal equations of linear least squares for coefficients in space, some of them fixed; each row from its first
-/// entry to the diagonal.
+/// Normal equations of linear least squares for coefficients in space, some of them fixed.
 struct Normal {
-    rows: Vec<Vec<f64>>,
+    matrix: Envelope,
     right: Vec<DVec3>,
     fixed: Vec<Option<DVec3>>,
 }
@@ -214,8 +214,8 @@ impl Normal {
     fn new(count: usize, closed: bool) -> Self {
         // In a closed spline the last splines overlap the first.
         let width = |i: usize| if closed && i + 3 >= count { i + 1 } else { i.min(3) + 1 };
-        let rows = (0..count).map(|i| vec![0.0; width(i)]).collect();
-        Self { rows, right: vec![DVec3::ZERO; count], fixed: vec![None; count] }
+        let matrix = Envelope::new((0..count).map(width));
+        Self { matrix, right: vec![DVec3::ZERO; count], fixed: vec![None; count] }
     }
 
     /// Adds the equation: the sum of the coefficients `at` times `factors` is `value`.
@@ -226,40 +226,18 @@ impl Normal {
         for (i, f) in &pairs {
             self.right[*i] += weight * *f * (value - known);
             for (j, g) in pairs.iter().filter(|(j, _)| j <= i) {
-                let first = i + 1 - self.rows[*i].len();
-                self.rows[*i][j - first] += weight * f * g;
+                *self.matrix.at(*i, *j) += weight * f * g;
             }
         }
     }
 
-    /// Cholesky's method within the rows.
+    /// Returns the coefficients; not a number if the equations are singular.
     fn solve(mut self) -> Vec<DVec3> {
-        let n = self.rows.len();
-        let first: Vec<usize> = (0..n).map(|i| i + 1 - self.rows[i].len()).collect();
-        for i in 0..n {
-            if let Some(value) = self.fixed[i] {
-                self.rows[i][i - first[i]] = 1.0;
-                self.right[i] = value;
-            }
-            for j in first[i]..=i {
-                let from = first[i].max(first[j]);
-                let dot: f64 = (from..j).map(|k| self.rows[i][k - first[i]] * self.rows[j][k - first[j]]).sum();
-                let rest = self.rows[i][j - first[i]] - dot;
-                self.rows[i][j - first[i]] = if j < i { rest / self.rows[j][j - first[j]] } else { rest.sqrt() };
-            }
+        for (i, value) in self.fixed.iter().enumerate().filter_map(|(i, fixed)| Some((i, (*fixed)?))) {
+            *self.matrix.at(i, i) = 1.0;
+            self.right[i] = value;
         }
-        let mut x = self.right;
-        for i in 0..n {
-            let dot: DVec3 = (first[i]..i).map(|k| self.rows[i][k - first[i]] * x[k]).sum();
-            x[i] = (x[i] - dot) / self.rows[i][i - first[i]];
-        }
-        for i in (0..n).rev() {
-            x[i] /= self.rows[i][i - first[i]];
-            for k in first[i]..i {
-                let known = self.rows[i][k - first[i]] * x[i];
-                x[k] -= known;
-            }
-        }
-        x
+        let count = self.right.len();
+        self.matrix.solve(self.right).unwrap_or_else(|| vec![DVec3::NAN; count])
     }
 }

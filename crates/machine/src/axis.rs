@@ -2,6 +2,7 @@ use crate::pitch_error::PitchError;
 use crate::stepper::Stepper;
 use schemars::JsonSchema;
 use seamwright_message::Unit;
+use seamwright_servo::{BacklashCompensation, FrictionCompensation, Gains, NotchSettings, Transmission};
 use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;
@@ -62,7 +63,7 @@ pub struct Drive {
     /// Gains of the position loop; none: derived from the velocity loop.
     pub gains: Option<Gains>,
     /// Notch filters of the position loop, at most two.
-    pub notches: Vec<Notch>,
+    pub notches: Vec<NotchSettings>,
     /// Friction feed-forward.
     pub friction_compensation: Option<FrictionCompensation>,
     /// Backlash compensation.
@@ -72,77 +73,6 @@ pub struct Drive {
 impl Drive {
     /// Time constant of the current loop, s, if none is given.
     pub const CURRENT_TIME_CONSTANT_S: f64 = 2e-4;
-}
-
-impl FrictionCompensation {
-    /// [`FrictionCompensation::smoothing`] as a fraction of the axis' maximum speed, if none is given.
-    pub const SMOOTHING: f64 = 0.002;
-}
-
-impl BacklashCompensation {
-    /// [`BacklashCompensation::time_s`], if none is given.
-    pub const TIME_S: f64 = 0.02;
-}
-
-/// An elastic transmission with a gap; mm or rad.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Transmission {
-    /// Frequency at which motor and load oscillate against each other, Hz.
-    pub resonance_hz: f64,
-    /// Damping of that oscillation, as a fraction of the critical damping.
-    pub damping: f64,
-    /// Inertia of the load over that of the motor.
-    pub load_ratio: f64,
-    /// Whole width of the gap.
-    pub backlash: f64,
-    /// Fraction of the friction at the motor.
-    pub motor_friction: f64,
-    /// Side measured by the encoder.
-    pub encoder_on: EncoderSide,
-}
-
-/// A notch filter on the speed command.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Notch {
-    /// Centre, Hz.
-    pub frequency_hz: f64,
-    /// Gain at the centre.
-    pub depth: f64,
-    /// Width, Hz.
-    pub width_hz: f64,
-}
-
-/// Coulomb friction feed-forward.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrictionCompensation {
-    /// Force or torque, N or N m.
-    pub force: f64,
-    /// Set speed at which the force reaches 76 %, mm/s or rad/s.
-    pub smoothing: f64,
-}
-
-/// Backlash compensation on reversal.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BacklashCompensation {
-    /// Whole lost motion, mm or rad.
-    pub width: f64,
-    /// Duration of the compensation of a reversal, s.
-    pub time_s: f64,
-}
-
-/// Gains of a position loop (DUALBEAM-2013).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gains {
-    /// Proportional, 1/s.
-    pub kp: f64,
-    /// Integral, 1/s^2.
-    pub ki: f64,
-    /// Derivative.
-    pub kd: f64,
-    /// Velocity feed-forward.
-    pub kvff: f64,
-    /// Acceleration feed-forward, s.
-    pub kaff: f64,
 }
 
 /// Load of a drive: mass and forces in kg, N and N s/m, or inertia and torques in kg m^2, N m and N m s/rad.

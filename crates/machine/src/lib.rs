@@ -49,10 +49,7 @@ mod surroundings;
 mod tip_limits;
 mod tip_motion;
 
-pub use axis::{
-    Axis, AxisKind, BacklashCompensation, Drive, EncoderSide, FrictionCompensation, Gains, Load, Notch, RangeViolation,
-    Transmission,
-};
+pub use axis::{Axis, AxisKind, Drive, EncoderSide, Load, RangeViolation};
 pub use beam_deflection::BeamDeflection;
 pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};

@@ -15,6 +15,9 @@ pub struct FrictionCompensation {
 }
 
 impl FrictionCompensation {
+    /// Default of [`Self::smoothing`], as a part of the axis' maximum speed.
+    pub const SMOOTHING: f64 = 0.002;
+
     pub(crate) fn checked(self) -> Result<Self, Error> {
         non_negative("friction_compensation", self.force)?;
         positive("friction_smoothing", self.smoothing)?;
@@ -42,6 +45,9 @@ pub struct BacklashCompensation {
 const STANDSTILL: f64 = 1e-6;
 
 impl BacklashCompensation {
+    /// Default of [`Self::time_s`].
+    pub const TIME_S: f64 = 0.02;
+
     pub(crate) fn checked(self) -> Result<Self, Error> {
         within("backlash_compensation", self.width, 0.0..=1e6, "0 to 1e6")?;
         within("backlash_compensation_time_s", self.time_s, 1e-6..=100.0, "1e-6 to 100 s")?;

@@ -3,8 +3,8 @@ use seamwright_executive::Error;
 use seamwright_machine::{Axis, AxisKind, Drive, Load, Machine};
 use seamwright_message::Message;
 use seamwright_servo::{
-    AxisState, BacklashCompensation, DriveParameters, DriveTuning, EncoderSide, FrictionCompensation, Gains,
-    LinearLoad, Notch, PositionLoop, RotaryLoad, ServoAxis, SetPoint, Transmission, Tuned, tune,
+    AxisState, DriveParameters, DriveTuning, Gains, LinearLoad, PositionLoop, RotaryLoad, ServoAxis, SetPoint, Tuned,
+    tune,
 };
 
 /// All drives of a machine in simulation.
@@ -113,35 +113,23 @@ fn parameters(axis: &Axis, drive: &Drive) -> Result<DriveParameters, seamwright_
     if let Some(limit) = drive.force_limit {
         parameters = parameters.with_force_limit(limit)?;
     }
-    let Some(t) = drive.transmission else { return Ok(parameters) };
-    parameters.with_transmission(Transmission {
-        resonance_hz: t.resonance_hz,
-        damping: t.damping,
-        load_ratio: t.load_ratio,
-        backlash: t.backlash,
-        motor_friction: t.motor_friction,
-        encoder_on: match t.encoder_on {
-            seamwright_machine::EncoderSide::Motor => EncoderSide::Motor,
-            seamwright_machine::EncoderSide::Load => EncoderSide::Load,
-        },
-    })
+    match drive.transmission {
+        Some(transmission) => parameters.with_transmission(transmission),
+        None => Ok(parameters),
+    }
 }
 
 fn servo(axis: &Axis, drive: &Drive, period: f64) -> Result<ServoAxis, seamwright_servo::Error> {
-    let gains = match drive.gains {
-        Some(g) => Gains { kp: g.kp, ki: g.ki, kd: g.kd, kvff: g.kvff, kaff: g.kaff },
-        None => Gains::suggested(drive.velocity_bandwidth_hz, period),
-    };
+    let gains = drive.gains.unwrap_or_else(|| Gains::suggested(drive.velocity_bandwidth_hz, period));
     let mut position_loop = PositionLoop::new(gains, period, SPEED_RESERVE * axis.max_speed)?;
     for n in &drive.notches {
-        position_loop = position_loop.with_notch(Notch::new(n.frequency_hz, n.depth, n.width_hz, period)?)?;
+        position_loop = position_loop.with_notch(n.build(period)?)?;
     }
-    if let Some(f) = drive.friction_compensation {
-        let friction = FrictionCompensation { force: f.force, smoothing: f.smoothing };
+    if let Some(friction) = drive.friction_compensation {
         position_loop = position_loop.with_friction(friction)?;
     }
-    if let Some(b) = drive.backlash_compensation {
-        position_loop = position_loop.with_backlash(BacklashCompensation { width: b.width, time_s: b.time_s })?;
+    if let Some(backlash) = drive.backlash_compensation {
+        position_loop = position_loop.with_backlash(backlash)?;
     }
     ServoAxis::with_loop(position_loop, parameters(axis, drive)?)
 }

@@ -155,7 +155,7 @@ impl State {
             step.iter_mut().for_each(|v| *v *= shorter);
             let growth = self.growth + step.get(6).copied().unwrap_or(0.0);
             step.resize(N.max(6), 0.0);
-            let next = Self::at(touches, (twists.motion(&step) * self.transform).orthonormal(), growth);
+            let next = Self::at(touches, orthonormal(twists.motion(&step) * self.transform), growth);
             if size <= ROUNDING * twists.reach {
                 return (if next.cost < self.cost { next } else { self }, true);
             }
@@ -185,13 +185,7 @@ impl State {
 }
 
 /// Removes the accumulated rounding of a rigid motion.
-trait Orthonormal {
-    fn orthonormal(self) -> Self;
-}
-
-impl Orthonormal for DAffine3 {
-    fn orthonormal(self) -> Self {
-        let turn = glam::DQuat::from_mat3(&self.matrix3).normalize();
-        Self::from_rotation_translation(turn, self.translation)
-    }
+fn orthonormal(motion: DAffine3) -> DAffine3 {
+    let turn = glam::DQuat::from_mat3(&motion.matrix3).normalize();
+    DAffine3::from_rotation_translation(turn, motion.translation)
 }

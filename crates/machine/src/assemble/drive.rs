@@ -1,9 +1,9 @@
-use crate::axis::{
-    Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, Transmission,
-};
+use crate::EncoderSide;
+use crate::axis::{Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, Transmission};
 use crate::file::{DriveFile, File};
 use seamwright_document::{DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
+use seamwright_servo::{self as servo, BacklashCompensation, FrictionCompensation, Gains, NotchSettings, Transmission};
 
 /// Maximum number of notches of a position loop.
 const NOTCHES: usize = 2;
@@ -179,7 +179,10 @@ impl Table<'_> {
             load_ratio: load_ratio.get(),
             backlash: self.axis.from_file(value(self.keys.backlash)),
             motor_friction: part(".motor_friction", d.motor_friction, 0.0)?,
-            encoder_on: d.encoder_on.unwrap_or_default(),
+            encoder_on: match d.encoder_on.unwrap_or_default() {
+                EncoderSide::Motor => servo::EncoderSide::Motor,
+                EncoderSide::Load => servo::EncoderSide::Load,
+            },
         }))
     }
 
@@ -195,7 +198,7 @@ impl Table<'_> {
         })
     }
 
-    fn notches(&self) -> Result<Vec<Notch>, DocumentError> {
+    fn notches(&self) -> Result<Vec<NotchSettings>, DocumentError> {
         if self.d.notches.len() > NOTCHES {
             let allowed = Message::new("document-at-most").value("max", NOTCHES as f64, Unit::One);
             return Err(self.error(".notches", "machine-notches-many", allowed));
@@ -213,7 +216,8 @@ impl Table<'_> {
             if n.depth.get() > 1.0 {
                 return Err(self.error(&key("depth"), "machine-notch-depth", fraction()));
             }
-            Ok(Notch { frequency_hz: n.frequency_hz.get(), depth: n.depth.get(), width_hz: n.width_hz.get() })
+            let (frequency_hz, width_hz) = (n.frequency_hz.get(), n.width_hz.get());
+            Ok(NotchSettings { frequency_hz, depth: n.depth.get(), width_hz })
         };
         self.d.notches.iter().enumerate().map(notch).collect()
     }

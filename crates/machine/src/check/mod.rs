@@ -10,7 +10,6 @@ mod round_trip;
 mod sanity;
 mod singular;
 mod skeleton;
-mod svd;
 mod task;
 mod usual;
 mod voxels;

@@ -1,7 +1,6 @@
 use super::climb::climb;
 use super::random::{Random, ranges};
 use super::round_trip::file_units;
-use super::svd::svd;
 use super::task::Task;
 use crate::axis::AxisKind;
 use crate::chain::Joints;
@@ -291,12 +290,10 @@ fn point_lost(task: &Task, q: &Joints) -> Message {
     if let Some(i) = on {
         return Message::new("machine-singular-tip-on-axis").axis("axis", task.name(i));
     }
-    let columns = task.columns(q);
-    let points = columns.iter().map(|c| [c[0], c[1], c[2], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
-    let found = svd(&points);
-    // Perpendicular to the two remaining directions.
-    let way = |k: usize| found.left.get(k).map_or(DVec3::ZERO, |l| DVec3::new(l[0], l[1], l[2])).normalize_or_zero();
-    let lost = way(0).cross(way(1));
+    // The direction that the tip's motions have the least part in.
+    let points = task.columns(q).fixed_rows::<3>(0).into_owned();
+    let motions = (&points * points.transpose()).symmetric_eigen();
+    let lost = DVec3::from_slice(motions.eigenvectors.column(motions.eigenvalues.imin()).as_slice());
     let what = Message::new("machine-singular-direction");
     what.number("x", lost.x, 2).number("y", lost.y, 2).number("z", lost.z, 2)
 }

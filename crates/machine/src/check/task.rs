@@ -1,13 +1,16 @@
-use super::svd::{Columns, Svd, svd};
 use crate::axis::AxisKind;
 use crate::chain::{Joints, MAX_AXES};
 use crate::machine::Machine;
 use arrayvec::ArrayVec;
+use nalgebra::Matrix6xX;
 
 /// Typical weld speed: the tip moves at 10 mm/s around a bend of 100 mm radius, so that the torch turns at 0.1 rad/s.
 pub const TYPICAL_SPEED_MM_S: f64 = 10.0;
 /// Typical bend radius: see [`TYPICAL_SPEED_MM_S`].
 pub const TYPICAL_RADIUS_MM: f64 = 100.0;
+
+/// Motion of the torch by each axis: three rows of the tip's point, three of the direction.
+pub(super) type Columns = Matrix6xX<f64>;
 
 /// Weight of the direction with fewer axes than a pose needs: the point has priority.
 const FEW: f64 = 1e-3;
@@ -34,8 +37,10 @@ impl<'a> Task<'a> {
         let head = &machine.heads[0];
         let axes = head.chain.axes().iter().filter(|&axis| !head.free().has(axis)).collect();
         let mut task = Self { machine, axes, freedoms: 0, with_roll: false };
-        let rank = |k| svd(&task.point_part(&machine.spread(k))).values.iter().filter(|&&v| v > 1e-6).count();
-        task.freedoms = (1..=40).map(rank).max().unwrap_or(0);
+        if !task.axes.is_empty() {
+            let rank = |k| task.point_part(&machine.spread(k)).rank(1e-6);
+            task.freedoms = (1..=40).map(rank).max().unwrap_or(0);
+        }
         task
     }
 
@@ -63,20 +68,19 @@ impl<'a> Task<'a> {
     pub(super) fn columns(&self, q: &Joints) -> Columns {
         let jacobian = self.machine.jacobian(q);
         let frames = self.with_roll.then(|| self.machine.link_frames(q));
-        let column = |&axis: &usize| {
+        let column = |axis: usize| {
             let screw = frames.as_ref().and_then(|frames| self.machine.links.screw_at(axis, frames));
             let (p, d) = (jacobian[axis].0, TYPICAL_RADIUS_MM * screw.map_or(jacobian[axis].1, |s| s.direction));
-            [p.x, p.y, p.z, d.x, d.y, d.z, 0.0, 0.0, 0.0]
+            [p.x, p.y, p.z, d.x, d.y, d.z]
         };
-        self.axes.iter().map(column).collect()
+        Columns::from_iterator(self.axes.len(), self.axes.iter().flat_map(|&axis| column(axis)))
     }
 
     /// The columns with rad and mm on one scale: a rad is weighted as the typical radius.
     fn scaled(&self, q: &Joints) -> Columns {
         let mut columns = self.columns(q);
-        for (i, c) in columns.iter_mut().enumerate() {
-            let scale = self.scale(i);
-            c.iter_mut().for_each(|x| *x /= scale);
+        for (i, mut column) in columns.column_iter_mut().enumerate() {
+            column /= self.scale(i);
         }
         columns
     }
@@ -87,14 +91,17 @@ impl<'a> Task<'a> {
 
     fn point_part(&self, q: &Joints) -> Columns {
         let mut columns = self.scaled(q);
-        columns.iter_mut().for_each(|c| c[3..].fill(0.0));
+        columns.rows_mut(3, 3).fill(0.0);
         columns
     }
 
     /// Conditioning of a configuration, at most 1. At 0 some motion of the decided axes leaves the torch at rest, or
     /// the tip has lost a direction of motion.
     pub(super) fn conditioning(&self, q: &Joints) -> f64 {
-        let all = svd(&self.scaled(q)).values.last().copied().unwrap_or(1.0);
+        if self.axes.is_empty() {
+            return 1.0;
+        }
+        let all = self.scaled(q).singular_values().min();
         if self.is_few() { all.min(self.point_conditioning(q)) } else { all }
     }
 
@@ -102,32 +109,30 @@ impl<'a> Task<'a> {
     pub(super) fn point_conditioning(&self, q: &Joints) -> f64 {
         match self.freedoms {
             0 => 1.0,
-            n => svd(&self.point_part(q)).values[n - 1],
+            n => self.point_part(q).singular_values()[n - 1],
         }
     }
 
     /// Rates of the axes (mm or rad, not scaled) with the smallest motion of the torch.
     pub(super) fn lost(&self, q: &Joints) -> ArrayVec<f64, MAX_AXES> {
-        let found = svd(&self.scaled(q));
-        let Some(last) = found.right.last() else { return ArrayVec::new() };
-        (0..self.axes.len()).map(|i| last[i] / self.scale(i)).collect()
+        let right = if self.axes.is_empty() { None } else { self.scaled(q).svd(false, true).v_t };
+        let last = right.iter().flat_map(|right| right.row(right.nrows() - 1).iter().copied().collect::<Vec<f64>>());
+        last.enumerate().map(|(i, x)| x / self.scale(i)).collect()
     }
 
     /// For each decided axis, the maximum fraction of its maximum speed that the typical weld needs, in any direction.
     pub(super) fn need(&self, q: &Joints) -> ArrayVec<f64, MAX_AXES> {
         let weight = if self.is_few() { FEW } else { 1.0 };
         let mut columns = self.columns(q);
-        for (c, &axis) in columns.iter_mut().zip(&self.axes) {
-            let speed = self.machine.axes[axis].max_speed;
-            c[..3].iter_mut().for_each(|x| *x *= speed);
-            c[3..].iter_mut().for_each(|x| *x *= weight * speed);
+        for (mut column, &axis) in columns.column_iter_mut().zip(&self.axes) {
+            column *= self.machine.axes[axis].max_speed;
         }
-        let Svd { values, right, left } = svd(&columns);
-        // Rows of the inverse, with those of a direction in their own scale.
-        let row = |i: usize, r: usize| -> f64 {
-            (0..values.len()).map(|k| right[k][i] * left[k][r] / (values[k] * values[k]).max(1e-200)).sum()
-        };
-        let length = |i: usize, from: usize| (from..from + 3).map(|r| row(i, r).powi(2)).sum::<f64>().sqrt();
+        columns.rows_mut(3, 3).scale_mut(weight);
+        if columns.is_empty() {
+            return ArrayVec::new();
+        }
+        let Ok(inverse) = columns.pseudo_inverse(0.0) else { return ArrayVec::new() };
+        let length = |i: usize, from: usize| inverse.fixed_view::<1, 3>(i, from).norm();
         (0..self.axes.len()).map(|i| TYPICAL_SPEED_MM_S * (length(i, 0) + weight * length(i, 3))).collect()
     }
 

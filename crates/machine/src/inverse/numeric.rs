@@ -4,6 +4,7 @@ use super::vectors::angle_between;
 use crate::axis::{Axis, AxisKind};
 use crate::chain::{Chain, Joints, MAX_AXES};
 use glam::DVec3;
+use nalgebra::{SMatrix, SVector};
 use seamwright_geometry::Pose;
 use std::f64::consts::{PI, TAU};
 
@@ -200,19 +201,12 @@ fn to_the_point(chain: &Chain, pose: &Pose, q: &mut Joints, error: &mut Error) {
     for _ in 0..4 {
         let rows = columns(chain, q);
         // J^T (J J^T)^-1 e
-        let mut gram = [[0.0; 4]; 3];
-        for row in &rows[..chain.screws.len()] {
-            for i in 0..3 {
-                for j in 0..3 {
-                    gram[i][j] += row[i] * row[j];
-                }
-            }
-        }
-        (0..3).for_each(|i| gram[i][3] = error.point[i]);
-        let Some(weights) = eliminate(&mut gram) else { return };
+        let points = SMatrix::<f64, 3, MAX_AXES>::from_fn(|i, k| rows[k][i]);
+        let Some(weights) = solve(points * points.transpose(), &error.point.to_array().into()) else { return };
+        let moves = points.transpose() * weights;
         let mut step = Joints::default();
-        for (screw, row) in chain.screws.iter().zip(&rows) {
-            step[screw.axis] = (0..3).map(|i| row[i] * weights[i]).sum();
+        for (screw, by) in chain.screws.iter().zip(&moves) {
+            step[screw.axis] = *by;
         }
         let next = moved(chain, q, &step);
         let there = self::error(chain, pose, &next);
@@ -256,26 +250,21 @@ fn step(chain: &Chain, rows: &[Rows; MAX_AXES], error: &Error, damping: f64) -> 
     // Columns scaled to length 1, so that mm and rad have equal weight.
     let scale: [f64; MAX_SOLVED_AXES] =
         std::array::from_fn(|i| if i < n { dot(&rows[i], &rows[i]).sqrt().max(1e-9) } else { 1.0 });
-    let mut system = [[0.0; MAX_SOLVED_AXES + 1]; MAX_SOLVED_AXES];
+    let mut normal = SMatrix::<f64, MAX_SOLVED_AXES, MAX_SOLVED_AXES>::identity();
+    let mut right = SVector::<f64, MAX_SOLVED_AXES>::zeros();
     for i in 0..n {
         for j in 0..n {
-            system[i][j] = dot(&rows[i], &rows[j]) / (scale[i] * scale[j]);
+            normal[(i, j)] = dot(&rows[i], &rows[j]) / (scale[i] * scale[j]);
         }
-        system[i][i] += damping;
-        system[i][MAX_SOLVED_AXES] = dot(&rows[i], &wanted) / scale[i];
+        normal[(i, i)] += damping;
+        right[i] = dot(&rows[i], &wanted) / scale[i];
     }
-    (n..MAX_SOLVED_AXES).for_each(|i| system[i][i] = 1.0);
-    let solved = eliminate(&mut system);
+    let solved = solve(normal, &right);
     let mut joints = Joints::default();
     let singular = solved.is_none();
-    let solution = solved.unwrap_or_else(|| {
-        // Rank-deficient: a damped step.
-        let mut damped = system;
-        for (i, row) in damped.iter_mut().enumerate() {
-            row[i] += 1e-3;
-        }
-        eliminate(&mut damped).unwrap_or([0.0; MAX_SOLVED_AXES])
-    });
+    // Rank-deficient: a damped step.
+    let damped = || solve(normal + SMatrix::identity() * 1e-3, &right);
+    let solution = solved.or_else(damped).unwrap_or_else(SVector::zeros);
     for (i, screw) in chain.screws.iter().enumerate().take(n) {
         joints[screw.axis] = solution[i] / scale[i];
     }
@@ -297,24 +286,11 @@ fn moved(chain: &Chain, q: &Joints, step: &Joints) -> Joints {
     next
 }
 
-/// Gauss's elimination with pivots on the diagonal (symmetric, positive); none if rank-deficient.
-fn eliminate<const N: usize, const M: usize>(system: &mut [[f64; M]; N]) -> Option<[f64; N]> {
-    let greatest = (0..N).map(|i| system[i][i].abs()).fold(0.0, f64::max);
-    for i in 0..N {
-        let (above, below) = system.split_at_mut(i + 1);
-        let pivot = &above[i];
-        if pivot[i].abs() <= 1e-14 * greatest {
-            return None;
-        }
-        for row in below {
-            let factor = row[i] / pivot[i];
-            row[i..].iter_mut().zip(&pivot[i..]).for_each(|(a, b)| *a -= factor * b);
-        }
-    }
-    let mut x = [0.0; N];
-    for i in (0..N).rev() {
-        let rest: f64 = (i + 1..N).map(|j| system[i][j] * x[j]).sum();
-        x[i] = (system[i][M - 1] - rest) / system[i][i];
-    }
-    Some(x)
+/// Solves a symmetric positive system; none if it is rank-deficient.
+fn solve<const N: usize>(matrix: SMatrix<f64, N, N>, right: &SVector<f64, N>) -> Option<SVector<f64, N>> {
+    let factor = matrix.cholesky()?;
+    let greatest = (0..N).map(|i| matrix[(i, i)]).fold(0.0, f64::max);
+    // Pivots are the squares of the factor's diagonal.
+    let full_rank = (0..N).all(|i| factor.l_dirty()[(i, i)].powi(2) > 1e-14 * greatest);
+    full_rank.then(|| factor.solve(right))
 }

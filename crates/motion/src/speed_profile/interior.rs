@@ -1,8 +1,8 @@
 //! Primal-dual interior-point method for the fastest profile under limits of speed, acceleration and jerk.
 
 use super::lanes::larger;
-use super::pentadiagonal::Pentadiagonal;
 use super::problem::{Lists, Newton, Problem};
+use seamwright_geometry::numeric::Pentadiagonal;
 
 /// Maximum number of iterations; the last iterate is then used, as every iterate satisfies all rows.
 const MAX_ITERATIONS: usize = 120;

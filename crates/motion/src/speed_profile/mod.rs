@@ -122,7 +122,6 @@ mod interior;
 mod jerk_limited;
 mod lanes;
 mod peak;
-mod pentadiagonal;
 mod problem;
 mod profile;
 mod reach;

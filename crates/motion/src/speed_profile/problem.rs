@@ -1,6 +1,6 @@
 use super::cells::{Cells, Weights};
-use super::pentadiagonal::Pentadiagonal;
 use super::rows::{Forms, Room};
+use seamwright_geometry::numeric::Pentadiagonal;
 use std::ops::Range;
 
 /// The rows that a profile's coefficients must satisfy, each as a slack that must stay positive.

@@ -1,4 +1,6 @@
 use crate::stretch::Stretch;
+use nalgebra::SVector;
+use seamwright_geometry::numeric::{Row, tridiagonal};
 use seamwright_machine::{Joints, MAX_AXES};
 
 /// A polynomial of all axes over a range of the parameter.
@@ -77,67 +79,38 @@ impl Piece {
 /// least two). Its first two and its last two pieces are one cubic each (de Boor's "not a knot"; with fewer than four
 /// knots the curvature is 0 at its ends), or its slope at the start is `first`.
 pub(crate) fn slopes(u: &[f64], q: &[Joints], first: Option<&Joints>) -> Vec<Joints> {
+    let row = |i: usize| match first {
+        Some(slope) if i == 0 => Row::new([0.0, 1.0, 0.0], (*slope).into()),
+        _ => equation(u, q, i),
+    };
+    tridiagonal((0..u.len()).map(row)).into_iter().map(Into::into).collect()
+}
+
+/// The equation for the slopes at knot `i` and its neighbours.
+fn equation(u: &[f64], q: &[Joints], i: usize) -> Row<SVector<f64, MAX_AXES>> {
     let n = u.len();
-    // Rows of the tridiagonal system, eliminated as they are made.
-    let mut above = vec![0.0; n];
-    let mut slopes = vec![Joints::default(); n];
-    for i in 0..n {
-        let Row { below, diagonal, over, right } = match first {
-            Some(slope) if i == 0 => Row { below: 0.0, diagonal: 1.0, over: 0.0, right: *slope },
-            _ => Row::new(u, q, i),
-        };
-        let before = if i > 0 { slopes[i - 1] } else { Joints::default() };
-        let pivot = diagonal - if i > 0 { below * above[i - 1] } else { 0.0 };
-        above[i] = over / pivot;
-        slopes[i] = std::array::from_fn(|k| (right[k] - below * before[k]) / pivot);
-    }
-    for i in (0..n - 1).rev() {
-        let after = slopes[i + 1];
-        slopes[i].iter_mut().zip(after).for_each(|(slope, next)| *slope -= above[i] * next);
-    }
-    slopes
-}
-
-/// An equation for the slopes at three neighbouring knots.
-struct Row {
-    below: f64,
-    diagonal: f64,
-    over: f64,
-    right: Joints,
-}
-
-impl Row {
-    /// The equation of knot `i`.
-    fn new(u: &[f64], q: &[Joints], i: usize) -> Self {
-        let n = u.len();
-        let width = |i: usize| u[i + 1] - u[i];
-        let mean = |k: usize, i: usize| (q[i + 1][k] - q[i][k]) / width(i);
-        // The piece at the end and the one beside it.
-        let end = |own: usize, beside: usize| {
-            let (a, b) = (width(own), width(beside));
-            let right = |k: usize| ((3.0 * a + 2.0 * b) * b * mean(k, own) + a * a * mean(k, beside)) / (a + b);
-            (b, a + b, std::array::from_fn(right))
-        };
-        match i {
-            0 if n < 4 => {
-                Self { below: 0.0, diagonal: 2.0, over: 1.0, right: std::array::from_fn(|k| 3.0 * mean(k, 0)) }
-            }
-            _ if i + 1 == n && n < 4 => {
-                Self { below: 1.0, diagonal: 2.0, over: 0.0, right: std::array::from_fn(|k| 3.0 * mean(k, n - 2)) }
-            }
-            0 => {
-                let (diagonal, over, right) = end(0, 1);
-                Self { below: 0.0, diagonal, over, right }
-            }
-            _ if i + 1 == n => {
-                let (diagonal, below, right) = end(n - 2, n - 3);
-                Self { below, diagonal, over: 0.0, right }
-            }
-            _ => {
-                let (a, b) = (width(i - 1), width(i));
-                let right = |k: usize| 3.0 * (b * mean(k, i - 1) + a * mean(k, i));
-                Self { below: b, diagonal: 2.0 * (a + b), over: a, right: std::array::from_fn(right) }
-            }
+    let width = |i: usize| u[i + 1] - u[i];
+    let mean = |i: usize| (SVector::from(q[i + 1]) - SVector::from(q[i])) / width(i);
+    // Of the slopes at the end and beside it, from the piece at the end and the one beside that.
+    let end = |own: usize, beside: usize| {
+        let (a, b) = (width(own), width(beside));
+        let right = (mean(own) * ((3.0 * a + 2.0 * b) * b) + mean(beside) * (a * a)) / (a + b);
+        (b, a + b, right)
+    };
+    match i {
+        0 if n < 4 => Row::new([0.0, 2.0, 1.0], mean(0) * 3.0),
+        _ if i + 1 == n && n < 4 => Row::new([1.0, 2.0, 0.0], mean(n - 2) * 3.0),
+        0 => {
+            let (own, other, right) = end(0, 1);
+            Row::new([0.0, own, other], right)
+        }
+        _ if i + 1 == n => {
+            let (own, other, right) = end(n - 2, n - 3);
+            Row::new([other, own, 0.0], right)
+        }
+        _ => {
+            let (a, b) = (width(i - 1), width(i));
+            Row::new([b, 2.0 * (a + b), a], (mean(i - 1) * b + mean(i) * a) * 3.0)
         }
     }
 }

@@ -7,7 +7,9 @@ use crate::error::Error;
 use crate::even_speed::EvenSpeed;
 use crate::part_program::Level;
 use glam::DVec3;
+use nalgebra::SVector;
 use seamwright_geometry::Pose;
+use seamwright_geometry::numeric::{self, tridiagonal};
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_program::{PathRange, TorchPath};
@@ -28,7 +30,7 @@ const USED: f64 = 0.95;
 const LAG: f64 = 20.0;
 
 /// Axes and tip together: the points of the splines.
-type Row = [f64; MAX_AXES + 3];
+type Row = SVector<f64, { MAX_AXES + 3 }>;
 
 /// The pass as splines, one for every leg from rest to rest: through the planned positions at all knots except the
 /// first and last. Times are halved until all between is within the tolerance, and shortened until the tip keeps its
@@ -105,7 +107,7 @@ impl Plan<'_> {
     fn row(&self, s: f64) -> Row {
         let q = self.motion.path.at(s);
         let tip = self.machine.forward(&q).point.to_array();
-        std::array::from_fn(|i| if i < MAX_AXES { q[i] } else { tip[i - MAX_AXES] })
+        Row::from_fn(|i, _| if i < MAX_AXES { q[i] } else { tip[i - MAX_AXES] })
     }
 
     fn block(&self, row: &Row, s: f64, duration: f64) -> Block {
@@ -117,20 +119,21 @@ impl Plan<'_> {
     /// position is `(p[i - 1] + 4 p[i] + p[i + 1]) / 6`.
     fn control_points(&self, begin: f64, step: f64, moves: usize) -> Vec<Row> {
         let place = |i: usize| self.row(self.s(begin + (i as f64 + 1.0) * step));
-        let mut points = vec![self.row(self.s(begin)); moves + 1];
-        points[moves] = self.row(self.s(begin + (moves as f64 + 2.0) * step));
-        // Thomas' algorithm; its factors are the same in all columns.
-        let mut factors = vec![0.0; moves];
-        for i in 1..moves {
-            factors[i] = 1.0 / (4.0 - factors[i - 1]);
-            let (wanted, before) = (place(i), points[i - 1]);
-            let right = if i + 1 == moves { points[moves] } else { [0.0; MAX_AXES + 3] };
-            points[i] = std::array::from_fn(|k| (6.0 * wanted[k] - before[k] - right[k]) * factors[i]);
-        }
-        for i in (1..moves.saturating_sub(1)).rev() {
-            let next = points[i + 1];
-            points[i].iter_mut().zip(next).for_each(|(p, n)| *p -= factors[i] * n);
-        }
+        let first = self.row(self.s(begin));
+        let last = self.row(self.s(begin + (moves as f64 + 2.0) * step));
+        let known = |i: usize| {
+            if i == 0 {
+                first
+            } else if i == moves {
+                last
+            } else {
+                Row::zeros()
+            }
+        };
+        let equation = |i: usize| numeric::Row::new([1.0, 4.0, 1.0], place(i) * 6.0 - known(i - 1) - known(i + 1));
+        let mut points = vec![first];
+        points.extend(tridiagonal((1..moves).map(equation)));
+        points.push(last);
         points
     }
 
@@ -146,7 +149,7 @@ impl Plan<'_> {
         let point = |i: usize| &points[i.saturating_sub(2).min(last)];
         let tip = |k: usize, f: f64| {
             let w = weights(f);
-            let row: Row = std::array::from_fn(|i| (0..4).map(|j| w[j] * point(k + j)[i]).sum());
+            let row: Row = (0..4).map(|j| point(k + j) * w[j]).sum();
             let (q, tip) = split(&row);
             if self.cutting.level == Level::Tip { tip } else { self.machine.forward(&q).point }
         };
@@ -172,7 +175,7 @@ impl Plan<'_> {
             for c in 0..CHECKS {
                 let f = (f64::from(c) + 0.5) / f64::from(CHECKS);
                 let w = weights(f);
-                let row: Row = std::array::from_fn(|i| (0..4).map(|j| w[j] * near[j][i]).sum());
+                let row: Row = (0..4).map(|j| near[j] * w[j]).sum();
                 let (q, tip) = split(&row);
                 let mut passed = self.machine.forward(&q);
                 if self.cutting.level == Level::Tip {

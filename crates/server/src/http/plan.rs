@@ -9,8 +9,10 @@ use crate::planner::{Asked, Page, Question};
 use crate::users::Session;
 use crate::view::tuning_view;
 use crate::wire::{JobText, Load, PlaceText, PlanningView, PostText, TuningView, WorkView};
-use axum::extract::{Path, Query, State};
-use axum::http::{HeaderMap, StatusCode, header};
+use axum::extract::rejection::ExtensionRejection;
+use axum::extract::{FromRequestParts, Path, Query, State};
+use axum::http::request::Parts;
+use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
 use axum::{Extension, Json};
 use seamwright_executive::Place;
@@ -35,11 +37,14 @@ const PAGE: &str = "x-seamwright-page";
 /// Maximum length of the identifier, characters.
 const MAX_PAGE: usize = 64;
 
-/// Returns user, session and page of a request.
-fn page_asking(session: &Session, headers: &HeaderMap) -> Page {
-    let page = headers.get(PAGE).and_then(|value| value.to_str().ok()).unwrap_or_default();
-    let page = page.chars().take(MAX_PAGE).collect();
-    Page { user: session.user.clone(), session: session.id.clone(), page }
+impl<S: Send + Sync> FromRequestParts<S> for Page {
+    type Rejection = ExtensionRejection;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, ExtensionRejection> {
+        let Extension(session) = Extension::<Session>::from_request_parts(parts, state).await?;
+        let page = parts.headers.get(PAGE).and_then(|value| value.to_str().ok()).unwrap_or_default();
+        Ok(Self { user: session.user, session: session.id, page: page.chars().take(MAX_PAGE).collect() })
+    }
 }
 
 /// Asks the planner a question.
@@ -50,52 +55,41 @@ async fn answered(panel: &Panel, page: Page, question: Question) -> Result<Respo
 
 pub(super) async fn plan(
     State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
+    page: Page,
     Json(job): Json<JobText>,
 ) -> Result<Response, Refused> {
     let question = Question::Plan { text: job.text, number: panel.plan_number() };
-    answered(&panel, page_asking(&session, &headers), question).await
+    answered(&panel, page, question).await
 }
 
 /// Describes a text at once, without a plan.
 pub(super) async fn draft(
     State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
+    page: Page,
     Json(job): Json<JobText>,
 ) -> Result<Response, Refused> {
-    answered(&panel, page_asking(&session, &headers), Question::Draft { text: job.text }).await
+    answered(&panel, page, Question::Draft { text: job.text }).await
 }
 
 pub(super) async fn place(
     State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
+    page: Page,
     Json(asked): Json<PlaceText>,
 ) -> Result<Response, Refused> {
-    answered(&panel, page_asking(&session, &headers), Question::Place { asked }).await
+    answered(&panel, page, Question::Place { asked }).await
 }
 
 /// Lists questions of a page that are being answered.
-pub(super) async fn planning(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
-) -> Json<Vec<PlanningView>> {
-    let asked = panel.planner.asked(&page_asking(&session, &headers));
+pub(super) async fn planning(State(panel): State<Arc<Panel>>, page: Page) -> Json<Vec<PlanningView>> {
+    let asked = panel.planner.asked(&page);
     let view =
         |asked: Asked| PlanningView { kind: asked.name.to_owned(), elapsed_s: asked.since.elapsed().as_secs_f64() };
     Json(asked.into_iter().map(view).collect())
 }
 
 /// Cancels all questions of a page.
-pub(super) async fn cancel(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
-) -> StatusCode {
-    panel.planner.cancel(&page_asking(&session, &headers));
+pub(super) async fn cancel(State(panel): State<Arc<Panel>>, page: Page) -> StatusCode {
+    panel.planner.cancel(&page);
     StatusCode::NO_CONTENT
 }
 
@@ -110,29 +104,18 @@ fn part(number: &str) -> Result<(), Refused> {
     Err(Refused::input(Message::new("server-part-number").count("max", MAX_PART_CHARS)))
 }
 
-pub(super) async fn load(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
-    Json(load): Json<Load>,
-) -> Answer<WorkView> {
+pub(super) async fn load(State(panel): State<Arc<Panel>>, page: Page, Json(load): Json<Load>) -> Answer<WorkView> {
     checked(&load.job)?;
     part(load.part.as_deref().unwrap_or_default())?;
     let (what, job) = (Message::new("server-audit-load").text("job", &load.job), load.job.clone());
-    let page = page_asking(&session, &headers);
+    let user = page.user.clone();
     let result = match uncontrolled(&panel, &page) {
         Ok(()) => put_in(&panel, load, page).await,
         Err(refused) => Err(refused),
     };
     let loaded = |_: &_| Message::new("server-audit-loaded");
     let said = result.as_ref().map_or_else(|refused| refused.message.clone(), loaded);
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        what,
-        Change { old: "", new: &job },
-        said,
-    );
+    panel.cell.archive.audit(&user, Message::new("server-audit-panel"), what, Change { old: "", new: &job }, said);
     result.map(|view| Json((*view).clone()))
 }
 
@@ -249,13 +232,12 @@ fn loading(panel: &Panel, load: &Load, text: &str, user: String) -> Result<Loadi
 /// Plans a recorded weld again, to show the torch of its record.
 pub(super) async fn recorded(
     State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
+    page: Page,
     Path(id): Path<i64>,
 ) -> Result<Response, Refused> {
     let Json(program) = reads(&panel, move |data| Ok(data.library().program_of(id)?)).await?;
     let question = Question::Recorded { name: program.name, text: program.text, number: panel.plan_number() };
-    answered(&panel, page_asking(&session, &headers), question).await
+    answered(&panel, page, question).await
 }
 
 /// `?axis=NAME`.
@@ -286,25 +268,23 @@ pub(super) struct Named {
 
 pub(super) async fn report(
     State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
+    page: Page,
     Query(named): Query<Named>,
 ) -> Result<Response, Refused> {
     let language = spoken(named.language)?.code().to_owned();
     let (asked, name) = (Arc::clone(&panel), checked(&named.job)?.to_owned());
     let text = panel.reading.run(move || text(&asked, &named.job)).await?;
     let question = Question::Report { name, text, language };
-    let page = panel.planner.ask(page_asking(&session, &headers), question, panel.jobs()).await?;
-    let html = String::from_utf8(page).map_err(|_| Refused::server(Message::new("server-failed")))?;
+    let html = panel.planner.ask(page, question, panel.jobs()).await?;
+    let html = String::from_utf8(html).map_err(|_| Refused::server(Message::new("server-failed")))?;
     Ok(page_of(html))
 }
 
 pub(super) async fn post(
     State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
+    page: Page,
     Json(asked): Json<PostText>,
 ) -> Result<Response, Refused> {
     let question = Question::Post { text: asked.text, dialect: asked.dialect };
-    answered(&panel, page_asking(&session, &headers), question).await
+    answered(&panel, page, question).await
 }

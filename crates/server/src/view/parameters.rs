@@ -1,7 +1,8 @@
 use crate::wire::{AxisParameters, HeadView, ParameterView, ParametersView};
-use seamwright_machine::{Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Machine};
+use seamwright_machine::{Axis, AxisKind, Drive, Machine};
 use seamwright_project::Failure;
 use seamwright_project::own_machine::{OwnMachine, Step};
+use seamwright_servo::{BacklashCompensation, FrictionCompensation};
 
 use AxisKind::{Linear, Rotary};
 

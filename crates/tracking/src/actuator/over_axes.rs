@@ -1,7 +1,7 @@
 use super::limits::SlideLimits;
 use crate::lead::Error;
 use glam::{DMat3, DVec3};
-use nalgebra::SVector;
+use nalgebra::{Cholesky, Const, SMatrix, SVector};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, MAX_AXES, Machine};
 use seamwright_message::Message;
@@ -103,7 +103,7 @@ impl<'a> OverAxes<'a> {
     fn solver(&self, x: &Joints) -> Option<Solver> {
         let mut columns = self.machine.jacobian(x);
         self.held.iter().for_each(|i| columns[i] = (DVec3::ZERO, DVec3::ZERO));
-        Solver::new(columns, self.machine.axes.len(), &self.effort)
+        Solver::new(columns, &self.effort)
     }
 
     /// Computes the limits of a correction along a path such that every axis stays within its part of [`RESERVE`].
@@ -145,7 +145,7 @@ impl<'a> OverAxes<'a> {
 /// The conditions of the least step at one place, factorised.
 struct Solver {
     columns: [(DVec3, DVec3); MAX_AXES],
-    least: Factor,
+    least: Cholesky<f64, Const<MAX_AXES>>,
     /// The inverse of how far the tip goes when it is pulled, by directions.
     stiffness: DMat3,
     /// Movement of the axes for a pull at the tip in each direction.
@@ -154,15 +154,9 @@ struct Solver {
 
 impl Solver {
     /// Of axes that move the torch by `columns`; none where they cannot move its tip to all sides.
-    fn new(columns: [(DVec3, DVec3); MAX_AXES], axes: usize, effort: &Column) -> Option<Self> {
-        let mut least = [[0.0; MAX_AXES]; MAX_AXES];
-        for i in 0..axes {
-            for k in 0..=i {
-                least[i][k] = ATTITUDE * columns[i].1.dot(columns[k].1);
-            }
-            least[i][i] += effort[i];
-        }
-        let least = Factor::of(least, axes)?;
+    fn new(columns: [(DVec3, DVec3); MAX_AXES], effort: &Column) -> Option<Self> {
+        let turns = SMatrix::<f64, 3, MAX_AXES>::from_fn(|i, k| columns[k].1[i]);
+        let least = (ATTITUDE * turns.transpose() * turns + SMatrix::from_diagonal(effort)).cholesky()?;
         let pull = |axis: usize| least.solve(&Column::from_fn(|i, _| columns[i].0[axis]));
         let by_pull = [pull(0), pull(1), pull(2)];
         let moved = |by: &Column| (0..MAX_AXES).map(|i| by[i] * columns[i].0).sum::<DVec3>();
@@ -179,78 +173,5 @@ impl Solver {
         let force = self.stiffness * left;
         let step = free + self.by_pull[0] * force.x + self.by_pull[1] * force.y + self.by_pull[2] * force.z;
         step.iter().all(|s| s.is_finite()).then_some(step)
-    }
-}
-
-/// A symmetric positive matrix as the product of a lower triangle and its transpose (Cholesky), for as many rows as the machine
-/// has axes: most machines have fewer than half of those there is room for.
-struct Factor {
-    lower: [[f64; MAX_AXES]; MAX_AXES],
-    axes: usize,
-}
-
-impl Factor {
-    /// Of the lower triangle of a matrix; none if it is not positive.
-    fn of(mut lower: [[f64; MAX_AXES]; MAX_AXES], axes: usize) -> Option<Self> {
-        for i in 0..axes {
-            for k in 0..=i {
-                let known: f64 = (0..k).map(|j| lower[i][j] * lower[k][j]).sum();
-                let left = lower[i][k] - known;
-                // No number is not positive either.
-                let good = i != k || left > 0.0;
-                lower[i][k] = if i == k { left.sqrt() } else { left / lower[k][k] };
-                if !good {
-                    return None;
-                }
-            }
-        }
-        Some(Self { lower, axes })
-    }
-
-    /// The solution for a right side; 0 beyond the axes.
-    fn solve(&self, right: &Column) -> Column {
-        let (lower, axes) = (&self.lower, self.axes);
-        let mut x = Column::zeros();
-        for i in 0..axes {
-            let known: f64 = (0..i).map(|j| lower[i][j] * x[j]).sum();
-            x[i] = (right[i] - known) / lower[i][i];
-        }
-        for i in (0..axes).rev() {
-            let known: f64 = (i + 1..axes).map(|j| lower[j][i] * x[j]).sum();
-            x[i] = (x[i] - known) / lower[i][i];
-        }
-        x
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// For random positive matrices of every size the product with the solution is the right side.
-    #[test]
-    fn factors_solve() {
-        let mut state = 3u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-        };
-        for axes in (1..=MAX_AXES).cycle().take(200) {
-            let root: [[f64; MAX_AXES]; MAX_AXES] = std::array::from_fn(|_| std::array::from_fn(|_| random()));
-            let entry = |i: usize, k: usize| {
-                (0..axes).map(|j| root[i][j] * root[k][j]).sum::<f64>() + if i == k { 0.1 } else { 0.0 }
-            };
-            let matrix = std::array::from_fn(|i| std::array::from_fn(|k| if k <= i { entry(i, k) } else { f64::NAN }));
-            let right = Column::from_fn(|_, _| random());
-            let x = Factor::of(matrix, axes).unwrap().solve(&right);
-            for i in 0..axes {
-                let product: f64 = (0..axes).map(|k| entry(i, k) * x[k]).sum();
-                assert!((product - right[i]).abs() < 1e-9, "{axes}: {product} {}", right[i]);
-            }
-            assert!(x.iter().skip(axes).all(|x| *x == 0.0));
-            let mut negative = matrix;
-            negative[axes - 1][axes - 1] = -1.0;
-            assert!(Factor::of(negative, axes).is_none());
-        }
     }
 }

@@ -1,12 +1,11 @@
+use super::check_steady;
 use super::short_sequence::ShortSequence;
 use crate::allowed::{between, rounded};
 use crate::seam::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{
-    Oscillation, Pass, PathRange, ProcessValues, Role, Sequence, SpanValue, check_process, is_beyond,
-};
+use seamwright_program::{Oscillation, Pass, PathRange, ProcessValues, Role, Sequence, SpanValue, is_beyond};
 use serde::{Deserialize, Serialize};
 
 /// A last pass over the finished weld, on the seam's line, that smooths its surface with a weak or wide beam. Missing
@@ -46,18 +45,7 @@ impl Cosmetic {
         process: &ProcessValues,
     ) -> Result<(), DocumentError> {
         self.sequence.check(file, "cosmetic.sequence", sequence, process)?;
-        check_process(file, "cosmetic.process", &self.process)?;
-        for (key, value) in &self.process {
-            let path = format!("cosmetic.process.{key}");
-            if !process.contains_key(key) {
-                let known: Vec<&str> = process.keys().map(String::as_str).collect();
-                return Err(file.unknown_name(&path, key, &known));
-            }
-            if value.is_ramp() {
-                let message = Message::new("weld-cosmetic-ramp");
-                return Err(file.error_at(&path, message, Message::new("document-number")));
-            }
-        }
+        check_steady(file, "cosmetic.process", &self.process, process, "weld-cosmetic-ramp")?;
         self.oscillation.as_ref().map_or(Ok(()), |oscillation| oscillation.check(file, "cosmetic.oscillation"))
     }
 

@@ -1,12 +1,11 @@
+use super::check_steady;
 use super::short_sequence::ShortSequence;
 use crate::allowed::{between, by_key};
 use crate::seam::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{
-    Bead, Pass, ProcessValues, Role, Sequence, Span, SpanValue, check_process, is_before, parts_of,
-};
+use seamwright_program::{Bead, Pass, ProcessValues, Role, Sequence, Span, SpanValue, is_before, parts_of};
 use serde::{Deserialize, Serialize};
 
 /// Maximum number of tacks on a seam; more are a mistake.
@@ -63,19 +62,7 @@ impl Tacks {
             let allowed = between(2.0, MAX_TACKS, Unit::One);
             return Err(file.error_at("tacks.count", Message::new("weld-tack-count-invalid"), allowed));
         }
-        check_process(file, "tacks.process", &self.process)?;
-        for (key, value) in &self.process {
-            let path = format!("tacks.process.{key}");
-            if !process.contains_key(key) {
-                let known: Vec<&str> = process.keys().map(String::as_str).collect();
-                return Err(file.unknown_name(&path, key, &known));
-            }
-            if value.is_ramp() {
-                let message = Message::new("weld-tack-ramp");
-                return Err(file.error_at(&path, message, Message::new("document-number")));
-            }
-        }
-        Ok(())
+        check_steady(file, "tacks.process", &self.process, process, "weld-tack-ramp")
     }
 
     /// The tacks on `seam` that start at `starts`, in the order of welding: each far from all before it, then the one
