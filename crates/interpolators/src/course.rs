@@ -1,29 +1,29 @@
-use super::grid::{Grid, leaving};
+use crate::grid::{Grid, leaving};
 
 /// A walk over the lattice from the path's start to its end: position, quadrant and remaining crossings.
 ///
 /// Up to the last quadrant only crossings are counted. In the last one each axis moves towards the end's coordinate and
 /// stops on it. An axis already past it (the quadrant's first point may be one pulse off) is corrected by closing
 /// pulses, one axis at a time. So a walk always ends on the lattice point nearest to the path's end.
-pub(super) struct Course {
-    pub(super) grid: Grid,
+pub(crate) struct Course {
+    pub(crate) grid: Grid,
     at: [i64; 3],
     quadrant: u32,
     left: u32,
 }
 
 impl Course {
-    pub(super) fn new(grid: Grid) -> Self {
+    pub(crate) fn new(grid: Grid) -> Self {
         Self { at: grid.start, quadrant: leaving(grid.start), left: grid.crossings, grid }
     }
 
     /// Current position, pulses.
-    pub(super) fn at(&self) -> [i64; 3] {
+    pub(crate) fn at(&self) -> [i64; 3] {
         self.at
     }
 
     /// Direction of the pulses of x and y in this quadrant.
-    pub(super) fn signs(&self) -> (i64, i64) {
+    pub(crate) fn signs(&self) -> (i64, i64) {
         match self.quadrant {
             0 => (-1, 1),
             1 => (-1, -1),
@@ -33,14 +33,14 @@ impl Course {
     }
 
     /// Flags for x and y that may still pulse.
-    pub(super) fn open(&self) -> (bool, bool) {
+    pub(crate) fn open(&self) -> (bool, bool) {
         let (sx, sy) = self.signs();
         let end = self.grid.end;
         (self.left > 0 || (end[0] - self.at[0]) * sx > 0, self.left > 0 || (end[1] - self.at[1]) * sy > 0)
     }
 
     /// Makes a pulse and returns the new position.
-    pub(super) fn pulse(&mut self, pulse: [i64; 3]) -> [i64; 3] {
+    pub(crate) fn pulse(&mut self, pulse: [i64; 3]) -> [i64; 3] {
         for (at, by) in self.at.iter_mut().zip(pulse) {
             *at += by;
         }
@@ -52,7 +52,7 @@ impl Course {
     }
 
     /// The pulse still needed when x and y may not pulse any more; none at the end.
-    pub(super) fn closing_pulse(&self) -> Option<[i64; 3]> {
+    pub(crate) fn closing_pulse(&self) -> Option<[i64; 3]> {
         let axis = (0..3).find(|&i| self.at[i] != self.grid.end[i])?;
         let mut pulse = [0; 3];
         pulse[axis] = (self.grid.end[axis] - self.at[axis]).signum();

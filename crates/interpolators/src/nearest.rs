@@ -1,4 +1,4 @@
-use super::path::{Base, Path};
+use crate::path::{Base, Path};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -113,9 +113,9 @@ fn bracketed_root(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, gu
 
 #[cfg(test)]
 mod tests {
-    use super::super::shape::Shape;
-    use super::super::testing::Random;
     use super::*;
+    use crate::shape::Shape;
+    use crate::testing::Random;
 
     /// Smallest distance over 4000 samples and their refinement by golden section.
     fn brute(path: &Path, p: DVec3) -> f64 {

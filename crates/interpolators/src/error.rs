@@ -182,11 +182,11 @@ impl From<seamwright_geometry::Error> for Error {
 }
 
 /// Checks that a value is finite and greater than zero.
-pub(super) fn positive(what: RequestValue, value: f64) -> Result<f64, Error> {
+pub(crate) fn positive(what: RequestValue, value: f64) -> Result<f64, Error> {
     if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::NotPositive { what, value }) }
 }
 
 /// Checks that a value is finite.
-pub(super) fn finite(what: RequestValue, value: f64) -> Result<f64, Error> {
+pub(crate) fn finite(what: RequestValue, value: f64) -> Result<f64, Error> {
     if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { what, value }) }
 }

@@ -1,16 +1,16 @@
-use super::comparison_integral::ComparisonIntegral;
-use super::dda::Dda;
-use super::eccentric_angle::EccentricAngle;
-use super::error::{Error, RequestValue, positive};
-use super::exact::Exact;
-use super::grid::Grid;
-use super::interpolation::Interpolation;
-use super::method::{EqualStep, Method};
-use super::path::Path;
-use super::point_by_point::PointByPoint;
-use super::pulse_points::PulsePoints;
-use super::shape::Shape;
-use super::statistics::{Statistics, Tally};
+use crate::comparison_integral::ComparisonIntegral;
+use crate::dda::Dda;
+use crate::eccentric_angle::EccentricAngle;
+use crate::error::{Error, RequestValue, positive};
+use crate::exact::Exact;
+use crate::grid::Grid;
+use crate::interpolation::Interpolation;
+use crate::method::{EqualStep, Method};
+use crate::path::Path;
+use crate::point_by_point::PointByPoint;
+use crate::pulse_points::PulsePoints;
+use crate::shape::Shape;
+use crate::statistics::{Statistics, Tally};
 use std::f64::consts::TAU;
 
 /// Maximum number of steps or pulses of a request.
@@ -134,9 +134,9 @@ impl Request {
 
 #[cfg(test)]
 mod tests {
-    use super::super::AngleRule;
-    use super::super::testing::Random;
     use super::*;
+    use crate::AngleRule;
+    use crate::testing::Random;
     use glam::DVec2;
 
     const METHODS: [Method; 8] = [

@@ -1,6 +1,6 @@
-use super::method::AngleRule;
-use super::path::Path;
-use super::point::Point;
+use crate::method::AngleRule;
+use crate::path::Path;
+use crate::point::Point;
 
 /// Minimum remainder that gets its own step, as a fraction of a step.
 const NO_REMAINDER: f64 = 1e-9;
@@ -9,7 +9,7 @@ const NO_REMAINDER: f64 = 1e-9;
 ///
 /// Rounding accumulates in the angle alone, some 1e-16 rad a step. Each point is computed from the angle and lies on
 /// the curve.
-pub(super) struct EccentricAngle {
+pub(crate) struct EccentricAngle {
     path: Path,
     rule: AngleRule,
     step: f64,
@@ -22,7 +22,7 @@ pub(super) struct EccentricAngle {
 }
 
 impl EccentricAngle {
-    pub(super) fn new(path: Path, rule: AngleRule, step: f64, period: f64) -> Self {
+    pub(crate) fn new(path: Path, rule: AngleRule, step: f64, period: f64) -> Self {
         let u_rad = path.start_rad();
         let (a, b) = path.plan_axes();
         let next = Some(Point { t_s: 0.0, u_rad, position: path.point(u_rad) });
@@ -82,9 +82,9 @@ impl Iterator for EccentricAngle {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::Random;
-    use super::super::{Method, Request, Shape};
     use super::*;
+    use crate::testing::Random;
+    use crate::{Method, Request, Shape};
     use std::f64::consts::TAU;
 
     const RULES: [AngleRule; 3] = [AngleRule::Printed, AngleRule::Polar, AngleRule::Tangent];

@@ -1,5 +1,5 @@
-use super::path::Path;
-use super::point::Point;
+use crate::path::Path;
+use crate::point::Point;
 
 /// A running interpolation: an iterator over its points, the start first and the end last, in constant memory.
 pub struct Interpolation {
@@ -8,7 +8,7 @@ pub struct Interpolation {
 }
 
 impl Interpolation {
-    pub(super) fn new(path: Path, points: impl Iterator<Item = Point> + Send + 'static) -> Self {
+    pub(crate) fn new(path: Path, points: impl Iterator<Item = Point> + Send + 'static) -> Self {
         Self { path, points: Box::new(points) }
     }
 

@@ -1,7 +1,7 @@
-use super::error::Error;
-use super::method::EqualStep;
-use super::path::Path;
-use super::point::Point;
+use crate::error::Error;
+use crate::method::EqualStep;
+use crate::path::Path;
+use crate::point::Point;
 use glam::DVec3;
 use seamwright_geometry::{ByLength, Curve};
 
@@ -13,7 +13,7 @@ const NO_REMAINDER: f64 = 1e-10;
 const APPROACHES: usize = 10_000;
 
 /// Equal steps along the path; see [`EqualStep`].
-pub(super) struct Exact {
+pub(crate) struct Exact {
     path: ByLength<Path>,
     equal: EqualStep,
     step: f64,
@@ -24,7 +24,7 @@ pub(super) struct Exact {
 }
 
 impl Exact {
-    pub(super) fn new(path: &Path, equal: EqualStep, step: f64, period: f64) -> Result<Self, Error> {
+    pub(crate) fn new(path: &Path, equal: EqualStep, step: f64, period: f64) -> Result<Self, Error> {
         let by_length = path.by_length((1e-11 * step).min(seamwright_geometry::DEFAULT_ACCURACY_MM))?;
         Ok(Self { path: by_length, equal, step, period, last: None, started: false })
     }
@@ -109,9 +109,9 @@ impl Iterator for Exact {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{Random, arc};
-    use super::super::{Method, Request, Shape};
     use super::*;
+    use crate::testing::{Random, arc};
+    use crate::{Method, Request, Shape};
     use glam::DVec2;
 
     fn points(shape: Shape, equal: EqualStep, step: f64) -> (Path, Vec<Point>) {

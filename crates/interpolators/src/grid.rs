@@ -1,4 +1,4 @@
-use super::path::{Base, Path};
+use crate::path::{Base, Path};
 use glam::DVec3;
 use seamwright_geometry::Curve;
 use std::f64::consts::FRAC_PI_2;
@@ -11,7 +11,7 @@ const FRACTION_BITS: u32 = 16;
 /// Sizes are rounded to 2^-k pulse, k = 16 or the number of bits that keeps a size below 2^29 (k >= 1 at the maximum
 /// number of pulses). A clockwise path is mirrored (y to -y), so that the rules handle only counter-clockwise motion.
 #[derive(Debug, Clone)]
-pub(super) struct Grid {
+pub(crate) struct Grid {
     pulse_mm: f64,
     mirror: i64,
     fraction: u32,
@@ -23,15 +23,15 @@ pub(super) struct Grid {
     /// Saddle: `R^2` and `R^2 - r^2` in 2^-2k pulses squared.
     shell: Option<(i128, i128)>,
     /// Lattice points nearest to the path's ends, in pulses.
-    pub(super) start: [i64; 3],
-    pub(super) end: [i64; 3],
+    pub(crate) start: [i64; 3],
+    pub(crate) end: [i64; 3],
     /// Number of changes of the path from one quadrant to the next.
-    pub(super) crossings: u32,
+    pub(crate) crossings: u32,
 }
 
 impl Grid {
     /// Builds the lattice of a checked path: semi-axes of at least 4 pulses and sizes up to 2^28 pulses.
-    pub(super) fn new(path: &Path, pulse_mm: f64) -> Self {
+    pub(crate) fn new(path: &Path, pulse_mm: f64) -> Self {
         let size = path.size() / pulse_mm;
         let fraction = FRACTION_BITS.min((28.0 - size.log2().floor()).max(0.0) as u32);
         let count = |mm: f64| (mm / pulse_mm * f64::from(1u32 << fraction)).round() as i128;
@@ -53,36 +53,36 @@ impl Grid {
     }
 
     /// A lattice point's position, mm.
-    pub(super) fn position(&self, at: [i64; 3]) -> DVec3 {
+    pub(crate) fn position(&self, at: [i64; 3]) -> DVec3 {
         DVec3::new(at[0] as f64, (self.mirror * at[1]) as f64, at[2] as f64) * self.pulse_mm
     }
 
     /// `a^2` and `b^2`, up to a common factor.
-    pub(super) fn squares(&self) -> (i128, i128) {
+    pub(crate) fn squares(&self) -> (i128, i128) {
         (self.a2, self.b2)
     }
 
     /// Four times the deviation function `F = b^2 x^2 + a^2 y^2 - a^2 b^2` at a point given in half pulses: negative
     /// inside the ellipse, positive outside. F is twice the sum of the integrals of `b^2 x dx` and `a^2 y dy` from a
     /// point of the ellipse to this one.
-    pub(super) fn deviation_at_half_pulses(&self, x: i64, y: i64) -> i128 {
+    pub(crate) fn deviation_at_half_pulses(&self, x: i64, y: i64) -> i128 {
         self.b2 * i128::from(x).pow(2) + self.a2 * i128::from(y).pow(2) - 4 * self.constant
     }
 
     /// The same at a lattice point.
-    pub(super) fn deviation(&self, at: [i64; 3]) -> i128 {
+    pub(crate) fn deviation(&self, at: [i64; 3]) -> i128 {
         self.deviation_at_half_pulses(2 * at[0], 2 * at[1])
     }
 
     /// True if x is the faster axis: the ellipse's tangent is closer to the x axis.
-    pub(super) fn x_is_faster(&self, at: [i64; 3]) -> bool {
+    pub(crate) fn x_is_faster(&self, at: [i64; 3]) -> bool {
         self.b2 * i128::from(at[0].abs()) < self.a2 * i128::from(at[1].abs())
     }
 
     /// The pulse of z, -1, 0 or 1, that brings z nearest to the saddle over the lattice point. It is the third
     /// comparison: of `z^2` with `R^2 - y^2` if y is the faster axis, else with `R^2 - r^2 + x^2`, which is equal on
     /// the circle. The faster axis gives the most accurate position along the path.
-    pub(super) fn height_pulse(&self, at: [i64; 3]) -> i64 {
+    pub(crate) fn height_pulse(&self, at: [i64; 3]) -> i64 {
         let Some((shell2, difference)) = self.shell else { return 0 };
         let square = |v: i64| i128::from(v).pow(2) << (2 * self.fraction);
         let wanted = if self.x_is_faster(at) { difference + square(at[0]) } else { shell2 - square(at[1]) };
@@ -98,7 +98,7 @@ impl Grid {
 }
 
 /// Quadrant 0..4 in which a counter-clockwise path leaves a point; on an axis the next one.
-pub(super) fn leaving(at: [i64; 3]) -> u32 {
+pub(crate) fn leaving(at: [i64; 3]) -> u32 {
     let [x, y, _] = at;
     if x > 0 && y >= 0 {
         0

@@ -1,10 +1,10 @@
-use super::grid::Grid;
-use super::path::Path;
-use super::point::Point;
+use crate::grid::Grid;
+use crate::path::Path;
+use crate::point::Point;
 use std::f64::consts::TAU;
 
 /// Turns clocks and lattice points into timed points in mm.
-pub(super) struct PulsePoints<I> {
+pub(crate) struct PulsePoints<I> {
     path: Path,
     grid: Grid,
     clock_s: f64,
@@ -14,7 +14,7 @@ pub(super) struct PulsePoints<I> {
 }
 
 impl<I> PulsePoints<I> {
-    pub(super) fn new(path: Path, grid: Grid, clock_s: f64, lattice: I) -> Self {
+    pub(crate) fn new(path: Path, grid: Grid, clock_s: f64, lattice: I) -> Self {
         Self { u: path.start_rad(), path, grid, clock_s, lattice }
     }
 }

@@ -21,7 +21,7 @@ pub struct Spread {
 
 /// Running count, extremes, mean and sum of squares about it (Welford's method, which does not cancel).
 #[derive(Debug, Clone)]
-pub(super) struct Moments {
+pub(crate) struct Moments {
     count: u64,
     min: f64,
     max: f64,
@@ -36,7 +36,7 @@ impl Default for Moments {
 }
 
 impl Moments {
-    pub(super) fn add(&mut self, value: f64) {
+    pub(crate) fn add(&mut self, value: f64) {
         self.count += 1;
         self.min = self.min.min(value);
         self.max = self.max.max(value);
@@ -46,7 +46,7 @@ impl Moments {
     }
 
     /// The spread about `wanted`, or about the mean.
-    pub(super) fn spread(&self, wanted: Option<f64>) -> Spread {
+    pub(crate) fn spread(&self, wanted: Option<f64>) -> Spread {
         let or_nan = |v: f64| if self.count > 0 { v } else { f64::NAN };
         let mean = or_nan(self.mean);
         let reference = or_nan(wanted.unwrap_or(mean));

@@ -1,5 +1,5 @@
-use super::error::{EndPoint, Error, RequestValue, finite, positive};
-use super::path::{Base, Path};
+use crate::error::{EndPoint, Error, RequestValue, finite, positive};
+use crate::path::{Base, Path};
 use glam::{DVec2, DVec3};
 use seamwright_geometry::{Ellipse, Quadric, Tube, TubeIntersection};
 use std::f64::consts::TAU;

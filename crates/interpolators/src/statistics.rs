@@ -1,6 +1,6 @@
-use super::path::Path;
-use super::point::Point;
-use super::spread::{Moments, Spread};
+use crate::path::Path;
+use crate::point::Point;
+use crate::spread::{Moments, Spread};
 
 /// Samples of the curve between two interpolated points.
 const BETWEEN: usize = 7;
@@ -60,7 +60,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    pub(super) fn new(path: Path, true_length: f64, period: f64, wanted: Option<f64>) -> Self {
+    pub(crate) fn new(path: Path, true_length: f64, period: f64, wanted: Option<f64>) -> Self {
         Self {
             path,
             true_length,
@@ -163,8 +163,8 @@ fn chord_error(path: &Path, from: &Point, to: &Point) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{AngleRule, EqualStep, Method, Request, Shape};
     use super::*;
+    use crate::{AngleRule, EqualStep, Method, Request, Shape};
     use glam::DVec2;
 
     fn statistics(method: Method) -> Statistics {

@@ -1,5 +1,5 @@
-use super::course::Course;
-use super::grid::Grid;
+use crate::course::Course;
+use crate::grid::Grid;
 
 /// Comparison-integral: the faster axis makes a pulse every clock, the others follow in the same clock.
 ///
@@ -23,14 +23,14 @@ use super::grid::Grid;
 /// within half a pulse: at most 0.71 pulse in space.
 ///
 /// Weakness: along a diagonal both axes move, so that the speed along the seam rises to 1.41 of the clock's.
-pub(super) struct ComparisonIntegral {
+pub(crate) struct ComparisonIntegral {
     course: Course,
     clock: u64,
     started: bool,
 }
 
 impl ComparisonIntegral {
-    pub(super) fn new(grid: Grid) -> Self {
+    pub(crate) fn new(grid: Grid) -> Self {
         Self { course: Course::new(grid), clock: 0, started: false }
     }
 
@@ -82,8 +82,8 @@ impl Iterator for ComparisonIntegral {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::Random;
-    use super::super::{Method, Point, Request, Shape};
+    use crate::testing::Random;
+    use crate::{Method, Point, Request, Shape};
     use glam::DVec2;
 
     fn request(shape: Shape, pulse_mm: f64) -> Request {

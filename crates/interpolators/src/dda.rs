@@ -1,5 +1,5 @@
-use super::grid::Grid;
-use super::path::Path;
+use crate::grid::Grid;
+use crate::path::Path;
 use seamwright_geometry::Curve;
 
 /// Fraction bits of a saddle's z integrand, which is a quotient.
@@ -25,7 +25,7 @@ const QUOTIENT_BITS: u32 = 20;
 /// pulses per turn of a circle (2 or 3 with the rounding of the pulses). On a long ellipse the rounding of the start on
 /// the short axis is added, enlarged by the ratio of the axes. Neither the end nor the start of a full turn is met.
 /// This error belongs to the method and is not corrected.
-pub(super) struct Dda {
+pub(crate) struct Dda {
     grid: Grid,
     saddle: bool,
     /// Integrand of x by -y and of y by x.
@@ -40,9 +40,9 @@ pub(super) struct Dda {
 }
 
 impl Dda {
-    pub(super) fn new(path: &Path, pulse_mm: f64) -> Self {
+    pub(crate) fn new(path: &Path, pulse_mm: f64) -> Self {
         let grid = Grid::new(path, pulse_mm);
-        let saddle = matches!(path.base(), super::path::Base::Saddle { .. });
+        let saddle = matches!(path.base(), crate::path::Base::Saddle { .. });
         let (by_y, by_x) = if saddle { (1 << QUOTIENT_BITS, 1 << QUOTIENT_BITS) } else { grid.squares() };
         let (a, b) = path.plan_axes();
         let largest = |mm: f64| (mm / pulse_mm).ceil() as i128 + 2;
@@ -53,12 +53,12 @@ impl Dda {
         Self { grid, saddle, by_y, by_x, range, register: [range / 2; 3], at, clock: 0, clocks, started: false }
     }
 
-    pub(super) fn grid(&self) -> &Grid {
+    pub(crate) fn grid(&self) -> &Grid {
         &self.grid
     }
 
     /// Clocks for the whole path.
-    pub(super) fn clocks(&self) -> u64 {
+    pub(crate) fn clocks(&self) -> u64 {
         self.clocks
     }
 
@@ -107,9 +107,9 @@ impl Iterator for Dda {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::Random;
-    use super::super::{Method, Request, Shape};
     use super::*;
+    use crate::testing::Random;
+    use crate::{Method, Request, Shape};
     use glam::DVec2;
 
     fn request(shape: Shape, pulse_mm: f64) -> Request {
@@ -153,7 +153,7 @@ mod tests {
             let path = run.path().clone();
             let duration = path.length_mm().unwrap() / 0.1;
             let worst = if saddle { &mut worst_saddle } else { &mut worst };
-            let mut last: Option<super::super::Point> = None;
+            let mut last: Option<crate::Point> = None;
             for p in run {
                 *worst = worst.max(path.nearest(p.position).distance_mm / pulse);
                 if let Some(l) = last {

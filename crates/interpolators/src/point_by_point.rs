@@ -1,5 +1,5 @@
-use super::course::Course;
-use super::grid::Grid;
+use crate::course::Course;
+use crate::grid::Grid;
 
 /// Point-by-point comparison: every clock one axis makes one pulse.
 ///
@@ -16,14 +16,14 @@ use super::grid::Grid;
 ///
 /// Weakness: pulses along one axis at a time, so that along a diagonal the torch makes 1.41 pulses per pulse of path
 /// length: the speed along the seam falls to 0.71 of the clock's (lower while z moves).
-pub(super) struct PointByPoint {
+pub(crate) struct PointByPoint {
     course: Course,
     clock: u64,
     started: bool,
 }
 
 impl PointByPoint {
-    pub(super) fn new(grid: Grid) -> Self {
+    pub(crate) fn new(grid: Grid) -> Self {
         Self { course: Course::new(grid), clock: 0, started: false }
     }
 
@@ -65,8 +65,8 @@ impl Iterator for PointByPoint {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::Random;
-    use super::super::{Method, Request, Shape};
+    use crate::testing::Random;
+    use crate::{Method, Request, Shape};
     use glam::DVec2;
 
     fn request(shape: Shape, pulse_mm: f64) -> Request {
@@ -101,7 +101,7 @@ mod tests {
                 Err(_) => continue,
             };
             let path = run.path().clone();
-            let (mut last, mut reach): (Option<super::super::Point>, f64) = (None, 0.0);
+            let (mut last, mut reach): (Option<crate::Point>, f64) = (None, 0.0);
             for p in run {
                 let off = path.nearest(p.position).distance_mm / pulse;
                 assert!(off < 1.0 + 1e-3, "{shape:?} {pulse}: {off}");

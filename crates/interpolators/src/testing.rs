@@ -1,33 +1,33 @@
-use super::path::Path;
-use super::shape::Shape;
+use crate::path::Path;
+use crate::shape::Shape;
 use glam::DVec2;
 use seamwright_geometry::Curve;
 use std::f64::consts::TAU;
 
 /// A small seeded generator (Knuth's 64-bit linear congruence), so that tests repeat.
-pub(super) struct Random(u64);
+pub(crate) struct Random(u64);
 
 impl Random {
-    pub(super) fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15))
     }
 
-    pub(super) fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
     /// Evenly distributed logarithm.
-    pub(super) fn log(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn log(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
 
     /// An ellipse's arc of any start, end and direction; every fourth is a full turn.
-    pub(super) fn ellipse(&mut self, smallest: f64, largest: f64) -> Shape {
+    pub(crate) fn ellipse(&mut self, smallest: f64, largest: f64) -> Shape {
         let (a, b) = (self.between(smallest, largest), self.between(smallest, largest));
         let point = |u: f64| DVec2::new(a * u.cos(), b * u.sin());
         let start_mm = point(self.between(0.0, TAU));
@@ -36,7 +36,7 @@ impl Random {
     }
 
     /// A saddle with radii in a ratio of at most `ratio`, of any start and direction, up to one and a half turns.
-    pub(super) fn saddle(&mut self, smallest: f64, largest: f64, ratio: f64) -> Shape {
+    pub(crate) fn saddle(&mut self, smallest: f64, largest: f64, ratio: f64) -> Shape {
         let nozzle = self.between(smallest, largest);
         let sweep = self.between(0.3, 1.5 * TAU) * if self.unit() < 0.5 { -1.0 } else { 1.0 };
         Shape::Saddle {
@@ -50,7 +50,7 @@ impl Random {
 
 /// Arc length between two travelled angles: ten-point Gauss-Legendre on halves until it settles. Independent of the
 /// Chebyshev series of [`seamwright_geometry::ByLength`].
-pub(super) fn arc(path: &Path, from: f64, to: f64) -> f64 {
+pub(crate) fn arc(path: &Path, from: f64, to: f64) -> f64 {
     fn gauss(path: &Path, l: f64, r: f64) -> f64 {
         const X: [f64; 5] = [
             0.148_874_338_981_631_2,

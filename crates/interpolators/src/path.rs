@@ -1,11 +1,11 @@
-use super::error::Error;
+use crate::error::Error;
 use glam::DVec3;
 use seamwright_geometry::{ByLength, Curve, Ellipse, Jet, TubeIntersection};
 
 /// The closed curve of a path.
 #[derive(Debug, Clone)]
 #[allow(clippy::large_enum_variant, reason = "there is one a path")]
-pub(super) enum Base {
+pub(crate) enum Base {
     /// An ellipse with its semi-axes, mm.
     Ellipse { curve: Ellipse, a: f64, b: f64 },
     /// A saddle with its two radii, mm.
@@ -27,15 +27,15 @@ pub struct Path {
 }
 
 impl Path {
-    pub(super) fn new(base: Base, start: f64, direction: f64, span: f64) -> Self {
+    pub(crate) fn new(base: Base, start: f64, direction: f64, span: f64) -> Self {
         Self { base, start, direction, span }
     }
 
-    pub(super) fn base(&self) -> &Base {
+    pub(crate) fn base(&self) -> &Base {
         &self.base
     }
 
-    pub(super) fn into_base(self) -> Base {
+    pub(crate) fn into_base(self) -> Base {
         self.base
     }
 
@@ -72,22 +72,22 @@ impl Path {
         Ok(self.by_length(seamwright_geometry::DEFAULT_ACCURACY_MM)?.length())
     }
 
-    pub(super) fn by_length(&self, accuracy_mm: f64) -> Result<ByLength<Self>, Error> {
+    pub(crate) fn by_length(&self, accuracy_mm: f64) -> Result<ByLength<Self>, Error> {
         Ok(ByLength::new(self.clone(), accuracy_mm)?)
     }
 
     /// Angle after `travelled` rad.
-    pub(super) fn angle(&self, travelled: f64) -> f64 {
+    pub(crate) fn angle(&self, travelled: f64) -> f64 {
         self.start + self.direction * travelled
     }
 
     /// Point and derivatives by the angle at angle `u`.
-    pub(super) fn jet_at(&self, u: f64) -> Jet {
+    pub(crate) fn jet_at(&self, u: f64) -> Jet {
         self.curve().jet(u)
     }
 
     /// Semi-axes of the path seen along z, mm.
-    pub(super) fn plan_axes(&self) -> (f64, f64) {
+    pub(crate) fn plan_axes(&self) -> (f64, f64) {
         match self.base {
             Base::Ellipse { a, b, .. } => (a, b),
             Base::Saddle { nozzle, .. } => (nozzle, nozzle),
@@ -95,7 +95,7 @@ impl Path {
     }
 
     /// Maximum coordinate of the path, mm.
-    pub(super) fn size(&self) -> f64 {
+    pub(crate) fn size(&self) -> f64 {
         match self.base {
             Base::Ellipse { a, b, .. } => a.max(b),
             Base::Saddle { shell, .. } => shell,

@@ -15,7 +15,7 @@ pub enum Method {
     /// Every point is on the curve to the rounding of its coordinates, at any speed error.
     EccentricAngle(AngleRule),
     /// Point-by-point comparison: one pulse of one axis a clock, by the sign of the deviation function. The classical
-    /// rule that ELLIPSE-2015 compares with; see [`Request::pulse_mm`](super::Request::pulse_mm).
+    /// rule that ELLIPSE-2015 compares with; see [`Request::pulse_mm`](crate::Request::pulse_mm).
     PointByPoint,
     /// Comparison-integral: the faster axis pulses every clock, another axis pulses in the same clock if its integral
     /// has fallen half a pulse behind. The other method that ELLIPSE-2015 compares with.

@@ -1,10 +1,12 @@
-//! Textbook interpolators, for comparison with the exact one.
+//! Interpolators of papers and textbooks, for comparison with the exact one.
 //!
 //! A [`Request`] names a [`Shape`] (ellipse or saddle), a [`Method`], speed, period and pulse. [`Request::interpolate`]
 //! gives its points one by one, [`Request::statistics`] their statistics. Lengths are mm, angles rad, times s.
 //!
 //! Sources: ELLIPSE-2015 (Li, Zhao, Huang: ellipse interpolation by the change of the eccentric angle, and the methods
 //! it is compared with), SADDLE-2020 (Li, Guo, Sun: direct interpolation of the saddle), INTERSECT-2006 (equal angles).
+
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod comparison_integral;
 mod course;
