@@ -97,9 +97,9 @@ impl JointPath {
         let length = follower.path.length();
         let mut built = Self::empty(axes, length);
         built.bends = follower.bends();
-        built.stops = follower.path.stops();
-        built.timed = follower.path.is_timed();
-        built.line = follower.path.swing(0.0).map(|_| Vec::new());
+        built.stops = follower.path.points().map_or(Vec::new(), |points| points.stops());
+        built.timed = follower.path.points().is_some();
+        built.line = follower.path.weave().map(|_| Vec::new());
         let mut near = *start;
         let mut todo: Vec<(f64, f64)> = Vec::new();
         let mut edges = vec![from];

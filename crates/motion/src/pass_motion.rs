@@ -304,7 +304,7 @@ pub(crate) fn along_axes(
 ) -> Result<(FreeAxes, Survey), Vec<Finding>> {
     let (_, fastest) = pass.speeds();
     // Redundant axes do not weave.
-    let line = path.slower(0.0);
+    let line = path.weave().map(|weave| weave.slower(0.0));
     let line = line.as_deref().unwrap_or(path);
     let aim = Aim {
         speed: fastest / least_rate(line),

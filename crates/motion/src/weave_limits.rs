@@ -96,7 +96,7 @@ impl<'a> Woven<'a> {
         if to - from <= 0.1 * length {
             return None;
         }
-        let line = follower.path.slower(0.0)?;
+        let line = follower.path.weave()?.slower(0.0);
         let line = Follower { path: &*line, ..follower };
         let mut windows = Vec::with_capacity(WINDOWS);
         let (mut q, mut here) = (*start, 0.0);
@@ -199,7 +199,7 @@ impl<'a> Woven<'a> {
 
     /// Maximum use of a limit in each window with a weave `factor` times as fast; none if the axes cannot follow.
     fn used(&self, factor: f64) -> Option<Vec<Used>> {
-        let slower = self.follower.path.slower(factor)?;
+        let slower = self.follower.path.weave()?.slower(factor);
         let follower = Follower { path: &*slower, ..self.follower };
         let used = |window: &Window| {
             let goes_on = self.spend(WINDOW_WORK);
@@ -243,7 +243,8 @@ impl<'a> Woven<'a> {
     }
 
     fn plans(&self, factor: f64) -> bool {
-        let Some(slower) = self.follower.path.slower(factor) else { return false };
+        let Some(weave) = self.follower.path.weave() else { return false };
+        let slower = weave.slower(factor);
         let follower = Follower { path: &*slower, ..self.follower };
         let Ok(joints) = JointPath::new(follower, self.start) else { return false };
         let channels = PassChannels::new(follower.machine, &joints, self.pass, 1.0);

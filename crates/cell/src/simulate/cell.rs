@@ -44,7 +44,7 @@ impl<'a> SimulatedCell<'a> {
         let whole = Whole::of(&passes);
         let scene = |(pass, planned): (&(&'a dyn TorchPath, &'a Pass), &seamwright_motion::PassMotion)| {
             let (path, pass) = *pass;
-            let has = hidden && planned.arc && !path.is_timed();
+            let has = hidden && planned.arc && path.points().is_none();
             has.then(|| PassScene::new(path, pass, conditions.distortion, whole))
         };
         let scenes = passes.iter().zip(&motion.passes).map(scene).collect();

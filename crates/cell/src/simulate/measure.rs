@@ -13,7 +13,7 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
     // In blends the planned path differs from the seam, on which the nearest point would jump at the corner.
     let s = match planned.path.blends().is_empty() {
         // The tip may stop or turn back while the axes move on: their positions define the point.
-        _ if path.is_timed() => planned.path.foot(machine, &sample.q, sample.set.profile.s),
+        _ if path.points().is_some() => planned.path.foot(machine, &sample.q, sample.set.profile.s),
         true => path.foot(tip.point, sample.set.profile.s, whole),
         false => planned.tip_path(machine).foot(tip.point, sample.set.profile.s, whole),
     };
@@ -21,7 +21,7 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
     let along = path.line(s).1;
     let woven = planned.path.is_woven();
     let errors = |tip: &Pose, pose: &dyn Fn(f64) -> Pose| match foot_in_blend(&planned.path, pose, tip.point, s) {
-        _ if path.is_timed() => (tip.point.distance(pose(s).point), angle(tip, &pose(s))),
+        _ if path.points().is_some() => (tip.point.distance(pose(s).point), angle(tip, &pose(s))),
         Some(foot) => (tip.point.distance(pose(foot).point), angle(tip, &pose(foot))),
         None if woven => {
             let foot = nearest(|s| pose(s).point, tip.point, sample.set.profile.s, path.length());

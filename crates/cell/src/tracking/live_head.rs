@@ -338,7 +338,7 @@ impl<'a> LiveHead<'a> {
 
 /// Offset of the torch from its line at `s` by the weave: along, lateral, height.
 pub(super) fn swing_at(path: &dyn TorchPath, s: f64, frame: &SeamFrame) -> DVec3 {
-    seen_in(path.swing(s.clamp(0.0, path.length())).unwrap_or_default(), frame)
+    seen_in(path.weave().map_or(DVec3::ZERO, |weave| weave.swing(s.clamp(0.0, path.length()))), frame)
 }
 
 /// Along, lateral and height components of a displacement.

@@ -68,7 +68,8 @@ pub fn check(
         return Err(Error::NoReplay { machine: machine.name.clone() });
     }
     let whole = Whole::of(passes);
-    let hidden = passes.iter().zip(&motion.passes).filter(|((path, _), planned)| planned.arc && !path.is_timed());
+    let hidden =
+        passes.iter().zip(&motion.passes).filter(|((path, _), planned)| planned.arc && path.points().is_none());
     for (&(path, pass), planned) in hidden {
         let scene = PassScene::new(path, pass, None, whole);
         scene.truths(machine, planned, 0)?;

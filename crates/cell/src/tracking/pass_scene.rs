@@ -148,7 +148,7 @@ impl<'a> PassScene<'a> {
     /// Checks that the torch follows the seam's line or swings about it: without blends, and without weaving by two
     /// torches or a beam.
     fn check_plain(&self, machine: &Machine, planned: &PassMotion) -> Result<(), Error> {
-        let what = if self.path.swing(0.0).is_some() && (self.seams.len() > 1 || machine.deflection.is_some()) {
+        let what = if self.path.weave().is_some() && (self.seams.len() > 1 || machine.deflection.is_some()) {
             if self.seams.len() > 1 { OffLine::TwoTorches } else { OffLine::Beam }
         } else if !planned.path.blends().is_empty() {
             OffLine::Blends

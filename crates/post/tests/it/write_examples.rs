@@ -8,7 +8,7 @@ use seamwright_post::{
     Control, Dialect, Event, Feed, Interpolation, Level, Options, PartProgram, Path, ReadOptions, What, WriteOptions,
     read, verify, write,
 };
-use seamwright_program::{PathRange, TorchPath};
+use seamwright_program::PathRange;
 
 const TOLERANCE: f64 = 0.01;
 
