@@ -27,6 +27,7 @@
 
 mod assemble;
 mod axis;
+mod axis_limits;
 mod cell;
 mod chain;
 pub mod check;
@@ -49,6 +50,7 @@ mod tip_motion;
 pub use axis::{
     Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, RangeViolation, Transmission,
 };
+pub use axis_limits::AxisLimits;
 pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use collision_monitor::CollisionMonitor;
@@ -71,4 +73,3 @@ pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
 pub use stepper::{PulseTicks, Stepper, StepperMotor};
 pub use surroundings::{Course, Surroundings};
-pub use tip_motion::TipLimits;

@@ -3,8 +3,8 @@ use crate::inverse::{self, Branches, Inverse, PairFault, Solution, Unreachable, 
 use crate::pair::Pair;
 use crate::surroundings::PITCH;
 use crate::{
-    Axis, AxisKind, AxisSet, ControlsFile, Head, InterlockFile, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES,
-    MachineDevices, MachineFile, RangeViolation, Sensor, Source, TipLimits, assemble,
+    Axis, AxisKind, AxisLimits, AxisSet, ControlsFile, Head, InterlockFile, Io, Joints, LinkFrames, LinkSolids, Links,
+    MAX_AXES, MachineDevices, MachineFile, RangeViolation, Sensor, Source, assemble,
 };
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
@@ -49,7 +49,7 @@ pub struct Machine {
     /// Sensors of the joint, by name.
     pub sensors: Vec<Sensor>,
     /// Limits of the first head's torch tip against the work.
-    pub tip: TipLimits,
+    pub tip: AxisLimits,
     /// Beam deflection of a machine whose torch is a beam.
     pub deflection: Option<BeamDeflection>,
     /// Unit vector against gravity in the machine's base frame.

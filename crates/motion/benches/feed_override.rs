@@ -11,7 +11,7 @@ use override_profile::orders::sequence;
 use override_profile::{Case, Uniform};
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
-use seamwright_motion::feed_override::{Command, FeedOverride, Limits, Order, Run, RunPhase};
+use seamwright_motion::feed_override::{Command, FeedOverride, Order, Run, RunPhase, channel_limits};
 use seamwright_program::AtHold;
 use seamwright_weld::Welding;
 use std::hint::black_box;
@@ -56,7 +56,7 @@ fn runs(c: &mut Criterion) {
     let program = &welding.program.value;
     let machine = Machine::read("m", shipped(&program.machine).unwrap().text).unwrap();
     let motion = PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).unwrap();
-    let (profile, limits) = (motion.timed(&machine), Limits::of(&machine));
+    let (profile, limits) = (motion.timed(&machine), channel_limits(&machine));
     let fresh = || {
         let mut run = Run::new(FeedOverride::new(&limits, 1e-3, &profile).unwrap(), sequence(AtHold::Crater), &[]);
         run.order(Order::Resume).unwrap();

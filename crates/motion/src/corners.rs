@@ -9,12 +9,12 @@
 use crate::JointPath;
 use crate::follower::Follower;
 use crate::pass_channels::PassChannels;
-use crate::speed_profile::{Channels, Limits};
+use crate::speed_profile::Channels;
 use crate::stretch::Stretch;
 use crate::taught::Piece;
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_machine::Joints;
+use seamwright_machine::{AxisLimits, Joints};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{AtCorner, Finding, Pass, PathRange};
 
@@ -215,7 +215,7 @@ impl Corner<'_> {
                 let b1 = -2.0 * b * mixed / square;
                 [b, b1, 2.0 * b * (4.0 * mixed * mixed / square - r2.length_squared() - r1.dot(r3)) / square]
             };
-            let within = |([q1, q2, q3], l): (&[f64; 3], &Limits)| {
+            let within = |([q1, q2, q3], l): (&[f64; 3], &AxisLimits)| {
                 let speed = q1.abs() * b.sqrt() / l.speed;
                 let acceleration = (q2 * b + 0.5 * q1 * b1).abs() / l.acceleration;
                 let jerk = b.sqrt() * (q3 * b + 1.5 * q2 * b1 + 0.5 * q1 * b2).abs() / l.jerk;

@@ -5,7 +5,7 @@ use crate::pass_channels::PassChannels;
 use crate::planned::{Band, Planned};
 use crate::speed_profile::{Bound, Certificate, Interval, Leg, SpeedProfile};
 use crate::stretch::Stretch;
-use seamwright_machine::{AxisKind, Machine, TipLimits};
+use seamwright_machine::{AxisKind, AxisLimits, Machine};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass, PathRange};
 
@@ -44,17 +44,15 @@ impl Binding {
             Bound::Acceleration(i) => (i, LimitKind::Acceleration),
             Bound::Jerk(i) => (i, LimitKind::Jerk),
         };
-        let of = |speed: f64, acceleration: f64, jerk: f64| match kind {
-            LimitKind::Speed => speed,
-            LimitKind::Acceleration => acceleration,
-            LimitKind::Jerk => jerk,
+        let of = |limits: AxisLimits| match kind {
+            LimitKind::Speed => limits.speed,
+            LimitKind::Acceleration => limits.acceleration,
+            LimitKind::Jerk => limits.jerk,
         };
         let Some(axis) = machine.axes.get(channel) else {
-            let TipLimits { speed, acceleration, jerk } = machine.tip;
-            let (value, unit) = (of(speed, acceleration, jerk), kind.unit(AxisKind::Linear));
-            return Some(Self { axis: None, kind, value, unit });
+            return Some(Self { axis: None, kind, value: of(machine.tip), unit: kind.unit(AxisKind::Linear) });
         };
-        let value = plain(axis.to_file(of(axis.max_speed, axis.max_acceleration, axis.jerk())));
+        let value = plain(axis.to_file(of(axis.limits())));
         Some(Self { axis: Some(axis.name.clone()), kind, value, unit: kind.unit(axis.kind) })
     }
 

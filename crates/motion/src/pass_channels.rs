@@ -1,8 +1,8 @@
 use crate::JointPath;
-use crate::speed_profile::{Bend, Channels, Limits};
-use crate::tip_channels::TipChannels;
+use crate::speed_profile::{Bend, Channels};
+use crate::tip_channels::{ChannelLimits, TipChannels, channel_limits};
 use glam::DVec3;
-use seamwright_machine::{Joints, Machine};
+use seamwright_machine::{AxisLimits, Joints, Machine};
 use seamwright_program::{Pass, Span};
 
 /// Maximum jump of an axis' acceleration between two panels of a path, as a fraction of its limit; a larger one is a
@@ -24,7 +24,7 @@ pub(crate) struct PassChannels<'a> {
     pass: &'a Pass,
     /// Factor of the pass' requested speeds.
     times: f64,
-    limits: Vec<Limits>,
+    limits: ChannelLimits,
     /// Ends of all spans but the last, each exactly at one of the breaks.
     borders: Vec<f64>,
     breaks: Vec<f64>,
@@ -34,7 +34,7 @@ pub(crate) struct PassChannels<'a> {
 
 impl<'a> PassChannels<'a> {
     pub(crate) fn new(machine: &'a Machine, path: &'a JointPath, pass: &'a Pass, times: f64) -> Self {
-        let limits: Vec<Limits> = machine.axes.iter().map(limits).chain(TipChannels::limits(machine)).collect();
+        let limits = channel_limits(machine);
         let length = path.length();
         let mut breaks = path.edges();
         let last = pass.spans.len().saturating_sub(1);
@@ -87,7 +87,7 @@ impl<'a> PassChannels<'a> {
         let axes = &self.limits[..self.machine.axes.len()];
         let held = axes.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
         let speed = held.fold(self.asked(s) / self.path.speed_rate(self.machine, s), f64::min);
-        let jumps = |(i, limits): (usize, &Limits)| {
+        let jumps = |(i, limits): (usize, &AxisLimits)| {
             let jump = ((after.d1[i] - before.d1[i]).abs(), (after.d2[i] - before.d2[i]).abs());
             // A jump of the speed counts as an acceleration over one ms.
             (jump.0 * speed * 1e3).max(jump.1 * speed * speed) > JUMP * limits.acceleration
@@ -96,17 +96,12 @@ impl<'a> PassChannels<'a> {
     }
 }
 
-/// An axis' limits.
-pub(crate) fn limits(axis: &seamwright_machine::Axis) -> Limits {
-    Limits { speed: axis.max_speed, acceleration: axis.max_acceleration, jerk: axis.jerk() }
-}
-
 impl Channels for PassChannels<'_> {
     fn range(&self) -> (f64, f64) {
         (0.0, self.path.length())
     }
 
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         &self.limits
     }
 

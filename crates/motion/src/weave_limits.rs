@@ -10,9 +10,9 @@ use crate::follower::Follower;
 use crate::limits::{Binding, keeps_speed};
 use crate::pass_channels::PassChannels;
 use crate::planned::Planned;
-use crate::speed_profile::{Bound, Certificate, Channels, Limits, SpeedProfile};
+use crate::speed_profile::{Bound, Certificate, Channels, SpeedProfile};
 use crate::stretch::Stretch;
-use seamwright_machine::Joints;
+use seamwright_machine::{AxisLimits, Joints};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass};
 use std::cell::Cell;
@@ -262,7 +262,7 @@ impl<'a> Woven<'a> {
 }
 
 /// The greater use of a limit: `most`, or that of channels with the derivatives `rows` at a station.
-fn greater(most: Used, station: Station, rows: &[[f64; 3]], limits: &[Limits]) -> Used {
+fn greater(most: Used, station: Station, rows: &[[f64; 3]], limits: &[AxisLimits]) -> Used {
     let Station { at, speed } = station;
     rows.iter().zip(limits).enumerate().fold(most, |most, (i, ([q1, q2, q3], limits))| {
         let uses = [

@@ -33,7 +33,6 @@ fn jog_steps_do_not_allocate() {
                 jog.command(&Command::Rest).ok();
             }
             black_box(jog.step(&signals));
-            black_box(jog.tip_stopping_distance());
         }
     });
     assert_eq!(violation_count(), 0);

@@ -2,7 +2,7 @@ use super::VALUES;
 use super::alarm_list::Place;
 use super::jogging::hand;
 use seamwright_machine::{AxisSet, Joints, Machine, Surroundings};
-use seamwright_motion::feed_override::{Limits, PassTimed};
+use seamwright_motion::feed_override::{ChannelLimits, PassTimed, channel_limits};
 use seamwright_motion::jog::Jog;
 use seamwright_motion::transfer::{Blocked, TransferMove, route};
 use seamwright_motion::{PassMotion, WeldMotion};
@@ -66,7 +66,7 @@ pub struct Work<'a> {
     pub(super) hand: RefCell<Option<Jog<'a>>>,
     pub(super) passes: Vec<PassWork<'a>>,
     pub(super) air: &'a [TransferMove],
-    pub(super) limits: Limits,
+    pub(super) limits: ChannelLimits,
     pub(super) start: Start,
     values: Vec<String>,
 }
@@ -93,7 +93,7 @@ impl<'a> Work<'a> {
         let works = passes.iter().zip(&motion.passes);
         let passes = works.map(|(pass, planned)| PassWork { pass, timed: planned.timed(machine), planned }).collect();
         let hand = hand(machine, around);
-        Ok(Self { hand, passes, air: &motion.transfers, limits: Limits::of(machine), start, values })
+        Ok(Self { hand, passes, air: &motion.transfers, limits: channel_limits(machine), start, values })
     }
 
     /// Creates an empty program; jogging avoids collisions with `around`.
@@ -103,7 +103,7 @@ impl<'a> Work<'a> {
             pass: 0,
             welded_mm: 0.0,
         };
-        let limits = Limits::of(machine);
+        let limits = channel_limits(machine);
         let hand = hand(machine, Some(around));
         Self { hand, passes: Vec::new(), air: &[], limits, start, values: Vec::new() }
     }

@@ -15,7 +15,7 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{AxisSet, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Pass, TorchPath};
-use seamwright_tracking::actuator::{DeflectionLimits, HeadTracking};
+use seamwright_tracking::actuator::HeadTracking;
 use seamwright_tracking::beam::{BeamReplay, BeamTracking, DeviationRecord, Replay};
 use seamwright_tracking::lead::OwnCurve;
 
@@ -192,9 +192,7 @@ impl<'a> PassScene<'a> {
             }
             PassSensors::Beam(eye) => {
                 let settings = eye.settings(cycle_s, self.pass);
-                let beam = eye.beam;
-                let deflection =
-                    DeflectionLimits { range_mm: beam.range_mm, slew: beam.speed, latency_s: beam.latency_s };
+                let deflection = eye.beam;
                 let head = match stored {
                     Some(stored) => {
                         let stored = self.along(seam).of_pass(stored);

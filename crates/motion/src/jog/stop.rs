@@ -1,6 +1,6 @@
+use super::State;
 use super::ramp::Ramp;
-use super::{AxisLimits, State};
-use seamwright_machine::{Course, Joints, MAX_AXES};
+use seamwright_machine::{AxisLimits, Course, Joints, MAX_AXES};
 
 /// Stop of every axis by its own fastest jerk-limited motion.
 #[derive(Debug, Clone, Copy, PartialEq)]

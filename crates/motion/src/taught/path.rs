@@ -1,10 +1,9 @@
 use super::spline::{Piece, slopes};
 use super::thin::{Kept, SAME, Taught, Thinned, Tolerance};
-use crate::pass_channels::limits;
-use crate::speed_profile::{Channels, Feed, Limits};
+use crate::speed_profile::{Channels, Feed};
 use crate::stretch::Stretch;
-use crate::tip_channels::TipChannels;
-use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
+use crate::tip_channels::{ChannelLimits, TipChannels, channel_limits};
+use seamwright_machine::{AxisKind, AxisLimits, Joints, MAX_AXES, Machine};
 use std::collections::VecDeque;
 
 /// Motion at a corner of the taught points.
@@ -26,7 +25,7 @@ pub enum Corner {
 pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
     machine: &'a Machine,
     /// Limits of the axes, then of the tip if it has any.
-    limits: Vec<Limits>,
+    limits: ChannelLimits,
     speed: f64,
     corner: Corner,
     points: std::iter::Peekable<Thinned<Tips<'a, I>>>,
@@ -66,7 +65,7 @@ impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
         let tolerance = Tolerance { tip: tolerance, axes: std::array::from_fn(near) };
         Self {
             machine,
-            limits: machine.axes.iter().map(limits).chain(TipChannels::limits(machine)).collect(),
+            limits: channel_limits(machine),
             speed,
             corner,
             points: Thinned::new(tips, tolerance).peekable(),
@@ -325,7 +324,7 @@ impl<I: Iterator<Item = Joints>> Channels for TaughtPath<'_, I> {
         (self.pieces.front().map_or(0.0, |p| p.from), self.pieces.back().map_or(0.0, |p| p.to))
     }
 
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         &self.limits
     }
 

@@ -2,9 +2,10 @@ use super::beam_authority::{BeamAuthority, SOON_S};
 use super::picture::{Course, located};
 use super::tracking::{Faults, judge};
 use super::{Allowed, Beam, DeviationRecord, Error, Orders, Picture, Row, Schedule};
-use crate::actuator::{Alarm, DeflectionLimits, Following, SlideLimits};
+use crate::actuator::{Alarm, Following, SlideLimits};
 use crate::lead::{Estimate, History, Moment, Sight};
 use arrayvec::ArrayVec;
+use seamwright_machine::BeamDeflection;
 use seamwright_message::{Message, Unit, display_by_message};
 
 /// Stored deviation applied to another pass over the same seam.
@@ -166,7 +167,7 @@ impl<'a> BeamReplay<'a> {
         settings: ReplaySettings,
         replay: Replay,
         seam: Course<'a>,
-        deflection: DeflectionLimits,
+        deflection: BeamDeflection,
         axes: SlideLimits,
     ) -> Result<Self, Error> {
         let ReplaySettings { most_mm, oldest_s, cycle_s, .. } = settings;
