@@ -1,5 +1,4 @@
 use crate::course::Course;
-use crate::grid::Grid;
 
 /// Comparison-integral: the faster axis makes a pulse every clock, the others follow in the same clock.
 ///
@@ -19,65 +18,39 @@ use crate::grid::Grid;
 /// some pulses the distance is less than 1.
 ///
 /// Saddle: x and y as above on their circle; z by a third comparison against the faster axis, see
-/// [`Grid::height_pulse`], in the same clock. z also moves by at most one pulse for one of the faster axis and is exact
+/// `Grid::height_pulse`, in the same clock. z also moves by at most one pulse for one of the faster axis and is exact
 /// within half a pulse: at most 0.71 pulse in space.
 ///
 /// Weakness: along a diagonal both axes move, so that the speed along the seam rises to 1.41 of the clock's.
-pub(crate) struct ComparisonIntegral {
-    course: Course,
-    clock: u64,
-    started: bool,
-}
-
-impl ComparisonIntegral {
-    pub(crate) fn new(grid: Grid) -> Self {
-        Self { course: Course::new(grid), clock: 0, started: false }
+pub(crate) fn pulse(course: &Course) -> Option<[i64; 3]> {
+    let at = course.at();
+    let (open_x, open_y) = course.open();
+    let (sx, sy) = course.signs();
+    let grid = &course.grid;
+    let x_first = match (open_x, open_y) {
+        (false, false) => return course.closing_pulse(),
+        (true, true) => grid.x_is_faster(at),
+        (x, _) => x,
+    };
+    let [x, y, z] = at;
+    let x_lags = |y: i64| lags(grid.deviation_at_half_pulses(2 * x + sx, 2 * y), 2 * x + sx, sx);
+    let y_lags = |x: i64| lags(grid.deviation_at_half_pulses(2 * x, 2 * y + sy), 2 * y + sy, sy);
+    let pulse = |lags: bool, sign: i64| if lags { sign } else { 0 };
+    // An axis half a pulse behind catches up before the faster axis continues.
+    let behind = if x_first { [0, pulse(open_y && y_lags(x), sy)] } else { [pulse(open_x && x_lags(y), sx), 0] };
+    let height = grid.height_pulse([x + behind[0], y + behind[1], z]);
+    if behind != [0, 0] || height != 0 {
+        return Some([behind[0], behind[1], height]);
     }
-
-    fn pulse(&self) -> Option<[i64; 3]> {
-        let at = self.course.at();
-        let (open_x, open_y) = self.course.open();
-        let (sx, sy) = self.course.signs();
-        let grid = &self.course.grid;
-        let x_first = match (open_x, open_y) {
-            (false, false) => return self.course.closing_pulse(),
-            (true, true) => grid.x_is_faster(at),
-            (x, _) => x,
-        };
-        let [x, y, z] = at;
-        let x_lags = |y: i64| lags(grid.deviation_at_half_pulses(2 * x + sx, 2 * y), 2 * x + sx, sx);
-        let y_lags = |x: i64| lags(grid.deviation_at_half_pulses(2 * x, 2 * y + sy), 2 * y + sy, sy);
-        let pulse = |lags: bool, sign: i64| if lags { sign } else { 0 };
-        // An axis half a pulse behind catches up before the faster axis continues.
-        let behind = if x_first { [0, pulse(open_y && y_lags(x), sy)] } else { [pulse(open_x && x_lags(y), sx), 0] };
-        let height = grid.height_pulse([x + behind[0], y + behind[1], z]);
-        if behind != [0, 0] || height != 0 {
-            return Some([behind[0], behind[1], height]);
-        }
-        let (px, py) =
-            if x_first { (sx, pulse(open_y && y_lags(x + sx), sy)) } else { (pulse(open_x && x_lags(y + sy), sx), sy) };
-        Some([px, py, grid.height_pulse([x + px, y + py, z])])
-    }
+    let (px, py) =
+        if x_first { (sx, pulse(open_y && y_lags(x + sx), sy)) } else { (pulse(open_x && x_lags(y + sy), sx), sy) };
+    Some([px, py, grid.height_pulse([x + px, y + py, z])])
 }
 
 /// True if the slower axis, half a pulse ahead of its position in the direction `sign`, is still behind the ellipse.
 fn lags(deviation: i128, half_pulses: i64, sign: i64) -> bool {
     let outwards = half_pulses * sign > 0;
     if outwards { deviation < 0 } else { deviation > 0 }
-}
-
-impl Iterator for ComparisonIntegral {
-    type Item = (u64, [i64; 3]);
-
-    fn next(&mut self) -> Option<Self::Item> {
-        if !self.started {
-            self.started = true;
-            return Some((0, self.course.at()));
-        }
-        let pulse = self.pulse()?;
-        self.clock += 1;
-        Some((self.clock, self.course.pulse(pulse)))
-    }
 }
 
 #[cfg(test)]

@@ -12,6 +12,17 @@ pub(crate) struct Course {
     left: u32,
 }
 
+/// The lattice points of the walk over `grid`, each with its clock; `rule` gives the next pulse, none at the end.
+pub(crate) fn walk(
+    grid: Grid,
+    rule: fn(&Course) -> Option<[i64; 3]>,
+) -> impl Iterator<Item = (u64, [i64; 3])> + Send + 'static {
+    let mut course = Course::new(grid);
+    let start = (0, course.at());
+    let pulses = (1..).map_while(move |clock| rule(&course).map(|pulse| (clock, course.pulse(pulse))));
+    std::iter::once(start).chain(pulses)
+}
+
 impl Course {
     pub(crate) fn new(grid: Grid) -> Self {
         Self { at: grid.start, quadrant: leaving(grid.start), left: grid.crossings, grid }

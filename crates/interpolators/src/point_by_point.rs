@@ -1,5 +1,4 @@
 use crate::course::Course;
-use crate::grid::Grid;
 
 /// Point-by-point comparison: every clock one axis makes one pulse.
 ///
@@ -10,57 +9,31 @@ use crate::grid::Grid;
 /// Guarantee: a pulse either stays on its side of the ellipse and comes nearer to it, or crosses it and ends less than
 /// a pulse from the crossing. So after the start every point is less than one pulse from the ellipse.
 ///
-/// Saddle: x and y as above on their circle; z by a third comparison, see [`Grid::height_pulse`], whose pulses come
+/// Saddle: x and y as above on their circle; z by a third comparison, see `Grid::height_pulse`, whose pulses come
 /// first. After its own clocks z is exact within half a pulse; after a pulse of x or y it lags by at most one more. In
 /// space every point is less than two pulses from the saddle (measured: 1.26).
 ///
 /// Weakness: pulses along one axis at a time, so that along a diagonal the torch makes 1.41 pulses per pulse of path
 /// length: the speed along the seam falls to 0.71 of the clock's (lower while z moves).
-pub(crate) struct PointByPoint {
-    course: Course,
-    clock: u64,
-    started: bool,
-}
-
-impl PointByPoint {
-    pub(crate) fn new(grid: Grid) -> Self {
-        Self { course: Course::new(grid), clock: 0, started: false }
+pub(crate) fn pulse(course: &Course) -> Option<[i64; 3]> {
+    let at = course.at();
+    let open = course.open();
+    if open == (false, false) {
+        return course.closing_pulse();
     }
-
-    fn pulse(&self) -> Option<[i64; 3]> {
-        let at = self.course.at();
-        let open = self.course.open();
-        if open == (false, false) {
-            return self.course.closing_pulse();
-        }
-        let height = self.course.grid.height_pulse(at);
-        if height != 0 {
-            return Some([0, 0, height]);
-        }
-        let (sx, sy) = self.course.signs();
-        let outside = self.course.grid.deviation(at) >= 0;
-        // In quadrants 0 and 2 of counter-clockwise motion x comes nearer to the centre and y goes away from it.
-        let x_goes_inwards = sx != sy;
-        let x = match open {
-            (true, true) => outside == x_goes_inwards,
-            (x, _) => x,
-        };
-        Some(if x { [sx, 0, 0] } else { [0, sy, 0] })
+    let height = course.grid.height_pulse(at);
+    if height != 0 {
+        return Some([0, 0, height]);
     }
-}
-
-impl Iterator for PointByPoint {
-    type Item = (u64, [i64; 3]);
-
-    fn next(&mut self) -> Option<Self::Item> {
-        if !self.started {
-            self.started = true;
-            return Some((0, self.course.at()));
-        }
-        let pulse = self.pulse()?;
-        self.clock += 1;
-        Some((self.clock, self.course.pulse(pulse)))
-    }
+    let (sx, sy) = course.signs();
+    let outside = course.grid.deviation(at) >= 0;
+    // In quadrants 0 and 2 of counter-clockwise motion x comes nearer to the centre and y goes away from it.
+    let x_goes_inwards = sx != sy;
+    let x = match open {
+        (true, true) => outside == x_goes_inwards,
+        (x, _) => x,
+    };
+    Some(if x { [sx, 0, 0] } else { [0, sy, 0] })
 }
 
 #[cfg(test)]

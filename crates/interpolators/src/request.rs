@@ -1,4 +1,4 @@
-use crate::comparison_integral::ComparisonIntegral;
+use crate::course::{Course, walk};
 use crate::dda::Dda;
 use crate::eccentric_angle::EccentricAngle;
 use crate::error::{Error, RequestValue, positive};
@@ -7,10 +7,10 @@ use crate::grid::Grid;
 use crate::interpolation::Interpolation;
 use crate::method::{EqualStep, Method};
 use crate::path::Path;
-use crate::point_by_point::PointByPoint;
 use crate::pulse_points::PulsePoints;
 use crate::shape::Shape;
 use crate::statistics::{Statistics, Tally};
+use crate::{comparison_integral, point_by_point};
 use std::f64::consts::TAU;
 
 /// Maximum number of steps or pulses of a request.
@@ -68,8 +68,10 @@ impl Request {
             Method::EccentricAngle(rule) => {
                 Interpolation::new(path.clone(), EccentricAngle::new(path, rule, step, period))
             }
-            Method::PointByPoint => self.pulses(path, self.pulse_mm / self.speed_mm_s, PointByPoint::new),
-            Method::ComparisonIntegral => self.pulses(path, self.pulse_mm / self.speed_mm_s, ComparisonIntegral::new),
+            Method::PointByPoint => self.pulses(path, self.pulse_mm / self.speed_mm_s, point_by_point::pulse),
+            Method::ComparisonIntegral => {
+                self.pulses(path, self.pulse_mm / self.speed_mm_s, comparison_integral::pulse)
+            }
             Method::Dda => {
                 let dda = Dda::new(&path, self.pulse_mm);
                 let clock_s = length / self.speed_mm_s / dda.clocks() as f64;
@@ -78,12 +80,9 @@ impl Request {
         })
     }
 
-    fn pulses<I>(&self, path: Path, clock_s: f64, rule: impl Fn(Grid) -> I) -> Interpolation
-    where
-        I: Iterator<Item = (u64, [i64; 3])> + Send + 'static,
-    {
+    fn pulses(&self, path: Path, clock_s: f64, rule: fn(&Course) -> Option<[i64; 3]>) -> Interpolation {
         let grid = Grid::new(&path, self.pulse_mm);
-        Interpolation::new(path.clone(), PulsePoints::new(path, grid.clone(), clock_s, rule(grid)))
+        Interpolation::new(path.clone(), PulsePoints::new(path, grid.clone(), clock_s, walk(grid, rule)))
     }
 
     /// An empty tally for this request; add every point of [`Request::interpolate`] to it in turn.
