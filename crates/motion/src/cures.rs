@@ -6,7 +6,6 @@
 
 use crate::effort::SearchStage;
 use crate::follower::Follower;
-use crate::limit_kind::position_unit;
 use crate::pass_clearance::pass_clearance;
 use crate::pass_motion::{Before, along_axes};
 use crate::redundancy::holding;
@@ -337,7 +336,7 @@ fn both_ends(machine: &Machine, lacks: &[Lack]) -> Option<Message> {
         let axis = &machine.axes[low.axis];
         let (from, to) = axis.range?;
         let needed = axis.to_file(to - from + high.by - low.by);
-        let unit = position_unit(axis.kind);
+        let unit = axis.position_unit();
         let message = Message::new("motion-cure-range-none-stroke")
             .axis("axis", axis.name.as_str())
             .quantity("needed", needed, unit, 3)

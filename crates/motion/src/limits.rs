@@ -182,7 +182,7 @@ fn speed_finding(planned: Planned, run: &SlowRun, pass: &Pass, number: usize, ke
         (None, _) => Message::new("motion-cure-longer-change"),
         (Some(_), keepable) => slower_cure(keepable, planned.joints.in_blend(*at)),
     };
-    Finding { kind: "speed", message, pass: number, from_mm: *from, to_mm: *to, cure: Some(cure), allowed: false }
+    Finding::error("speed", message, number, Stretch { from: *from, to: *to }, cure)
 }
 
 /// Operator action at a limit: a lower speed, if one helps, or to slow down at the limit; in a blend also a wider one.
@@ -268,13 +268,13 @@ pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pas
         let message = Message::new(if several { "motion-too-short-between-stops" } else { "motion-too-short" })
             .quantity("reached", reached, Unit::MmPerS, 3)
             .quantity("asked", asked, Unit::MmPerS, 3);
-        let (from_mm, to_mm) = (leg.from, if several { leg.to } else { leg.run_up_end });
+        let range = PathRange { from_mm: leg.from, to_mm: if several { leg.to } else { leg.run_up_end } };
         if on_limit == OnLimit::Slow {
-            return Some(Finding::note("speed", message, pass, PathRange { from_mm, to_mm }));
+            return Some(Finding::note("speed", message, pass, range));
         }
         let speed = (reached * 1e3).floor() * 1e-3;
         let cure = Message::new("motion-cure-speed-at-most").quantity("speed", speed, Unit::MmPerS, 3);
-        Some(Finding { kind: "speed", message, pass, from_mm, to_mm, cure: Some(cure), allowed: false })
+        Some(Finding::error("speed", message, pass, range, cure))
     };
     planned.legs.iter().filter_map(finding).collect()
 }
@@ -293,6 +293,12 @@ pub(crate) struct Run {
     pub(crate) message: Message,
     pub(crate) key: usize,
     worst: f64,
+}
+
+impl Run {
+    pub(crate) fn stretch(&self) -> Stretch {
+        Stretch { from: self.from, to: self.to }
+    }
 }
 
 impl Runs {

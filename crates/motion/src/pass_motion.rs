@@ -17,7 +17,7 @@ use crate::weave_limits::Woven;
 use crate::{JointPath, ProfilePoint, SpeedProfile};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_message::Message;
-use seamwright_program::{ArcTime, Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
+use seamwright_program::{ArcTime, Finding, Pass, PathRange, Procedure, Sequence, TorchPath, torch_jumps};
 use std::borrow::Cow;
 
 /// Number of samples of the tip's travel by path length before the axes are known.
@@ -326,31 +326,16 @@ fn least_rate(path: &dyn TorchPath) -> f64 {
 }
 
 fn no_profile(machine: &Machine, length: f64, error: SpeedProfileError, pass: usize) -> Finding {
-    let (from_mm, to_mm) = match error {
-        SpeedProfileError::NotSmooth { at, .. } | SpeedProfileError::Asked { at, .. } => (at, at),
-        _ => (0.0, length),
+    let range = match error {
+        SpeedProfileError::NotSmooth { at, .. } | SpeedProfileError::Asked { at, .. } => PathRange::at(at),
+        _ => PathRange::up_to(length),
     };
-    Finding {
-        kind: "speed",
-        message: Message::new("motion-no-speed-profile")
-            .text("machine", machine.name.as_str())
-            .message("reason", error.message()),
-        pass,
-        from_mm,
-        to_mm,
-        cure: Some(Message::new("motion-cure-limits")),
-        allowed: false,
-    }
+    let message = Message::new("motion-no-speed-profile").text("machine", machine.name.as_str());
+    let message = message.message("reason", error.message());
+    Finding::error("speed", message, pass, range, Message::new("motion-cure-limits"))
 }
 
 fn not_smooth(machine: &Machine, s: f64, pass: usize) -> Finding {
-    Finding {
-        kind: "singular",
-        message: Message::new("motion-not-smooth").text("machine", machine.name.as_str()),
-        pass,
-        from_mm: s,
-        to_mm: s,
-        cure: Some(Message::new("motion-cure-not-tried")),
-        allowed: false,
-    }
+    let message = Message::new("motion-not-smooth").text("machine", machine.name.as_str());
+    Finding::error("singular", message, pass, PathRange::at(s), Message::new("motion-cure-not-tried"))
 }

@@ -134,15 +134,8 @@ impl<'a> Woven<'a> {
         let binding = Binding::new(self.follower.machine, worst.bound)?;
         let reached = worst.holds * asked;
         let (message, cure) = self.too_fast_because(binding.cannot_keep(asked, reached), factor)?;
-        Some(Finding {
-            kind: "speed",
-            message,
-            pass: number,
-            from_mm: over[0].at,
-            to_mm: over[over.len() - 1].at,
-            cure: Some(cure),
-            allowed: false,
-        })
+        let range = Stretch { from: over[0].at, to: over[over.len() - 1].at };
+        Some(Finding::error("speed", message, number, range, cure))
     }
 
     /// Replaces the findings of kind `speed` by ones for a weave that is too fast, with its maximum frequency. They

@@ -150,8 +150,8 @@ impl WeldMotion {
         }
         let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, super::joint_path::JointPath::length)) };
         let finding = |kind, message, cure, allowed| {
-            let cure = Some(Message::new(cure));
-            Finding { kind, message, pass, from_mm: s, to_mm: s, cure, allowed }
+            let cure = Message::new(cure);
+            Finding { allowed, ..Finding::error(kind, message, pass, PathRange::at(s), cure) }
         };
         let name = match i {
             0 => Message::new("motion-transfer-from-home"),
@@ -457,15 +457,9 @@ impl TransferSettings<'_> {
 
 /// Note for a machine without shapes.
 fn unchecked(machine: &Machine) -> Finding {
-    Finding {
-        kind: "unchecked",
-        message: Message::new("motion-no-shapes").text("machine", machine.name.as_str()),
-        pass: 1,
-        from_mm: 0.0,
-        to_mm: 0.0,
-        cure: Some(Message::new("motion-cure-no-shapes")),
-        allowed: true,
-    }
+    let message = Message::new("motion-no-shapes").text("machine", machine.name.as_str());
+    let cure = Message::new("motion-cure-no-shapes");
+    Finding { allowed: true, ..Finding::error("unchecked", message, 1, PathRange::at(0.0), cure) }
 }
 
 /// Axes that turn by more than half a turn in a transfer move, with the angle, rad.

@@ -1,6 +1,6 @@
 //! Positions at which the torch itself would have to jump: no machine's axes can follow it there.
 
-use crate::{Finding, TorchPath};
+use crate::{Finding, PathRange, TorchPath};
 use seamwright_geometry::Pose;
 use seamwright_message::{Message, Unit};
 
@@ -46,13 +46,5 @@ fn jumps(pose: impl Fn(f64) -> Pose, s: f64, pass: usize) -> Vec<Finding> {
 }
 
 fn finding(message: Message, cure: &'static str, s: f64, pass: usize) -> Finding {
-    Finding {
-        kind: "turn",
-        message: message.quantity("s", s, Unit::Mm, 3),
-        pass,
-        from_mm: s,
-        to_mm: s,
-        cure: Some(Message::new(cure)),
-        allowed: false,
-    }
+    Finding::error("turn", message.quantity("s", s, Unit::Mm, 3), pass, PathRange::at(s), Message::new(cure))
 }

@@ -3,7 +3,6 @@ use super::state::AxisState;
 use super::stop::{Commitment, Stop};
 use super::tip::{TipLine, same_way};
 use super::{AxisName, AxisValue, JogError, JogSetting, PointToPoint, State, TipFrame};
-use crate::limit_kind::position_unit;
 use glam::DVec3;
 use rsruckig::prelude::Synchronization;
 use seamwright_machine::{CollisionMonitor, Joints, MAX_AXES, Machine, RangeViolation, Surroundings};
@@ -421,7 +420,7 @@ fn check_positions(machine: &Machine, q: &Joints) -> Result<(), JogError> {
             let axis = &machine.axes[axis];
             let (low, high) = axis.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
             let [value, low, high] = [value, low, high].map(|v| axis.to_file(v));
-            Err(JogError::Range { axis: short(&axis.name), value, low, high, unit: position_unit(axis.kind) })
+            Err(JogError::Range { axis: short(&axis.name), value, low, high, unit: axis.position_unit() })
         }
     }
 }

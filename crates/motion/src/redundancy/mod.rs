@@ -26,7 +26,6 @@ mod graph;
 mod refine;
 
 use crate::effort::Effort;
-use crate::limit_kind::position_unit;
 pub(crate) use cost::AllowedPositions;
 use cost::Cost;
 pub(crate) use explain::hold as hold_finding;
@@ -171,7 +170,7 @@ fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, Hold
             let a = &machine.axes[axis];
             let (low, high) = a.range.unwrap_or_default();
             let range = (a.to_file(low), a.to_file(high));
-            let unit = position_unit(a.kind);
+            let unit = a.position_unit();
             return Err(HoldError::Range { axis: name.clone(), value: position.get(), range, unit });
         }
         held.push((axis, value));
