@@ -12,6 +12,7 @@ use crate::pass_channels::PassChannels;
 use crate::speed_profile::Channels;
 use crate::stretch::Stretch;
 use crate::taught::Piece;
+use crate::tip_channels::channel_derivatives;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisLimits, Joints};
@@ -206,7 +207,7 @@ impl Corner<'_> {
         (0..=PLACES).all(|i| {
             let u = blend.from + (blend.to - blend.from) * f64::from(i) / f64::from(PLACES);
             let d = blend.derivatives(u);
-            let [r1, r2, r3] = self.channels.along(&d, &mut rows);
+            let [r1, r2, r3] = channel_derivatives(self.follower.machine, &d, &mut rows);
             let (square, mixed) = (r1.length_squared(), r1.dot(r2));
             let [b, b1, b2] = if self.joints.is_timed() {
                 [asked * asked, 0.0, 0.0]

@@ -1,8 +1,7 @@
 use crate::JointPath;
 use crate::speed_profile::{Bend, Channels};
-use crate::tip_channels::{ChannelLimits, TipChannels, channel_limits};
-use glam::DVec3;
-use seamwright_machine::{AxisLimits, Joints, Machine};
+use crate::tip_channels::{ChannelLimits, channel_derivatives, channel_limits};
+use seamwright_machine::{AxisLimits, Machine};
 use seamwright_program::{Pass, Span};
 
 /// Maximum jump of an axis' acceleration between two panels of a path, as a fraction of its limit; a larger one is a
@@ -68,18 +67,6 @@ impl<'a> PassChannels<'a> {
         self.path.stops().iter().any(|stop| (stop - s).abs() <= SAME * self.path.length())
     }
 
-    /// Writes the derivatives of all channels to `out`, from the positions and derivatives `d` of the axes. Returns
-    /// those of the tip.
-    pub(crate) fn along(&self, d: &[Joints; 4], out: &mut [[f64; 3]]) -> [DVec3; 3] {
-        let (axes, tip) = out.split_at_mut(self.machine.axes.len());
-        axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
-        let motion = self.machine.tip_derivatives(d);
-        if !tip.is_empty() {
-            TipChannels::derivatives(motion, tip);
-        }
-        motion
-    }
-
     /// An axis whose speed or acceleration would jump at `s` at the requested speed.
     fn corner(&self, s: f64) -> Option<usize> {
         let (before, after) = (self.path.point(s, true), self.path.point(s, false));
@@ -109,7 +96,7 @@ impl Channels for PassChannels<'_> {
         let p = self.path.point(s, before);
         let has_rate = self.path.has_rate(s);
         if has_rate || out.len() > self.machine.axes.len() {
-            let [d1, ..] = self.along(&[p.q, p.d1, p.d2, p.d3], out);
+            let [d1, ..] = channel_derivatives(self.machine, &[p.q, p.d1, p.d2, p.d3], out);
             let line = self.path.line_rate(self.path.panel(s, before), s);
             return if has_rate { line.unwrap_or(d1.length()) } else { 1.0 };
         }

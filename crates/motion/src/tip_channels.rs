@@ -2,7 +2,7 @@
 
 use arrayvec::ArrayVec;
 use glam::DVec3;
-use seamwright_machine::{Axis, AxisLimits, MAX_AXES, Machine};
+use seamwright_machine::{Axis, AxisLimits, Joints, MAX_AXES, Machine};
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
 /// Number of directions in the plane of curvature of the tip's path; one more is across it.
@@ -23,6 +23,18 @@ pub fn channel_limits(machine: &Machine) -> ChannelLimits {
 const UNBOUNDED: f64 = 1e12;
 /// Fraction of the jerk for the direction across; the other directions get the rest, so that the norm is 1.
 const ACROSS: f64 = 0.25;
+
+/// Writes the derivatives of all channels to `out`, from the positions and derivatives `d` of the axes of `machine`.
+/// Returns those of the tip.
+pub(crate) fn channel_derivatives(machine: &Machine, d: &[Joints; 4], out: &mut [[f64; 3]]) -> [DVec3; 3] {
+    let (axes, tip) = out.split_at_mut(machine.axes.len());
+    axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
+    let motion = machine.tip_derivatives(d);
+    if !tip.is_empty() {
+        TipChannels::derivatives(motion, tip);
+    }
+    motion
+}
 
 /// The tip's acceleration and jerk along directions in its own frame: tangent and normal, and across both.
 ///

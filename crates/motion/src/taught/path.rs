@@ -2,7 +2,7 @@ use super::spline::{Piece, slopes};
 use super::thin::{Kept, SAME, Taught, Thinned, Tolerance};
 use crate::speed_profile::{Channels, Feed};
 use crate::stretch::Stretch;
-use crate::tip_channels::{ChannelLimits, TipChannels, channel_limits};
+use crate::tip_channels::{ChannelLimits, channel_derivatives, channel_limits};
 use seamwright_machine::{AxisKind, AxisLimits, Joints, MAX_AXES, Machine};
 use std::collections::VecDeque;
 
@@ -330,13 +330,7 @@ impl<I: Iterator<Item = Joints>> Channels for TaughtPath<'_, I> {
 
     fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
         let d = self.piece(u, before).derivatives(u);
-        let (axes, tip) = out.split_at_mut(self.machine.axes.len());
-        axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
-        let tip_motion = self.machine.tip_derivatives(&d);
-        if !tip.is_empty() {
-            TipChannels::derivatives(tip_motion, tip);
-        }
-        tip_motion[0].length()
+        channel_derivatives(self.machine, &d, out)[0].length()
     }
 
     fn asked(&self, _u: f64) -> f64 {
