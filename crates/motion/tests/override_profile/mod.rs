@@ -6,8 +6,7 @@ pub mod orders;
 
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
-use seamwright_machine::AxisLimits;
-use seamwright_machine::Joints;
+use seamwright_machine::{AxisLimits, Joints};
 use seamwright_motion::feed_override::{ChannelLimits, Rates, Timed, Tip};
 
 pub struct Uniform(TestRng);
