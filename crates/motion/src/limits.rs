@@ -58,12 +58,8 @@ impl Binding {
 
     /// Reports the difference between the requested and the reached tip speed, mm/s.
     pub(crate) fn cannot_keep(&self, asked: f64, reached: f64) -> Message {
-        self.message("motion-speed-axis", "motion-speed-tip").quantity("asked", asked, Unit::MmPerS, 3).quantity(
-            "reached",
-            reached,
-            Unit::MmPerS,
-            3,
-        )
+        let message = self.message("motion-speed-axis", "motion-speed-tip").quantity("asked", asked, Unit::MmPerS, 3);
+        message.quantity("reached", reached, Unit::MmPerS, 3)
     }
 
     /// Message `of_axis` with the axis or `of_tip` without one, and the limit.
@@ -164,12 +160,10 @@ fn speed_finding(planned: Planned, run: &SlowRun, pass: &Pass, number: usize, ke
     let SlowRun { from, to, at, asked, reached, binding } = run;
     let message = match binding {
         Some(binding) => binding.cannot_keep(*asked, *reached),
-        None => Message::new("motion-speed-rounded-off").quantity("reached", *reached, Unit::MmPerS, 3).quantity(
-            "asked",
-            *asked,
-            Unit::MmPerS,
-            3,
-        ),
+        None => {
+            let message = Message::new("motion-speed-rounded-off").quantity("reached", *reached, Unit::MmPerS, 3);
+            message.quantity("asked", *asked, Unit::MmPerS, 3)
+        }
     };
     if pass.on_limit == OnLimit::Slow {
         let message = Message::new("motion-speed-slowed").message("reason", message);

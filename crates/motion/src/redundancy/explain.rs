@@ -65,12 +65,8 @@ fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, Message
                         let a = &task.machine.axes[axis];
                         let by = a.to_file(by);
                         least = part;
-                        let message = Message::new("motion-axis-beyond").axis("axis", a.name.as_str()).quantity(
-                            "by",
-                            by,
-                            a.position_unit(),
-                            3,
-                        );
+                        let message = Message::new("motion-axis-beyond").axis("axis", a.name.as_str());
+                        let message = message.quantity("by", by, a.position_unit(), 3);
                         reason = (axis + 1, by, message);
                     }
                 }

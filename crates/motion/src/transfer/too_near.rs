@@ -12,11 +12,8 @@ pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) 
         true => Message::new("motion-too-near").quantity("distance", found.distance, Unit::Mm, 2),
         false => Message::new("motion-collision"),
     };
-    message.message("first", first).message("second", second).value(
-        "minimum",
-        around.scene().watches()[watch].least_mm(),
-        Unit::Mm,
-    )
+    let least_mm = around.scene().watches()[watch].least_mm();
+    message.message("first", first).message("second", second).value("minimum", least_mm, Unit::Mm)
 }
 
 /// The minimum distance (mm) in a profile, its position, and the two solids; none if all exceed the cut-off.
