@@ -14,7 +14,7 @@ use crate::stretch::Stretch;
 use crate::taught::Piece;
 use crate::tip_channels::channel_derivatives;
 use glam::DVec3;
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 use seamwright_machine::{AxisLimits, Joints};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{AtCorner, Finding, Pass, PathRange};
@@ -258,7 +258,7 @@ impl Away {
 /// Deviation of `torch` from the nearest point of the seam, which is smooth on both `sides` of a corner.
 fn nearest(pose: impl Fn(f64) -> Pose, torch: Pose, sides: [Stretch; 2]) -> Away {
     let there = pose(foot_at_corner(&pose, torch.point, sides));
-    Away { tip: there.point.distance(torch.point), direction: angle(there.direction, torch.direction) }
+    Away { tip: there.point.distance(torch.point), direction: angle_between(there.direction, torch.direction) }
 }
 
 /// Path length of the point of the seam `pose` nearest to `point` (mm, near `s`), on either side of the corner. None
@@ -307,8 +307,4 @@ fn greatest(within: Stretch, value: impl Fn(f64) -> f64) -> f64 {
         if value(a) < value(b) { low = a } else { high = b }
     }
     0.5 * (low + high)
-}
-
-fn angle(a: DVec3, b: DVec3) -> f64 {
-    2.0 * (a - b).length().atan2((a + b).length())
 }

@@ -15,7 +15,7 @@ use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// A whole program as motion: its passes, and the transfer moves before, between and after them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct WeldMotion {
     /// The passes in order.
     pub passes: Vec<PassMotion>,
@@ -70,13 +70,7 @@ impl WeldMotion {
         terms: Terms,
     ) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(terms.watch);
-        let mut planned = Self {
-            passes: Vec::new(),
-            clearance: Vec::new(),
-            transfers: Vec::new(),
-            procedure: Vec::new(),
-            findings: Vec::new(),
-        };
+        let mut planned = Self::default();
         for (i, &(path, pass)) in passes.iter().enumerate() {
             effort.begin_pass(i + 1, passes.len());
             let last = planned.passes.last().map(|p| p.path.at(p.path.length()));

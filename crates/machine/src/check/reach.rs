@@ -1,9 +1,9 @@
 use super::climb::climb;
 use super::random::Random;
 use super::voxels::{self, Volume};
-use crate::inverse::angle_between;
 use crate::{Joints, Machine};
 use glam::DVec3;
+use seamwright_geometry::angle_between;
 use serde::Serialize;
 
 /// Number of random positions.

@@ -1,8 +1,7 @@
 use super::random::Random;
 use super::task::Task;
-use crate::inverse::angle_between;
 use crate::{AxisKind, Joints, Machine, Solution, Target};
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 

@@ -328,11 +328,6 @@ fn home(axes: &[Axis]) -> Joints {
     std::array::from_fn(|i| axes.get(i).map_or(0.0, |a| a.home))
 }
 
-/// Angle between two unit vectors, rad, accurate at all angles.
-pub(crate) fn angle_between(u: DVec3, v: DVec3) -> f64 {
-    2.0 * (u - v).length().atan2((u + v).length())
-}
-
 /// Positions of two linear axes along `a` and `b` that best give the displacement `d`, and the remainder.
 pub(crate) fn in_plane(a: DVec3, b: DVec3, d: DVec3) -> (f64, f64, DVec3) {
     let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));

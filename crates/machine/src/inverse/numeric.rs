@@ -1,9 +1,9 @@
 use super::choice::spread;
-use super::{Branches, Solution, Unreachable, angle_between};
+use super::{Branches, Solution, Unreachable};
 use crate::chain::{Chain, Joints, MAX_AXES};
 use crate::{Axis, AxisKind};
 use glam::DVec3;
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 use std::f64::consts::{PI, TAU};
 
 /// Newton's method with Levenberg and Marquardt's damping, for arrangements without a closed form.

@@ -1,6 +1,6 @@
-use super::{Branches, Solution, Unreachable, Which, angle_between, in_plane, rotaries};
+use super::{Branches, Solution, Unreachable, Which, in_plane, rotaries};
 use crate::chain::{Chain, Joints, MAX_AXES, Turn};
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 
 /// Two linear axes, with or without a tilt across their plane, on a rotary axis next to the work (SADDLE-2020).
 ///

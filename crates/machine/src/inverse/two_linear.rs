@@ -1,6 +1,6 @@
-use super::{Branches, Unreachable, angle_between, in_plane};
+use super::{Branches, Unreachable, in_plane};
 use crate::chain::Chain;
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 
 /// Maximum distance (mm) of a point from the plane of two linear axes that counts as in it.
 const IN_PLANE_MM: f64 = 1e-6;
