@@ -1,15 +1,13 @@
 //! A fine set-point of all axes: ten in a coarse period, with the spline's own cost.
 
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
-
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_motion::fine::{CoarseSpline, Segment};
 use std::hint::black_box;
 
 const PARTS: u32 = 10;
 
-fn benches(c: &mut Criterion) {
+pub(crate) fn benches(c: &mut Criterion) {
     let points: Vec<Joints> = (0..1000).map(|k| [100.0 * (0.01 * f64::from(k)).sin(); MAX_AXES]).collect();
     let mut spline = CoarseSpline::new(0.01);
     let mut before = None;
@@ -29,6 +27,3 @@ fn benches(c: &mut Criterion) {
         });
     });
 }
-
-criterion_group!(group, benches);
-criterion_main!(group);

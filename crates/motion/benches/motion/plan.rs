@@ -1,18 +1,16 @@
 //! Cost of the whole plan of the example (aim: 20 ms) and of one exact set-point from it (aim: 150 ns).
 
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
-
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_weld::Welding;
 use std::hint::black_box;
 
 const EXAMPLES: [(&str, &str); 4] = [
-    ("saddle", include_str!("../../../examples/saddle.toml")),
-    ("head nozzle", include_str!("../../../examples/head-nozzle.toml")),
-    ("ellipse", include_str!("../../../examples/ellipse.toml")),
-    ("trunnion saddle", include_str!("../../../examples/trunnion-saddle.toml")),
+    ("saddle", include_str!("../../../../examples/saddle.toml")),
+    ("head nozzle", include_str!("../../../../examples/head-nozzle.toml")),
+    ("ellipse", include_str!("../../../../examples/ellipse.toml")),
+    ("trunnion saddle", include_str!("../../../../examples/trunnion-saddle.toml")),
 ];
 
 /// From the files' texts to the planned motion.
@@ -23,7 +21,7 @@ fn plan(name: &str, text: &str) -> PassMotion {
     PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).unwrap()
 }
 
-fn benches(c: &mut Criterion) {
+pub(crate) fn benches(c: &mut Criterion) {
     for (name, text) in EXAMPLES {
         c.bench_function(&format!("whole plan, {name}"), |b| b.iter(|| black_box(plan(name, black_box(text)))));
     }
@@ -41,6 +39,3 @@ fn benches(c: &mut Criterion) {
         });
     }
 }
-
-criterion_group!(group, benches);
-criterion_main!(group);

@@ -1,12 +1,10 @@
 //! Cost of a period: at a steady override (aim: a few microseconds) and while it changes (aim: tens); the same of a run
 //! on a real weld.
 
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
-
-#[path = "../tests/override_profile/mod.rs"]
+#[path = "../../tests/override_profile/mod.rs"]
 mod override_profile;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use override_profile::orders::sequence;
 use override_profile::{Case, Uniform};
 use seamwright_machine::{Machine, shipped};
@@ -16,7 +14,7 @@ use seamwright_program::AtHold;
 use seamwright_weld::Welding;
 use std::hint::black_box;
 
-fn benches(c: &mut Criterion) {
+pub(crate) fn benches(c: &mut Criterion) {
     let case = Case::random(&mut Uniform::new(4));
     let fresh = || {
         let mut feed_override = FeedOverride::new(&case.limits(), 1e-3, &case.base).unwrap();
@@ -51,8 +49,8 @@ fn benches(c: &mut Criterion) {
 }
 
 /// One step of a run along the example saddle, on its machine with four axes.
-fn runs(c: &mut Criterion) {
-    let welding = Welding::read("saddle", include_str!("../../../examples/saddle.toml")).unwrap();
+pub(crate) fn runs(c: &mut Criterion) {
+    let welding = Welding::read("saddle", include_str!("../../../../examples/saddle.toml")).unwrap();
     let program = &welding.program.value;
     let machine = Machine::read("m", shipped(&program.machine).unwrap().text).unwrap();
     let motion = PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).unwrap();
@@ -87,6 +85,3 @@ fn runs(c: &mut Criterion) {
         });
     });
 }
-
-criterion_group!(group, benches, runs);
-criterion_main!(group);

@@ -1,18 +1,16 @@
 //! Cost of the speed profile along the reference splines: with limits of jerk, on automatic cells and on 1000 even ones
 //! (aim: 30 ms for 7 axes), and without them over 1000 cells (aim: 0.3 ms).
 
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
-
-#[path = "../tests/speed_profile/curves.rs"]
+#[path = "../../tests/speed_profile/curves.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it has more kinds of paths")]
 mod curves;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use curves::{Finely, Spline};
 use seamwright_motion::speed_profile::{Channels, SpeedProfile};
 use std::hint::black_box;
 
-fn profiles(c: &mut Criterion) {
+pub(crate) fn profiles(c: &mut Criterion) {
     for (name, jerk) in [("without jerk", f64::INFINITY), ("with jerk", 10.0)] {
         for (i, (spline, _)) in Spline::reference(jerk).iter().enumerate() {
             let axes = spline.limits().len();
@@ -23,7 +21,7 @@ fn profiles(c: &mut Criterion) {
     }
 }
 
-fn finely(c: &mut Criterion) {
+pub(crate) fn finely(c: &mut Criterion) {
     for (i, (spline, _)) in Spline::reference(10.0).into_iter().enumerate() {
         let axes = spline.limits().len();
         let path = Finely::new(spline, 1000);
@@ -32,6 +30,3 @@ fn finely(c: &mut Criterion) {
         });
     }
 }
-
-criterion_group!(group, profiles, finely);
-criterion_main!(group);

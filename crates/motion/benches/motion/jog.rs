@@ -1,14 +1,12 @@
 //! Cost of one step of a jog of ten axes, two heads and all their shapes: with the same command, with a new one in
 //! every period, and point to point with a new target in every period. A period is 1 ms.
 
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
-
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use seamwright_machine::{Clamped, Joints, MAX_AXES, Machine, Surroundings, shipped};
 use seamwright_motion::jog::{Command, Jog, JogSettings, PointToPoint, Signals, State};
 use std::hint::black_box;
 
-fn benches(c: &mut Criterion) {
+pub(crate) fn benches(c: &mut Criterion) {
     let machine = Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap();
     let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
     let home = machine.home();
@@ -55,6 +53,3 @@ fn benches(c: &mut Criterion) {
         });
     });
 }
-
-criterion_group!(group, benches);
-criterion_main!(group);

@@ -1,9 +1,7 @@
 //! Pulses of one axis a second on one core (aim: 50 million a second, 20 ns each): many and few in a period of 1 ms,
 //! and three axes with their lines in the order of time.
 
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
-
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{BenchmarkId, Criterion, Throughput};
 use seamwright_motion::pulses::{Generator, Lines, Timing};
 use std::hint::black_box;
 
@@ -17,7 +15,7 @@ fn positions(most: f64) -> Vec<f64> {
     (1..=PERIODS).map(|k| most / angle * (angle * f64::from(k)).sin()).collect()
 }
 
-fn benches(c: &mut Criterion) {
+pub(crate) fn benches(c: &mut Criterion) {
     let mut group = c.benchmark_group("pulses of an axis");
     for most in [195.0, 20.0] {
         let positions = positions(most);
@@ -58,6 +56,3 @@ fn benches(c: &mut Criterion) {
     });
     group.finish();
 }
-
-criterion_group!(group, benches);
-criterion_main!(group);
