@@ -1,6 +1,5 @@
 use crate::{JointPath, JointPoint, PassMotion};
 use glam::DVec3;
-use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
 use seamwright_program::PathRange;
 
@@ -36,11 +35,6 @@ impl TipPath<'_> {
     /// Length, mm.
     pub fn length(&self) -> f64 {
         self.joints.length()
-    }
-
-    /// Torch tip and direction at `s`.
-    pub fn pose(&self, s: f64) -> Pose {
-        self.machine.forward(&self.joints.at(s))
     }
 
     /// The `s` in the range `within` at which the tip is nearest to `point`, which must lie near the path at `guess`.
