@@ -122,7 +122,7 @@ mod tests {
             period_s: 0.01,
             pulse_mm: f64::NAN,
         };
-        let run = request.interpolate().unwrap_or_else(|e| panic!("{shape:?} {step}: {e}"));
+        let run = request.interpolate().unwrap_or_else(|e| panic!("{shape:?} {step}: {e:?}"));
         (run.path().clone(), run.collect())
     }
 

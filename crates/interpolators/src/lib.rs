@@ -29,7 +29,7 @@ mod statistics;
 #[cfg(test)]
 mod testing;
 
-pub use error::{EndPoint, Error, RequestValue};
+pub use error::Error;
 pub use interpolation::Interpolation;
 pub use method::{AngleRule, EqualStep, Method};
 pub use nearest::Nearest;

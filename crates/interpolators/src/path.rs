@@ -67,7 +67,7 @@ impl Path {
     /// Length of the whole path, mm, within 1e-12 mm or the rounding of the length itself.
     ///
     /// # Errors
-    /// [`Error::Geometry`] if the curve cannot be measured.
+    /// A curve that cannot be measured.
     pub fn length_mm(&self) -> Result<f64, Error> {
         Ok(self.by_length(seamwright_geometry::DEFAULT_ACCURACY_MM)?.length())
     }

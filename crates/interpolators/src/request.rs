@@ -1,7 +1,7 @@
 use crate::course::{Course, walk};
 use crate::dda::Dda;
 use crate::eccentric_angle::EccentricAngle;
-use crate::error::{Error, RequestValue, positive};
+use crate::error::{Error, positive};
 use crate::exact::Exact;
 use crate::grid::Grid;
 use crate::interpolation::Interpolation;
@@ -11,6 +11,7 @@ use crate::pulse_points::PulsePoints;
 use crate::shape::Shape;
 use crate::statistics::{Statistics, Tally};
 use crate::{comparison_integral, point_by_point};
+use seamwright_message::{Message, Unit};
 use std::f64::consts::TAU;
 
 /// Maximum number of steps or pulses of a request.
@@ -107,27 +108,33 @@ impl Request {
     }
 
     fn check(&self, path: &Path, length: f64) -> Result<(), Error> {
-        positive(RequestValue::Speed, self.speed_mm_s)?;
-        positive(RequestValue::Period, self.period_s)?;
-        let step = positive(RequestValue::Step, self.step_mm())?;
+        positive("motion-value-speed", self.speed_mm_s)?;
+        positive("motion-value-period", self.period_s)?;
+        let step = positive("motion-value-step", self.step_mm())?;
         let turn = length * (TAU / path.span_rad());
         let limit = length.min(turn / 8.0);
         if step > limit {
-            return Err(Error::StepTooLong { step_mm: step, limit_mm: limit });
+            let message = Message::new("motion-step-too-long").value("step", step, Unit::Mm);
+            return Err(Error(message.value("max", limit, Unit::Mm)));
         }
         let mut steps = length / step;
         if self.method.is_pulse() {
-            let pulse = positive(RequestValue::Pulse, self.pulse_mm)?;
+            let pulse = positive("motion-value-pulse", self.pulse_mm)?;
             let (a, b) = path.plan_axes();
             let limit = (a.min(b) / 4.0).min(length);
             if pulse > limit {
-                return Err(Error::PulseTooLarge { pulse_mm: pulse, limit_mm: limit });
+                let message = Message::new("motion-pulse-too-large").value("pulse", pulse, Unit::Mm);
+                return Err(Error(message.value("max", limit, Unit::Mm)));
             }
             // The moves of three axes sum to at most sqrt(3) times the length. The sizes must fit in integers, also for
             // a short piece of the curve.
             steps = steps.max(3f64.sqrt() * length / pulse).max(4.0 * path.size() / pulse);
         }
-        if steps > STEP_LIMIT { Err(Error::TooManySteps { steps, limit: STEP_LIMIT }) } else { Ok(()) }
+        if steps > STEP_LIMIT {
+            let message = Message::new("motion-too-many-steps").text("steps", format!("{steps:.3e}"));
+            return Err(Error(message.text("max", format!("{STEP_LIMIT:.0e}"))));
+        }
+        Ok(())
     }
 }
 
@@ -149,27 +156,27 @@ mod tests {
         Method::Dda,
     ];
 
-    fn error(change: impl Fn(&mut Request)) -> Error {
+    fn error(change: impl Fn(&mut Request)) -> Message {
         let mut request = Request { method: Method::PointByPoint, ..Request::default() };
         change(&mut request);
         let error = request.interpolate().err().unwrap();
         // As text, since NaN is not equal to itself.
-        assert_eq!(request.statistics().unwrap_err().to_string(), error.to_string());
-        error
+        assert_eq!(request.statistics().unwrap_err().0.to_string(), error.0.to_string());
+        error.0
     }
 
     #[test]
     fn refuses_what_cannot_be() {
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(error(|r| r.speed_mm_s = bad), Error::NotPositive { what: RequestValue::Speed, .. }));
-            assert!(matches!(error(|r| r.period_s = bad), Error::NotPositive { what: RequestValue::Period, .. }));
-            assert!(matches!(error(|r| r.pulse_mm = bad), Error::NotPositive { what: RequestValue::Pulse, .. }));
+            assert!(error(|r| r.speed_mm_s = bad).to_string().starts_with("the speed must be a finite number greater"));
+            assert!(error(|r| r.period_s = bad).to_string().starts_with("the period must be a finite number greater"));
+            assert!(error(|r| r.pulse_mm = bad).to_string().starts_with("the pulse must be a finite number greater"));
         }
-        assert!(matches!(error(|r| r.speed_mm_s = 1e5), Error::StepTooLong { .. }));
-        assert!(matches!(error(|r| r.speed_mm_s = 1e-7), Error::TooManySteps { .. }));
-        assert!(matches!(error(|r| r.pulse_mm = 5.0), Error::PulseTooLarge { .. }));
-        assert!(matches!(error(|r| r.pulse_mm = 1e-8), Error::TooManySteps { .. }));
-        assert!(matches!(error(|r| (r.speed_mm_s, r.period_s) = (1e-200, 1e-200)), Error::NotPositive { .. }));
+        assert_eq!(error(|r| r.speed_mm_s = 1e5).code, "motion-step-too-long");
+        assert_eq!(error(|r| r.speed_mm_s = 1e-7).code, "motion-too-many-steps");
+        assert_eq!(error(|r| r.pulse_mm = 5.0).code, "motion-pulse-too-large");
+        assert_eq!(error(|r| r.pulse_mm = 1e-8).code, "motion-too-many-steps");
+        assert_eq!(error(|r| (r.speed_mm_s, r.period_s) = (1e-200, 1e-200)).code, "motion-value-not-positive");
     }
 
     #[test]

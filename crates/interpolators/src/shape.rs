@@ -1,7 +1,8 @@
-use crate::error::{EndPoint, Error, RequestValue, finite, positive};
+use crate::error::{Error, finite, positive};
 use crate::path::{Base, Path};
 use glam::{DVec2, DVec3};
 use seamwright_geometry::{Ellipse, Quadric, Tube, TubeIntersection};
+use seamwright_message::{Message, Unit};
 use std::f64::consts::TAU;
 
 /// Maximum distance of a start or end point from the ellipse, mm; within it the nearest point is used.
@@ -75,53 +76,54 @@ impl Shape {
 }
 
 fn ellipse(a: f64, b: f64, start: DVec2, end: Option<DVec2>, clockwise: bool) -> Result<Path, Error> {
-    positive(RequestValue::SemiAxisA, a)?;
-    positive(RequestValue::SemiAxisB, b)?;
+    positive("motion-value-semi-axis-a", a)?;
+    positive("motion-value-semi-axis-b", b)?;
     let curve = Ellipse::new(DVec3::ZERO, DVec3::Z, DVec3::X, a, b)?;
     let direction = if clockwise { -1.0 } else { 1.0 };
     let whole = Path::new(Base::Ellipse { curve, a, b }, 0.0, direction, TAU);
-    let from = angle_of(&whole, EndPoint::Start, start)?;
+    let from = angle_of(&whole, "motion-start-off-ellipse", start)?;
     let span = match end {
         None => TAU,
         Some(end) => {
-            let span = (direction * (angle_of(&whole, EndPoint::End, end)? - from)).rem_euclid(TAU);
+            let span = (direction * (angle_of(&whole, "motion-end-off-ellipse", end)? - from)).rem_euclid(TAU);
             if !(SAME_POINT_RAD..=TAU - SAME_POINT_RAD).contains(&span) { TAU } else { span }
         }
     };
     Ok(Path::new(whole.into_base(), from, direction, span))
 }
 
-/// Eccentric angle of a point that should lie on the ellipse, in (-pi, pi].
-fn angle_of(path: &Path, which: EndPoint, p: DVec2) -> Result<f64, Error> {
-    finite(RequestValue::X, p.x)?;
-    finite(RequestValue::Y, p.y)?;
+/// Eccentric angle of a point that should lie on the ellipse, in (-pi, pi]; else the error `off`.
+fn angle_of(path: &Path, off: &'static str, p: DVec2) -> Result<f64, Error> {
+    finite("motion-value-x", p.x)?;
+    finite("motion-value-y", p.y)?;
     let near = path.nearest(p.extend(0.0));
     // This form of the comparison rejects NaN from an overflow.
     if near.distance_mm <= ON_ELLIPSE_TOLERANCE_MM {
         return Ok(near.u_rad);
     }
     let on = path.point(near.u_rad);
-    Err(Error::OffEllipse {
-        which,
-        x_mm: p.x,
-        y_mm: p.y,
-        distance_mm: near.distance_mm,
-        tolerance_mm: ON_ELLIPSE_TOLERANCE_MM,
-        near_x_mm: on.x,
-        near_y_mm: on.y,
-    })
+    let message = Message::new(off)
+        .value("x", p.x, Unit::One)
+        .value("y", p.y, Unit::One)
+        .value("distance", near.distance_mm, Unit::Mm)
+        .value("tolerance", ON_ELLIPSE_TOLERANCE_MM, Unit::Mm)
+        .value("near_x", on.x, Unit::One)
+        .value("near_y", on.y, Unit::One);
+    Err(Error(message))
 }
 
 fn saddle(nozzle: f64, shell: f64, start: f64, sweep: f64) -> Result<Path, Error> {
-    positive(RequestValue::NozzleRadius, nozzle)?;
-    positive(RequestValue::ShellRadius, shell)?;
-    finite(RequestValue::StartAngle, start)?;
-    finite(RequestValue::Sweep, sweep)?;
+    positive("motion-value-nozzle-radius", nozzle)?;
+    positive("motion-value-shell-radius", shell)?;
+    finite("motion-value-start-angle", start)?;
+    finite("motion-value-sweep", sweep)?;
     if nozzle >= shell {
-        return Err(Error::NozzleTooLarge { nozzle_mm: nozzle, shell_mm: shell });
+        let message = Message::new("motion-nozzle-too-large").value("nozzle", nozzle, Unit::Mm);
+        return Err(Error(message.value("shell", shell, Unit::Mm)));
     }
     if sweep == 0.0 || sweep.abs() > SWEEP_LIMIT_RAD {
-        return Err(Error::Sweep { sweep_rad: sweep, limit_rad: SWEEP_LIMIT_RAD });
+        let message = Message::new("motion-sweep").value("sweep", sweep, Unit::Rad);
+        return Err(Error(message.value("limit", SWEEP_LIMIT_RAD, Unit::Rad)));
     }
     let tube = Tube::new(DVec3::ZERO, DVec3::Z, DVec3::X, nozzle)?;
     let body = Quadric::cylinder(DVec3::ZERO, DVec3::X, shell)?;
@@ -138,6 +140,10 @@ mod tests {
 
     fn arc(start: DVec2, end: Option<DVec2>, clockwise: bool) -> Result<Path, Error> {
         Shape::Ellipse { a_mm: 20.0, b_mm: 16.0, start_mm: start, end_mm: end, clockwise }.path()
+    }
+
+    fn code(path: Result<Path, Error>) -> String {
+        path.unwrap_err().0.code.to_string()
     }
 
     #[test]
@@ -165,14 +171,9 @@ mod tests {
         let on = DVec2::new(20.0 * 0.7f64.cos(), 16.0 * 0.7f64.sin());
         let rounded = (on * 1e3).round() / 1e3;
         assert!((arc(rounded, None, true).unwrap().start_rad() - 0.7).abs() < 1e-4);
-        match arc(DVec2::new(0.0, 16.5), None, true) {
-            Err(Error::OffEllipse { which: EndPoint::Start, distance_mm, .. }) => {
-                assert!((distance_mm - 0.5).abs() < 1e-12);
-            }
-            other => panic!("{other:?}"),
-        }
-        let end = arc(on, Some(DVec2::new(1.0, 1.0)), true);
-        assert!(matches!(end, Err(Error::OffEllipse { which: EndPoint::End, .. })));
+        let start = arc(DVec2::new(0.0, 16.5), None, true).unwrap_err().0;
+        assert!(start.code == "motion-start-off-ellipse" && start.to_string().contains("0.5 mm"), "{start}");
+        assert_eq!(code(arc(on, Some(DVec2::new(1.0, 1.0)), true)), "motion-end-off-ellipse");
     }
 
     #[test]
@@ -181,20 +182,20 @@ mod tests {
             Shape::Ellipse { a_mm: a, b_mm: b, start_mm: DVec2::new(1.0, 0.0), end_mm: None, clockwise: false }.path()
         };
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(ellipse(bad, 1.0), Err(Error::NotPositive { .. })));
-            assert!(matches!(ellipse(1.0, bad), Err(Error::NotPositive { .. })));
+            assert_eq!(code(ellipse(bad, 1.0)), "motion-value-not-positive");
+            assert_eq!(code(ellipse(1.0, bad)), "motion-value-not-positive");
         }
-        assert!(matches!(arc(DVec2::new(f64::NAN, 0.0), None, true), Err(Error::NotFinite { .. })));
+        assert_eq!(code(arc(DVec2::new(f64::NAN, 0.0), None, true)), "motion-value-not-finite");
         assert!(arc(DVec2::splat(1e300), None, true).is_err());
         let saddle = |r, big, start, sweep| {
             Shape::Saddle { nozzle_radius_mm: r, shell_radius_mm: big, start_rad: start, sweep_rad: sweep }.path()
         };
-        assert!(matches!(saddle(0.0, 1.0, 0.0, 1.0), Err(Error::NotPositive { .. })));
-        assert!(matches!(saddle(2.0, 1.0, 0.0, 1.0), Err(Error::NozzleTooLarge { .. })));
-        assert!(matches!(saddle(1.0, 1.0, 0.0, 1.0), Err(Error::NozzleTooLarge { .. })));
-        assert!(matches!(saddle(1.0, 2.0, f64::NAN, 1.0), Err(Error::NotFinite { .. })));
-        assert!(matches!(saddle(1.0, 2.0, 0.0, 0.0), Err(Error::Sweep { .. })));
-        assert!(matches!(saddle(1.0, 2.0, 0.0, 100.0), Err(Error::Sweep { .. })));
+        assert_eq!(code(saddle(0.0, 1.0, 0.0, 1.0)), "motion-value-not-positive");
+        assert_eq!(code(saddle(2.0, 1.0, 0.0, 1.0)), "motion-nozzle-too-large");
+        assert_eq!(code(saddle(1.0, 1.0, 0.0, 1.0)), "motion-nozzle-too-large");
+        assert_eq!(code(saddle(1.0, 2.0, f64::NAN, 1.0)), "motion-value-not-finite");
+        assert_eq!(code(saddle(1.0, 2.0, 0.0, 0.0)), "motion-sweep");
+        assert_eq!(code(saddle(1.0, 2.0, 0.0, 100.0)), "motion-sweep");
         assert!((saddle(1.0, 2.0, 7.0, -1.0).unwrap().end_rad() - (6.0 - TAU)).abs() < 1e-12);
     }
 }

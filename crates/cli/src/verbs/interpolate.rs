@@ -38,7 +38,7 @@ struct Named {
 
 impl Named {
     fn interpolate(&self) -> Result<Interpolation, Failure> {
-        self.request.interpolate().map_err(|e| Failure::Input(e.message()))
+        self.request.interpolate().map_err(|e| Failure::Input(e.0))
     }
 }
 
@@ -151,7 +151,7 @@ fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
 fn summary(requests: &[Named], json: bool) -> Result<(), Failure> {
     let mut rows = Rows::new(SUMMARY_COLUMNS.map(str::to_owned).into(), json)?;
     for Named { name, request } in requests {
-        let s: Statistics = request.statistics().map_err(|e| Failure::Input(e.message()))?;
+        let s: Statistics = request.statistics().map_err(|e| Failure::Input(e.0))?;
         // Pulse methods: distances a period, since a pulse has no speed.
         let c = s.per_period;
         let mut cells = vec![Cell::Text(name), Cell::Count(s.steps)];
