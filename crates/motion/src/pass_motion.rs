@@ -115,7 +115,7 @@ impl PassMotion {
         number: usize,
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
-        let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(&e, path.length(), number)])?;
+        let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(e, path.length(), number)])?;
         let jumps = if path.axes(0.0).is_some() { Vec::new() } else { torch_jumps(path, number) };
         if !jumps.is_empty() && !held.free().is_empty() {
             return Err(jumps);

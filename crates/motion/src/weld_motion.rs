@@ -5,7 +5,7 @@ use crate::pass_motion::Before;
 use crate::pass_time::{MAX_PASS_S, at_most};
 use crate::procedure::{PassProcedure, PlannedPass};
 use crate::redundancy::{Clearance, holding};
-use crate::transfer::{Blocked, Leg, MoveEnd, TransferMove, route_within};
+use crate::transfer::{Leg, TransferMove, obstacle, route_within};
 use crate::{PassMotion, Phase, ProfilePoint, SetPoint};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
@@ -180,7 +180,7 @@ impl WeldMotion {
                 self.transfers.push(planned);
             }
             Err(blocked) => {
-                let message = about("motion-transfer-blocked").message("reason", blocked.message());
+                let message = about("motion-transfer-blocked").message("reason", blocked);
                 self.findings.push(finding("air", message, "motion-cure-transfer-blocked", false));
             }
         }
@@ -378,7 +378,7 @@ struct TransferSettings<'a> {
 impl TransferSettings<'_> {
     /// The move from the end of a weld (or home) to the start of the next (or home), with retract and approach; and the
     /// retract distances (mm) that are less than requested, none for a missing retract.
-    fn way(&self, end: Option<PassEnd>, start: Option<PassEnd>) -> Result<(TransferMove, Vec<Option<f64>>), Blocked> {
+    fn way(&self, end: Option<PassEnd>, start: Option<PassEnd>) -> Result<(TransferMove, Vec<Option<f64>>), Message> {
         let home = self.machine.home();
         let [back_end, back_start] = [end, start].map(|e| e.and_then(|end| self.back_from(&end)));
         let place = |back: Option<(Joints, f64)>, weld: Option<PassEnd>| {
@@ -389,12 +389,12 @@ impl TransferSettings<'_> {
         let to = if start.is_none() { self.nearest_turn(&to, &from) } else { to };
         let mut points = Vec::new();
         if let (Some(PassEnd { q, .. }), Some(_)) = (end, back_end) {
-            self.straight(MoveEnd::Retract, &q, &from)?;
+            self.straight("motion-transfer-retract", &q, &from)?;
             points.push(q);
         }
         points.extend(route_within(self.effort, self.machine, self.around, &from, &to, AxisSet::default())?);
         if let (Some(PassEnd { q, .. }), Some(_)) = (start, back_start) {
-            self.straight(MoveEnd::Approach, &to, &q)?;
+            self.straight("motion-transfer-approach", &to, &q)?;
             points.push(q);
         }
         points.dedup();
@@ -421,9 +421,11 @@ impl TransferSettings<'_> {
         q
     }
 
-    fn straight(&self, which: MoveEnd, from: &Joints, to: &Joints) -> Result<(), Blocked> {
+    /// Checks the torch's straight move from or to the weld; else the error `code` with the obstacle.
+    fn straight(&self, code: &'static str, from: &Joints, to: &Joints) -> Result<(), Message> {
         let leg = Leg::new(self.machine, from, to);
-        crate::transfer::obstacle(self.around, &leg).map_or(Ok(()), |obstacle| Err(Blocked::End { which, obstacle }))
+        let blocked = obstacle(self.around, &leg).map(|obstacle| Message::new(code).message("obstacle", obstacle));
+        blocked.map_or(Ok(()), Err)
     }
 
     /// Positions of the torch retracted along its axis (two torches: along the middle of both), and the fraction of the

@@ -2,9 +2,10 @@ use super::VALUES;
 use super::alarm_list::Place;
 use super::jogging::hand;
 use seamwright_machine::{AxisSet, Joints, Machine, Surroundings};
+use seamwright_message::Message;
 use seamwright_motion::feed_override::{ChannelLimits, PassTimed, channel_limits};
 use seamwright_motion::jog::Jog;
-use seamwright_motion::transfer::{Blocked, TransferMove, route};
+use seamwright_motion::transfer::{TransferMove, route};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{ArcTime, AtHold, Pass, Sequence};
 use std::cell::RefCell;
@@ -41,7 +42,7 @@ impl Start {
         motion: &WeldMotion,
         from: &Joints,
         place: Place,
-    ) -> Result<Self, Blocked> {
+    ) -> Result<Self, Message> {
         let pass = place.pass.saturating_sub(1).min(motion.passes.len().saturating_sub(1));
         let path = &motion.passes[pass].path;
         let welded_mm = place.s_mm.clamp(0.0, path.length());

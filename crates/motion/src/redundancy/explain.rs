@@ -13,9 +13,9 @@ const NUMERIC_SAMPLES: usize = 4;
 const NO_AXIS: usize = 0;
 
 /// Finding for an invalid hold of an axis.
-pub(crate) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
-    let cure = Message::new("document-allowed").message("allowed", error.allowed());
-    Finding::error("hold", error.message(), pass, PathRange::up_to(length), cure)
+pub(crate) fn hold(error: HoldError, length: f64, pass: usize) -> Finding {
+    let cure = Message::new("document-allowed").message("allowed", error.allowed);
+    Finding::error("hold", error.message, pass, PathRange::up_to(length), cure)
 }
 
 /// Reasons for a missing path: unreachable stations, or reachable ones without a connection.

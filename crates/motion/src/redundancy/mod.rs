@@ -32,7 +32,7 @@ pub(crate) use explain::hold as hold_finding;
 pub use free_axes::FreeAxes;
 use glam::DVec3;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Target};
-use seamwright_message::{Argument, Message, Unit};
+use seamwright_message::{Argument, Message};
 use seamwright_program::{Finding, SpareAxes, TorchPath};
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -60,80 +60,14 @@ pub struct Clearance<'a> {
 
 /// Error of an invalid hold of an axis.
 #[derive(Debug, Clone, PartialEq)]
-pub enum HoldError {
-    /// The machine has no such axis, or it does not carry the torch.
-    Unknown {
-        /// Requested name.
-        axis: String,
-        /// Names of the axes that carry the torch.
-        axes: Vec<String>,
-    },
-    /// A torch pose needs every axis.
-    Decided {
-        /// Requested name.
-        axis: String,
-    },
-    /// The other axes cannot reach every torch pose.
-    TooFew {
-        /// The first of the axes to hold.
-        axis: String,
-        /// All axes to hold.
-        held: Vec<String>,
-        /// Number of axes that can be held.
-        redundant: usize,
-    },
-    /// The position lies outside the axis' range.
-    Range {
-        /// Requested name.
-        axis: String,
-        /// The position, in the file's unit.
-        value: f64,
-        /// The range, in the file's unit.
-        range: (f64, f64),
-        /// The file's unit.
-        unit: Unit,
-    },
-}
-
-impl HoldError {
-    /// Name of the axis.
-    pub fn axis(&self) -> &str {
-        match self {
-            Self::Unknown { axis, .. }
-            | Self::Decided { axis }
-            | Self::TooFew { axis, .. }
-            | Self::Range { axis, .. } => axis,
-        }
-    }
-
-    /// Describes the error.
-    pub fn message(&self) -> Message {
-        match self {
-            Self::Unknown { axis, .. } => Message::new("motion-hold-unknown").axis("axis", axis.as_str()),
-            Self::Decided { axis } => Message::new("motion-hold-decided").axis("axis", axis.as_str()),
-            Self::TooFew { held, .. } => {
-                Message::new("motion-hold-too-few").list("held", held.iter().cloned().map(Argument::Axis))
-            }
-            Self::Range { axis, value, unit, .. } => {
-                Message::new("motion-hold-range").axis("axis", axis.as_str()).value("value", *value, *unit)
-            }
-        }
-    }
-
+pub struct HoldError {
+    /// Requested name of the axis; of several the first.
+    pub axis: String,
+    /// Description.
+    pub message: Message,
     /// Allowed axes, number or range.
-    pub fn allowed(&self) -> Message {
-        match self {
-            Self::Unknown { axes, .. } => Message::verbatim(axes.join(", ")),
-            Self::Decided { .. } => Message::new("motion-hold-allowed-none"),
-            Self::TooFew { redundant, .. } => Message::new("motion-hold-allowed-count").count("axes", *redundant),
-            Self::Range { range: (low, high), unit, .. } => {
-                Message::new("document-between").quantity("min", *low, *unit, 3).quantity("max", *high, *unit, 3)
-            }
-        }
-    }
+    pub allowed: Message,
 }
-
-seamwright_message::display_by_message!(HoldError);
 
 /// The machine with the axes held by `wishes` free of the torch's pose: `machine` itself if they are already free, else
 /// the one of [`Machine::freeing`].
@@ -150,10 +84,19 @@ pub fn holding<'m>(machine: &'m Machine, wishes: &SpareAxes) -> Result<Cow<'m, M
     let axis = held.first().cloned().unwrap_or_default();
     let redundant = machine.free().iter().count();
     if redundant == 0 {
-        return Err(HoldError::Decided { axis });
+        return Err(needed(&axis));
     }
-    let freed = machine.freeing(wanted);
-    freed.map(Cow::Owned).ok_or(HoldError::TooFew { axis, held, redundant })
+    machine.freeing(wanted).map(Cow::Owned).ok_or_else(|| {
+        // The other axes cannot reach every torch pose.
+        let message = Message::new("motion-hold-too-few").list("held", held.into_iter().map(Argument::Axis));
+        HoldError { axis, message, allowed: Message::new("motion-hold-allowed-count").count("axes", redundant) }
+    })
+}
+
+/// Error of an axis that every torch pose needs.
+fn needed(axis: &str) -> HoldError {
+    let message = Message::new("motion-hold-decided").axis("axis", axis);
+    HoldError { axis: axis.to_owned(), message, allowed: Message::new("motion-hold-allowed-none") }
 }
 
 /// The axes held by `wishes`, with their positions in mm or rad.
@@ -161,17 +104,19 @@ fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, Hold
     let chain = machine.heads[0].chain.axes();
     let mut held = Vec::new();
     for (name, position) in &wishes.hold {
-        let axis = machine.axis(name).filter(|&i| chain.has(i)).ok_or_else(|| HoldError::Unknown {
-            axis: name.clone(),
-            axes: chain.iter().map(|i| machine.axes[i].name.clone()).collect(),
+        let about = |code| Message::new(code).axis("axis", name.as_str());
+        let wrong = |message, allowed| HoldError { axis: name.clone(), message, allowed };
+        let axis = machine.axis(name).filter(|&i| chain.has(i)).ok_or_else(|| {
+            let axes: Vec<&str> = chain.iter().map(|i| machine.axes[i].name.as_str()).collect();
+            wrong(about("motion-hold-unknown"), Message::verbatim(axes.join(", ")))
         })?;
         let value = machine.axes[axis].from_file(position.get());
         if machine.axes[axis].outside(value).is_some() {
             let a = &machine.axes[axis];
-            let (low, high) = a.range.unwrap_or_default();
-            let range = (a.to_file(low), a.to_file(high));
-            let unit = a.position_unit();
-            return Err(HoldError::Range { axis: name.clone(), value: position.get(), range, unit });
+            let ((low, high), unit) = (a.range.unwrap_or_default(), a.position_unit());
+            let message = about("motion-hold-range").value("value", position.get(), unit);
+            let allowed = Message::new("document-between").quantity("min", a.to_file(low), unit, 3);
+            return Err(wrong(message, allowed.quantity("max", a.to_file(high), unit, 3)));
         }
         held.push((axis, value));
     }
@@ -206,7 +151,7 @@ pub fn resolve(
     clearance: Option<Clearance>,
     pass: usize,
 ) -> Result<FreeAxes, Vec<Finding>> {
-    let machine = holding(machine, wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
+    let machine = holding(machine, wishes).map_err(|e| vec![explain::hold(e, path.length(), pass)])?;
     let aim = Aim { speed, wishes, clearance, positions: None, explains: true };
     resolve_within(&Effort::new(None), &machine, path, aim, pass)
 }
@@ -222,12 +167,11 @@ pub(crate) fn resolve_within(
     if path.axes(0.0).is_some() {
         return Ok(FreeAxes::default());
     }
-    let still = held(machine, aim.wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
+    let still = held(machine, aim.wishes).map_err(|e| vec![explain::hold(e, path.length(), pass)])?;
     let two = path.second(0.0).is_some();
     if let (true, Some(&(axis, _))) = (two, still.first()) {
         // Two torches determine every axis.
-        let error = HoldError::Decided { axis: machine.axes[axis].name.clone() };
-        return Err(vec![explain::hold(&error, path.length(), pass)]);
+        return Err(vec![explain::hold(needed(&machine.axes[axis].name), path.length(), pass)]);
     }
     if machine.free().is_empty() || two {
         return Ok(FreeAxes::default());
