@@ -103,7 +103,7 @@ pub use homography::Homography;
 pub use line::Line;
 pub use monotone::MonotoneCurve;
 pub use plane_map::{MapError, MapParameters, PlaneMap};
-pub use pose::Pose;
+pub use pose::{Pose, angle_between};
 pub use quadric::{Quadric, Surface};
 pub use rounded_rectangle::RoundedRectangle;
 pub use slices::Slices;

@@ -8,3 +8,8 @@ pub struct Pose {
     /// Unit vector.
     pub direction: DVec3,
 }
+
+/// Angle between two unit vectors, rad, accurate at all angles.
+pub fn angle_between(u: DVec3, v: DVec3) -> f64 {
+    2.0 * (u - v).length().atan2((u + v).length())
+}

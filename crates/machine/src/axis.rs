@@ -1,3 +1,4 @@
+use crate::AxisLimits;
 use crate::pitch_error::PitchError;
 use crate::stepper::Stepper;
 use schemars::JsonSchema;
@@ -112,6 +113,11 @@ impl Axis {
     pub fn jerk(&self) -> f64 {
         const WITHOUT_LIMIT_PER_S: f64 = 50.0;
         if self.max_jerk.is_finite() { self.max_jerk } else { WITHOUT_LIMIT_PER_S * self.max_acceleration }
+    }
+
+    /// The limits for motion planning, with the jerk of [`Axis::jerk`].
+    pub fn limits(&self) -> AxisLimits {
+        AxisLimits { speed: self.max_speed, acceleration: self.max_acceleration, jerk: self.jerk() }
     }
 
     /// The limit that `value` exceeds; none inside the range.

@@ -1,5 +1,6 @@
 //! The machine file as written, before its steps are assembled.
 
+use crate::AxisLimits;
 use crate::axis::EncoderSide;
 use crate::beam_deflection::BeamDeflection;
 use crate::cell::{InterlockFile, SourceFile};
@@ -138,9 +139,9 @@ pub struct TipFile {
 }
 
 impl TipFile {
-    pub(crate) fn limits(self) -> TipLimits {
+    pub(crate) fn limits(self) -> AxisLimits {
         let limit = |value: Option<Positive>| value.map_or(f64::INFINITY, Positive::get);
-        TipLimits {
+        AxisLimits {
             speed: limit(self.max_speed_mm_s),
             acceleration: limit(self.max_acceleration_mm_s2),
             jerk: limit(self.max_jerk_mm_s3),

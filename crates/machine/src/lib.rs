@@ -27,6 +27,7 @@
 
 mod assemble;
 mod axis;
+mod axis_limits;
 mod beam_deflection;
 mod cell;
 mod chain;
@@ -50,6 +51,7 @@ mod tip_limits;
 mod tip_motion;
 
 pub use axis::{Axis, AxisKind, Drive, EncoderSide, Load, RangeViolation};
+pub use axis_limits::AxisLimits;
 pub use beam_deflection::BeamDeflection;
 pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};

@@ -73,11 +73,6 @@ impl Links {
         self.base
     }
 
-    /// The axis that moves link `i` on the next one towards the work.
-    pub fn axis(&self, i: usize) -> Option<usize> {
-        self.links[i].parent.map(|(_, screw)| screw.axis)
-    }
-
     /// The joint of link `i` with the next one towards the work; none for the work itself.
     pub fn joint(&self, i: usize) -> Option<LinkJoint> {
         let joint = |(on, s): (usize, Screw)| LinkJoint { on, axis: s.axis, direction: s.direction, at: s.at };
@@ -97,11 +92,6 @@ impl Links {
             link = parent;
             Some(screw.axis)
         })
-    }
-
-    /// Axes whose motion moves link `a` against link `b`.
-    pub fn between(&self, a: usize, b: usize) -> impl Iterator<Item = usize> + use<> {
-        self.links[a].axes.different(self.links[b].axes).iter()
     }
 
     /// Displacement of each link from its pose with all axes at zero, in the work frame, at the true positions `q`: a

@@ -10,6 +10,7 @@ use crate::inverse::{self, Branches, Inverse, PairFault, Solution, Unreachable, 
 use crate::lever::{Lever, PITCH, travel};
 use crate::links::{LinkFrames, Links};
 use crate::pair::Pair;
+use crate::AxisLimits;
 use crate::sensor::Sensor;
 use crate::solids::LinkSolids;
 use crate::tip_limits::TipLimits;
@@ -56,7 +57,7 @@ pub struct Machine {
     /// Sensors of the joint, by name.
     pub sensors: Vec<Sensor>,
     /// Limits of the first head's torch tip against the work.
-    pub tip: TipLimits,
+    pub tip: AxisLimits,
     /// Beam deflection of a machine whose torch is a beam.
     pub deflection: Option<BeamDeflection>,
     /// Unit vector against gravity in the machine's base frame.

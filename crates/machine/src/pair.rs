@@ -1,8 +1,8 @@
 use crate::chain::{AxisSet, Joints};
 use crate::head::Head;
-use crate::inverse::{Branches, Frame, FrameInverse, PairFault, Unreachable, angle_between, in_plane};
+use crate::inverse::{Branches, Frame, FrameInverse, PairFault, Unreachable, in_plane};
 use glam::DMat3;
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 
 /// Two heads on one carrier (DUALBEAM-2013): the shared axes carry the frame of both tips. Each head's slides
 /// compensate the difference of the points' distance from that of the tips with centred slides.

@@ -39,14 +39,10 @@ pub(crate) fn stop_findings(machine: &Machine, corners: &[Left], pass: &Pass, nu
             Some(why) => stops("motion-stop-because").message("reason", why.clone()),
         }
     };
-    let finding = |corner: &Left| Finding {
-        kind: "stop",
-        message: message(corner),
-        pass: number,
-        from_mm: corner.s,
-        to_mm: corner.s,
-        cure: cure.clone(),
-        allowed: pass.corner == AtCorner::Stop,
+    let (cure, allowed) = (&cure, pass.corner == AtCorner::Stop);
+    let finding = |corner: &Left| {
+        let note = Finding::note("stop", message(corner), number, PathRange::at(corner.s));
+        Finding { cure: cure.clone(), allowed, ..note }
     };
     corners.iter().map(finding).collect()
 }
@@ -138,20 +134,9 @@ fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Findin
         ),
         None => (Message::new("motion-least-speed-short"), Message::new("motion-cure-least-speed-longer")),
     };
-    Finding {
-        kind: "least_speed",
-        message: message.quantity("reached", reached, Unit::MmPerS, 3).quantity("at", at, Unit::Mm, 3).quantity(
-            "minimum",
-            least,
-            Unit::MmPerS,
-            3,
-        ),
-        pass,
-        from_mm: slow.from,
-        to_mm: slow.to,
-        cure: Some(cure),
-        allowed: false,
-    }
+    let message = message.quantity("reached", reached, Unit::MmPerS, 3).quantity("at", at, Unit::Mm, 3);
+    let message = message.quantity("minimum", least, Unit::MmPerS, 3);
+    Finding::error("least_speed", message, pass, Stretch { from: slow.from, to: slow.to }, cure)
 }
 
 /// Note `code` for the start or end of the weld, where the torch is too slow.

@@ -9,12 +9,13 @@
 use crate::follower::Follower;
 use crate::joint_path::JointPath;
 use crate::pass_channels::PassChannels;
-use crate::speed_profile::{Channels, Limits};
+use crate::speed_profile::Channels;
 use crate::stretch::Stretch;
 use crate::taught::Piece;
+use crate::tip_channels::channel_derivatives;
 use glam::DVec3;
-use seamwright_geometry::Pose;
-use seamwright_machine::Joints;
+use seamwright_geometry::{Pose, angle_between};
+use seamwright_machine::{AxisLimits, Joints};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{AtCorner, Finding, Pass, PathRange};
 
@@ -206,7 +207,7 @@ impl Corner<'_> {
         (0..=PLACES).all(|i| {
             let u = blend.from + (blend.to - blend.from) * f64::from(i) / f64::from(PLACES);
             let d = blend.derivatives(u);
-            let [r1, r2, r3] = self.channels.along(&d, &mut rows);
+            let [r1, r2, r3] = channel_derivatives(self.follower.machine, &d, &mut rows);
             let (square, mixed) = (r1.length_squared(), r1.dot(r2));
             let [b, b1, b2] = if self.joints.is_timed() {
                 [asked * asked, 0.0, 0.0]
@@ -215,7 +216,7 @@ impl Corner<'_> {
                 let b1 = -2.0 * b * mixed / square;
                 [b, b1, 2.0 * b * (4.0 * mixed * mixed / square - r2.length_squared() - r1.dot(r3)) / square]
             };
-            let within = |([q1, q2, q3], l): (&[f64; 3], &Limits)| {
+            let within = |([q1, q2, q3], l): (&[f64; 3], &AxisLimits)| {
                 let speed = q1.abs() * b.sqrt() / l.speed;
                 let acceleration = (q2 * b + 0.5 * q1 * b1).abs() / l.acceleration;
                 let jerk = b.sqrt() * (q3 * b + 1.5 * q2 * b1 + 0.5 * q1 * b2).abs() / l.jerk;
@@ -257,7 +258,7 @@ impl Away {
 /// Deviation of `torch` from the nearest point of the seam, which is smooth on both `sides` of a corner.
 fn nearest(pose: impl Fn(f64) -> Pose, torch: Pose, sides: [Stretch; 2]) -> Away {
     let there = pose(foot_at_corner(&pose, torch.point, sides));
-    Away { tip: there.point.distance(torch.point), direction: angle(there.direction, torch.direction) }
+    Away { tip: there.point.distance(torch.point), direction: angle_between(there.direction, torch.direction) }
 }
 
 /// Path length of the point of the seam `pose` nearest to `point` (mm, near `s`), on either side of the corner. None
@@ -306,8 +307,4 @@ fn greatest(within: Stretch, value: impl Fn(f64) -> f64) -> f64 {
         if value(a) < value(b) { low = a } else { high = b }
     }
     0.5 * (low + high)
-}
-
-fn angle(a: DVec3, b: DVec3) -> f64 {
-    2.0 * (a - b).length().atan2((a + b).length())
 }

@@ -7,7 +7,6 @@
 use crate::effort::SearchStage;
 use crate::follower::Follower;
 use crate::joint_path::JointPath;
-use crate::limit_kind::position_unit;
 use crate::pass_clearance::pass_clearance;
 use crate::pass_motion::{Before, PassMotion, along_axes};
 use crate::redundancy::holding;
@@ -16,7 +15,7 @@ use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine, Surroundings, Target};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{AxisPositions, Finding, Groove, Pass, TorchPath};
+use seamwright_program::{Finding, Groove, Pass, ThroughPoints, TorchPath, WovenPath};
 
 /// Changes of the work angle that are tried, degrees, smallest first.
 const LEANS_DEG: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0];
@@ -337,7 +336,7 @@ fn both_ends(machine: &Machine, lacks: &[Lack]) -> Option<Message> {
         let axis = &machine.axes[low.axis];
         let (from, to) = axis.range?;
         let needed = axis.to_file(to - from + high.by - low.by);
-        let unit = position_unit(axis.kind);
+        let unit = axis.position_unit();
         let message = Message::new("motion-cure-range-none-stroke")
             .axis("axis", axis.name.as_str())
             .quantity("needed", needed, unit, 3)
@@ -396,24 +395,12 @@ impl TorchPath for Changed<'_> {
         self.path().rate(s)
     }
 
-    fn is_timed(&self) -> bool {
-        self.path().is_timed()
+    fn knots(&self) -> Vec<f64> {
+        self.path().knots()
     }
 
-    fn reached(&self, points: usize) -> Option<f64> {
-        self.path().reached(points)
-    }
-
-    fn stops(&self) -> Vec<f64> {
-        self.path().stops()
-    }
-
-    fn axes(&self, s: f64) -> Option<AxisPositions> {
-        self.path().axes(s)
-    }
-
-    fn face(&self, s: f64) -> DVec3 {
-        self.path().face(s)
+    fn bends(&self) -> Vec<f64> {
+        self.path().bends()
     }
 
     fn groove(&self, s: f64) -> Option<Groove> {
@@ -424,20 +411,22 @@ impl TorchPath for Changed<'_> {
         self.path().second(s).map(|pose| self.of(pose, s))
     }
 
-    fn swing(&self, s: f64) -> Option<DVec3> {
-        self.path().swing(s)
+    fn weave(&self) -> Option<&dyn WovenPath> {
+        self.path().weave().map(|_| self as &dyn WovenPath)
     }
 
-    fn slower(&self, factor: f64) -> Option<Box<dyn TorchPath + '_>> {
-        let path = Source::Own(self.path().slower(factor)?);
-        Some(Box::new(Changed { path, change: self.change }))
+    fn points(&self) -> Option<&dyn ThroughPoints> {
+        self.path().points()
+    }
+}
+
+impl WovenPath for Changed<'_> {
+    fn swing(&self, s: f64) -> DVec3 {
+        self.path().weave().map_or(DVec3::ZERO, |weave| weave.swing(s))
     }
 
-    fn knots(&self) -> Vec<f64> {
-        self.path().knots()
-    }
-
-    fn bends(&self) -> Vec<f64> {
-        self.path().bends()
+    fn slower(&self, factor: f64) -> Box<dyn TorchPath + '_> {
+        let path = self.path().weave().map_or(Source::Lent(self.path()), |weave| Source::Own(weave.slower(factor)));
+        Box::new(Changed { path, change: self.change })
     }
 }

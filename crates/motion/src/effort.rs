@@ -5,7 +5,7 @@
 //! every search ends early, and planning ends with one finding that reports its progress.
 
 use seamwright_message::{Message, Unit};
-use seamwright_program::Finding;
+use seamwright_program::{Finding, PathRange};
 use std::cell::Cell;
 use std::fmt;
 
@@ -175,15 +175,7 @@ impl<'a> Effort<'a> {
             ),
             Stop::Cancelled => (Message::new("motion-search-cancelled"), Message::new("motion-cure-plan-again")),
         };
-        Finding {
-            kind: "search",
-            message: message.message("progress", progress),
-            pass,
-            from_mm: 0.0,
-            to_mm: length,
-            cure: Some(cure),
-            allowed: false,
-        }
+        Finding::error("search", message.message("progress", progress), pass, PathRange::up_to(length), cure)
     }
 }
 

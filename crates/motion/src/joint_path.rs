@@ -48,7 +48,7 @@ pub struct JointPoint {
 /// Panels of Chebyshev series fitted to the closed-form inverse kinematics at their nodes and halved until they agree
 /// with it between the nodes. Guarantee (checked at 33 stations a panel): within 1e-10 mm and 1e-12 rad of the exact
 /// inverse, except in blends at corners. Evaluation does not allocate, and its cost depends on the number of axes only.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct JointPath {
     panels: Vec<Panel>,
     /// `blocks` per panel, one after the other.
@@ -96,9 +96,9 @@ impl JointPath {
         let length = follower.path.length();
         let mut built = Self::empty(axes, length);
         built.bends = follower.bends();
-        built.stops = follower.path.stops();
-        built.timed = follower.path.is_timed();
-        built.line = follower.path.swing(0.0).map(|_| Vec::new());
+        built.stops = follower.path.points().map_or(Vec::new(), |points| points.stops());
+        built.timed = follower.path.points().is_some();
+        built.line = follower.path.weave().map(|_| Vec::new());
         let mut near = *start;
         let mut todo: Vec<(f64, f64)> = Vec::new();
         let mut edges = vec![from];
@@ -127,20 +127,7 @@ impl JointPath {
     }
 
     fn empty(axes: usize, length: f64) -> Self {
-        let blocks_a_panel = axes.div_ceil(LANES);
-        Self {
-            panels: Vec::new(),
-            blocks: Vec::new(),
-            blocks_a_panel,
-            length,
-            axes,
-            bends: Vec::new(),
-            stops: Vec::new(),
-            timed: false,
-            blends: Vec::new(),
-            beside: false,
-            line: None,
-        }
+        Self { blocks_a_panel: axes.div_ceil(LANES), length, axes, ..Self::default() }
     }
 
     /// Length of the path, mm.

@@ -14,7 +14,6 @@
 //! | compare a plan with a welding procedure specification | [`procedure`] |
 //! | find the fastest speed profile of any path | [`speed_profile`] |
 //! | interpolate coarse set-points; make step and direction pulses | [`fine`], [`pulses`] |
-//! | compare with the interpolators of papers | [`textbook`] |
 //!
 //! A pass consists of the path of the axes ([`JointPath`]), the speed profile ([`SpeedProfile`]) and the process
 //! sequence. The profile is the fastest one up to the requested speed within every axis' speed, acceleration and jerk.
@@ -89,7 +88,6 @@ pub mod speed_profile;
 mod stretch;
 mod survey;
 pub mod taught;
-pub mod textbook;
 mod tip_channels;
 mod tip_path;
 pub mod transfer;

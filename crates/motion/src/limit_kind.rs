@@ -43,11 +43,3 @@ impl LimitKind {
         }
     }
 }
-
-/// Unit of a position of an axis, as in files.
-pub(crate) fn position_unit(axis: AxisKind) -> Unit {
-    match axis {
-        AxisKind::Linear => Unit::Mm,
-        AxisKind::Rotary => Unit::Deg,
-    }
-}

@@ -5,7 +5,7 @@ use crate::pass_channels::PassChannels;
 use crate::planned::{Band, Planned};
 use crate::speed_profile::{Bound, Certificate, Interval, Leg, SpeedProfile};
 use crate::stretch::Stretch;
-use seamwright_machine::{AxisKind, Machine, TipLimits};
+use seamwright_machine::{AxisKind, AxisLimits, Machine};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass, PathRange};
 
@@ -44,28 +44,22 @@ impl Binding {
             Bound::Acceleration(i) => (i, LimitKind::Acceleration),
             Bound::Jerk(i) => (i, LimitKind::Jerk),
         };
-        let of = |speed: f64, acceleration: f64, jerk: f64| match kind {
-            LimitKind::Speed => speed,
-            LimitKind::Acceleration => acceleration,
-            LimitKind::Jerk => jerk,
+        let of = |limits: AxisLimits| match kind {
+            LimitKind::Speed => limits.speed,
+            LimitKind::Acceleration => limits.acceleration,
+            LimitKind::Jerk => limits.jerk,
         };
         let Some(axis) = machine.axes.get(channel) else {
-            let TipLimits { speed, acceleration, jerk } = machine.tip;
-            let (value, unit) = (of(speed, acceleration, jerk), kind.unit(AxisKind::Linear));
-            return Some(Self { axis: None, kind, value, unit });
+            return Some(Self { axis: None, kind, value: of(machine.tip), unit: kind.unit(AxisKind::Linear) });
         };
-        let value = plain(axis.to_file(of(axis.max_speed, axis.max_acceleration, axis.jerk())));
+        let value = plain(axis.to_file(of(axis.limits())));
         Some(Self { axis: Some(axis.name.clone()), kind, value, unit: kind.unit(axis.kind) })
     }
 
     /// Reports the difference between the requested and the reached tip speed, mm/s.
     pub(crate) fn cannot_keep(&self, asked: f64, reached: f64) -> Message {
-        self.message("motion-speed-axis", "motion-speed-tip").quantity("asked", asked, Unit::MmPerS, 3).quantity(
-            "reached",
-            reached,
-            Unit::MmPerS,
-            3,
-        )
+        let message = self.message("motion-speed-axis", "motion-speed-tip").quantity("asked", asked, Unit::MmPerS, 3);
+        message.quantity("reached", reached, Unit::MmPerS, 3)
     }
 
     /// Message `of_axis` with the axis or `of_tip` without one, and the limit.
@@ -166,12 +160,10 @@ fn speed_finding(planned: Planned, run: &SlowRun, pass: &Pass, number: usize, ke
     let SlowRun { from, to, at, asked, reached, binding } = run;
     let message = match binding {
         Some(binding) => binding.cannot_keep(*asked, *reached),
-        None => Message::new("motion-speed-rounded-off").quantity("reached", *reached, Unit::MmPerS, 3).quantity(
-            "asked",
-            *asked,
-            Unit::MmPerS,
-            3,
-        ),
+        None => {
+            let message = Message::new("motion-speed-rounded-off").quantity("reached", *reached, Unit::MmPerS, 3);
+            message.quantity("asked", *asked, Unit::MmPerS, 3)
+        }
     };
     if pass.on_limit == OnLimit::Slow {
         let message = Message::new("motion-speed-slowed").message("reason", message);
@@ -184,7 +176,7 @@ fn speed_finding(planned: Planned, run: &SlowRun, pass: &Pass, number: usize, ke
         (None, _) => Message::new("motion-cure-longer-change"),
         (Some(_), keepable) => slower_cure(keepable, planned.joints.in_blend(*at)),
     };
-    Finding { kind: "speed", message, pass: number, from_mm: *from, to_mm: *to, cure: Some(cure), allowed: false }
+    Finding::error("speed", message, number, Stretch { from: *from, to: *to }, cure)
 }
 
 /// Operator action at a limit: a lower speed, if one helps, or to slow down at the limit; in a blend also a wider one.
@@ -270,13 +262,13 @@ pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pas
         let message = Message::new(if several { "motion-too-short-between-stops" } else { "motion-too-short" })
             .quantity("reached", reached, Unit::MmPerS, 3)
             .quantity("asked", asked, Unit::MmPerS, 3);
-        let (from_mm, to_mm) = (leg.from, if several { leg.to } else { leg.run_up_end });
+        let range = PathRange { from_mm: leg.from, to_mm: if several { leg.to } else { leg.run_up_end } };
         if on_limit == OnLimit::Slow {
-            return Some(Finding::note("speed", message, pass, PathRange { from_mm, to_mm }));
+            return Some(Finding::note("speed", message, pass, range));
         }
         let speed = (reached * 1e3).floor() * 1e-3;
         let cure = Message::new("motion-cure-speed-at-most").quantity("speed", speed, Unit::MmPerS, 3);
-        Some(Finding { kind: "speed", message, pass, from_mm, to_mm, cure: Some(cure), allowed: false })
+        Some(Finding::error("speed", message, pass, range, cure))
     };
     planned.legs.iter().filter_map(finding).collect()
 }
@@ -295,6 +287,12 @@ pub(crate) struct Run {
     pub(crate) message: Message,
     pub(crate) key: usize,
     worst: f64,
+}
+
+impl Run {
+    pub(crate) fn stretch(&self) -> Stretch {
+        Stretch { from: self.from, to: self.to }
+    }
 }
 
 impl Runs {

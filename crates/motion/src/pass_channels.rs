@@ -1,8 +1,7 @@
 use crate::joint_path::JointPath;
-use crate::speed_profile::{Bend, Channels, Limits};
-use crate::tip_channels::TipChannels;
-use glam::DVec3;
-use seamwright_machine::{Joints, Machine};
+use crate::speed_profile::{Bend, Channels};
+use crate::tip_channels::{ChannelLimits, channel_derivatives, channel_limits};
+use seamwright_machine::{AxisLimits, Machine};
 use seamwright_program::{Pass, Span};
 
 /// Maximum jump of an axis' acceleration between two panels of a path, as a fraction of its limit; a larger one is a
@@ -24,7 +23,7 @@ pub(crate) struct PassChannels<'a> {
     pass: &'a Pass,
     /// Factor of the pass' requested speeds.
     times: f64,
-    limits: Vec<Limits>,
+    limits: ChannelLimits,
     /// Ends of all spans but the last, each exactly at one of the breaks.
     borders: Vec<f64>,
     breaks: Vec<f64>,
@@ -34,7 +33,7 @@ pub(crate) struct PassChannels<'a> {
 
 impl<'a> PassChannels<'a> {
     pub(crate) fn new(machine: &'a Machine, path: &'a JointPath, pass: &'a Pass, times: f64) -> Self {
-        let limits: Vec<Limits> = machine.axes.iter().map(limits).chain(TipChannels::limits(machine)).collect();
+        let limits = channel_limits(machine);
         let length = path.length();
         let mut breaks = path.edges();
         let last = pass.spans.len().saturating_sub(1);
@@ -68,18 +67,6 @@ impl<'a> PassChannels<'a> {
         self.path.stops().iter().any(|stop| (stop - s).abs() <= SAME * self.path.length())
     }
 
-    /// Writes the derivatives of all channels to `out`, from the positions and derivatives `d` of the axes. Returns
-    /// those of the tip.
-    pub(crate) fn along(&self, d: &[Joints; 4], out: &mut [[f64; 3]]) -> [DVec3; 3] {
-        let (axes, tip) = out.split_at_mut(self.machine.axes.len());
-        axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
-        let motion = self.machine.tip_derivatives(d);
-        if !tip.is_empty() {
-            TipChannels::derivatives(motion, tip);
-        }
-        motion
-    }
-
     /// An axis whose speed or acceleration would jump at `s` at the requested speed.
     fn corner(&self, s: f64) -> Option<usize> {
         let (before, after) = (self.path.point(s, true), self.path.point(s, false));
@@ -87,7 +74,7 @@ impl<'a> PassChannels<'a> {
         let axes = &self.limits[..self.machine.axes.len()];
         let held = axes.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
         let speed = held.fold(self.asked(s) / self.path.speed_rate(self.machine, s), f64::min);
-        let jumps = |(i, limits): (usize, &Limits)| {
+        let jumps = |(i, limits): (usize, &AxisLimits)| {
             let jump = ((after.d1[i] - before.d1[i]).abs(), (after.d2[i] - before.d2[i]).abs());
             // A jump of the speed counts as an acceleration over one ms.
             (jump.0 * speed * 1e3).max(jump.1 * speed * speed) > JUMP * limits.acceleration
@@ -96,17 +83,12 @@ impl<'a> PassChannels<'a> {
     }
 }
 
-/// An axis' limits.
-pub(crate) fn limits(axis: &seamwright_machine::Axis) -> Limits {
-    Limits { speed: axis.max_speed, acceleration: axis.max_acceleration, jerk: axis.jerk() }
-}
-
 impl Channels for PassChannels<'_> {
     fn range(&self) -> (f64, f64) {
         (0.0, self.path.length())
     }
 
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         &self.limits
     }
 
@@ -114,7 +96,7 @@ impl Channels for PassChannels<'_> {
         let p = self.path.point(s, before);
         let has_rate = self.path.has_rate(s);
         if has_rate || out.len() > self.machine.axes.len() {
-            let [d1, ..] = self.along(&[p.q, p.d1, p.d2, p.d3], out);
+            let [d1, ..] = channel_derivatives(self.machine, &[p.q, p.d1, p.d2, p.d3], out);
             let line = self.path.line_rate(self.path.panel(s, before), s);
             return if has_rate { line.unwrap_or(d1.length()) } else { 1.0 };
         }

@@ -1,9 +1,9 @@
 use crate::joint_path::JointPath;
-use crate::transfer::too_near;
+use crate::transfer::{nearest, too_near};
 use seamwright_clearance::Limits;
 use seamwright_machine::Surroundings;
 use seamwright_message::Message;
-use seamwright_program::Finding;
+use seamwright_program::{Finding, PathRange};
 
 /// Clearance along a pass.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,14 +37,9 @@ pub(crate) fn pass_clearance(
     if around.is_empty() {
         return (None, Vec::new());
     }
-    let finding = |message, from_mm, to_mm| Finding {
-        kind: "clearance",
-        message,
-        pass,
-        from_mm,
-        to_mm,
-        cure: Some(Message::new("motion-cure-clearance")),
-        allowed: false,
+    let finding = |message, from_mm, to_mm| {
+        let cure = Message::new("motion-cure-clearance");
+        Finding::error("clearance", message, pass, PathRange { from_mm, to_mm }, cure)
     };
     let profile = match around.along(path, STATIONS, &limits) {
         Ok(profile) => profile,
@@ -56,11 +51,7 @@ pub(crate) fn pass_clearance(
         let (_, cell) = profile.nearest(i)?;
         Some((profile.edges[i + 1], cell.at_least_mm))
     });
-    let near = profile.traces.iter().enumerate().filter(|(_, t)| t.nearest.1.place.is_some());
-    let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance)).map(|(watch, t)| {
-        let (s, found) = t.nearest;
-        (found.distance, s, around.nearest_bodies(watch, &found).into())
-    });
+    let nearest = nearest(around, &profile);
     let found = profile.edges.iter().map(|&s| (s, around.least(&path.at(s), CUTOFF_MM))).collect();
     let clearance =
         PassClearance { found, at_least: at_least.collect(), nearest, watched: around.watched(), cutoff_mm: CUTOFF_MM };

@@ -16,7 +16,7 @@ use crate::survey::{Survey, range_between, range_on_path, survey};
 use crate::weave_limits::Woven;
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_message::Message;
-use seamwright_program::{ArcTime, Finding, Pass, Procedure, Sequence, TorchPath, torch_jumps};
+use seamwright_program::{ArcTime, Finding, Pass, PathRange, Procedure, Sequence, TorchPath, torch_jumps};
 use std::borrow::Cow;
 
 /// Number of samples of the tip's travel by path length before the axes are known.
@@ -114,7 +114,7 @@ impl PassMotion {
         number: usize,
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
-        let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(&e, path.length(), number)])?;
+        let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(e, path.length(), number)])?;
         let jumps = if path.axes(0.0).is_some() { Vec::new() } else { torch_jumps(path, number) };
         if !jumps.is_empty() && !held.free().is_empty() {
             return Err(jumps);
@@ -296,7 +296,7 @@ pub(crate) fn along_axes(
 ) -> Result<(FreeAxes, Survey), Vec<Finding>> {
     let (_, fastest) = pass.speeds();
     // Redundant axes do not weave.
-    let line = path.slower(0.0);
+    let line = path.weave().map(|weave| weave.slower(0.0));
     let line = line.as_deref().unwrap_or(path);
     let aim = Aim {
         speed: fastest / least_rate(line),
@@ -318,31 +318,16 @@ fn least_rate(path: &dyn TorchPath) -> f64 {
 }
 
 fn no_profile(machine: &Machine, length: f64, error: SpeedProfileError, pass: usize) -> Finding {
-    let (from_mm, to_mm) = match error {
-        SpeedProfileError::NotSmooth { at, .. } | SpeedProfileError::Asked { at, .. } => (at, at),
-        _ => (0.0, length),
+    let range = match error {
+        SpeedProfileError::NotSmooth { at, .. } | SpeedProfileError::Asked { at, .. } => PathRange::at(at),
+        _ => PathRange::up_to(length),
     };
-    Finding {
-        kind: "speed",
-        message: Message::new("motion-no-speed-profile")
-            .text("machine", machine.name.as_str())
-            .message("reason", error.message()),
-        pass,
-        from_mm,
-        to_mm,
-        cure: Some(Message::new("motion-cure-limits")),
-        allowed: false,
-    }
+    let message = Message::new("motion-no-speed-profile").text("machine", machine.name.as_str());
+    let message = message.message("reason", error.message());
+    Finding::error("speed", message, pass, range, Message::new("motion-cure-limits"))
 }
 
 fn not_smooth(machine: &Machine, s: f64, pass: usize) -> Finding {
-    Finding {
-        kind: "singular",
-        message: Message::new("motion-not-smooth").text("machine", machine.name.as_str()),
-        pass,
-        from_mm: s,
-        to_mm: s,
-        cure: Some(Message::new("motion-cure-not-tried")),
-        allowed: false,
-    }
+    let message = Message::new("motion-not-smooth").text("machine", machine.name.as_str());
+    Finding::error("singular", message, pass, PathRange::at(s), Message::new("motion-cure-not-tried"))
 }

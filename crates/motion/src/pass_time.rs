@@ -3,7 +3,7 @@
 
 use crate::speed_profile::SpeedProfile;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, Pass};
+use seamwright_program::{Finding, Pass, PathRange};
 
 /// Maximum time of a pass or of a part of its sequence, s: more than two days. Longer times come from a wrong unit or
 /// exponent.
@@ -18,28 +18,20 @@ pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
         ("sequence.crater_s", sequence.crater_s.get(), pass.length()),
         ("sequence.postflow_s", sequence.postflow_s.get(), pass.length()),
     ];
-    let finding = |(from_mm, to_mm): (f64, f64), message: Message, cure: Message| Finding {
-        kind: "time",
-        message,
-        pass: number,
-        from_mm,
-        to_mm,
-        cure: Some(cure),
-        allowed: false,
-    };
     let mut all: Vec<Finding> = times
         .into_iter()
         .filter(|(_, time, _)| is_too_long(*time))
         .map(|(key, time, s)| {
             let message = Message::new("motion-time-too-long").key("key", key).value("time", time, Unit::S);
             let cure = Message::new("motion-cure-time").key("key", key);
-            finding((s, s), at_most(message), at_most(cure))
+            Finding::error("time", at_most(message), number, PathRange::at(s), at_most(cure))
         })
         .collect();
     let travel = pass.travel_s();
     if is_too_long(travel) {
         let message = Message::new("motion-travel-too-long").quantity("time", travel, Unit::S, 0);
-        all.push(finding((0.0, pass.length()), at_most(message), Message::new("motion-cure-travel")));
+        let (whole, cure) = (PathRange::up_to(pass.length()), Message::new("motion-cure-travel"));
+        all.push(Finding::error("time", at_most(message), number, whole, cure));
     }
     all
 }
@@ -47,14 +39,9 @@ pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
 /// Reports a travel of a pass, `length` mm long, that takes more than [`MAX_PASS_S`] within the limits of the axes.
 pub(crate) fn travels_too_long(profile: &SpeedProfile, length: f64, pass: usize) -> Option<Finding> {
     let travel = profile.duration();
-    is_too_long(travel).then(|| Finding {
-        kind: "time",
-        message: at_most(Message::new("motion-travel-too-long-axes").quantity("time", travel, Unit::S, 0)),
-        pass,
-        from_mm: 0.0,
-        to_mm: length,
-        cure: Some(Message::new("motion-cure-travel-axes")),
-        allowed: false,
+    is_too_long(travel).then(|| {
+        let message = at_most(Message::new("motion-travel-too-long-axes").quantity("time", travel, Unit::S, 0));
+        Finding::error("time", message, pass, PathRange::up_to(length), Message::new("motion-cure-travel-axes"))
     })
 }
 

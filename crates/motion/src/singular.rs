@@ -64,13 +64,8 @@ pub(crate) fn margins(
             }),
         );
     }
-    runs.findings(|run| Finding {
-        kind: "singular",
-        message: run.message.clone(),
-        pass,
-        from_mm: run.from,
-        to_mm: run.to,
-        cure: Some(Message::new("motion-cure-near-singular")),
-        allowed: true,
+    runs.findings(|run| {
+        let cure = Message::new("motion-cure-near-singular");
+        Finding { allowed: true, ..Finding::error("singular", run.message.clone(), pass, run.stretch(), cure) }
     })
 }

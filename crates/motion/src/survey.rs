@@ -3,12 +3,11 @@
 use crate::effort::Effort;
 use crate::follower::Follower;
 use crate::joint_path::{JointPath, PLACES};
-use crate::limit_kind::position_unit;
 use crate::limits::Runs;
 use crate::stretch::Stretch;
 use seamwright_machine::{Axis, AxisKind, Joints, Machine};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, Tolerance};
+use seamwright_program::{Finding, PathRange, Tolerance};
 use std::f64::consts::TAU;
 
 /// Stride of the samples at which a search without closed form is made if the path cannot be followed.
@@ -132,15 +131,8 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
 
 /// Finding for a stretch that no axis positions reach.
 fn reach_finding(machine: &Machine, reason: Message, stretch: Stretch, pass: usize) -> Finding {
-    Finding {
-        kind: "reach",
-        message: Message::new("motion-unreachable").text("machine", machine.name.as_str()).message("reason", reason),
-        pass,
-        from_mm: stretch.from,
-        to_mm: stretch.to,
-        cure: Some(Message::new("motion-cure-unreachable")),
-        allowed: false,
-    }
+    let message = Message::new("motion-unreachable").text("machine", machine.name.as_str()).message("reason", reason);
+    Finding::error("reach", message, pass, stretch, Message::new("motion-cure-unreachable"))
 }
 
 /// Follows one branch.
@@ -171,17 +163,13 @@ fn walk(follower: Follower, places: &[f64], start: Joints, pass: usize) -> Surve
 fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pass: usize) -> Option<Finding> {
     let (error, at) = walk.attitude_error;
     let allowed = error.to_degrees() <= tolerance.attitude_deg.get();
-    (error > ATTITUDE_WORTH_SAYING).then(|| Finding {
-        kind: "attitude",
-        message: Message::new("motion-attitude")
+    (error > ATTITUDE_WORTH_SAYING).then(|| {
+        let message = Message::new("motion-attitude")
             .text("machine", machine.name.as_str())
             .quantity("error", error.to_degrees(), Unit::Deg, 2)
-            .value("tolerance", tolerance.attitude_deg.get(), Unit::Deg),
-        pass,
-        from_mm: at,
-        to_mm: at,
-        cure: Some(Message::new("motion-cure-attitude")),
-        allowed,
+            .value("tolerance", tolerance.attitude_deg.get(), Unit::Deg);
+        let cure = Message::new("motion-cure-attitude");
+        Finding { allowed, ..Finding::error("attitude", message, pass, PathRange::at(at), cure) }
     })
 }
 
@@ -277,21 +265,14 @@ pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) ->
 
 /// Finding for an axis beyond its range.
 fn range_finding(axis: &Axis, value: f64, limit: f64, stretch: Stretch, pass: usize) -> Finding {
-    let (value, limit, unit) = (axis.to_file(value), axis.to_file(limit), position_unit(axis.kind));
-    Finding {
-        kind: "range",
-        message: Message::new("motion-beyond-range")
-            .axis("axis", axis.name.as_str())
-            .quantity("value", value, unit, 3)
-            .quantity("by", (value - limit).abs(), unit, 3)
-            .quantity("limit", limit, unit, 3),
-        pass,
-        from_mm: stretch.from,
-        to_mm: stretch.to,
-        // Changes are tried when the pass is planned.
-        cure: Some(Message::new("motion-cure-range")),
-        allowed: false,
-    }
+    let (value, limit, unit) = (axis.to_file(value), axis.to_file(limit), axis.position_unit());
+    let message = Message::new("motion-beyond-range")
+        .axis("axis", axis.name.as_str())
+        .quantity("value", value, unit, 3)
+        .quantity("by", (value - limit).abs(), unit, 3)
+        .quantity("limit", limit, unit, 3);
+    // Changes are tried when the pass is planned.
+    Finding::error("range", message, pass, stretch, Message::new("motion-cure-range"))
 }
 
 /// Orders walks: feasible before infeasible ones, then by range excess, then by attitude error, then by distance from

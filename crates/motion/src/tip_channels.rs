@@ -1,18 +1,40 @@
 //! Limits of the torch tip as channels of a speed profile.
 
-use crate::speed_profile::Limits;
+use arrayvec::ArrayVec;
 use glam::DVec3;
-use seamwright_machine::{Machine, TipLimits};
+use seamwright_machine::{Axis, AxisLimits, Joints, MAX_AXES, Machine};
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
 /// Number of directions in the plane of curvature of the tip's path; one more is across it.
 const IN_PLANE: usize = 4;
 /// Number of channels.
 pub(crate) const COUNT: usize = IN_PLANE + 1;
+/// Maximum number of channels with limits: axes, then directions with limits of the tip.
+pub const CHANNELS: usize = MAX_AXES + COUNT;
+/// Limits of all axes of a machine, then of its tip if it has any.
+pub type ChannelLimits = ArrayVec<AxisLimits, CHANNELS>;
+
+/// Limits of the axes and the tip of `machine` for planning.
+pub fn channel_limits(machine: &Machine) -> ChannelLimits {
+    machine.axes.iter().map(Axis::limits).chain(TipChannels::limits(machine)).collect()
+}
+
 /// Value of a missing limit, beyond any machine, in mm and s.
 const UNBOUNDED: f64 = 1e12;
 /// Fraction of the jerk for the direction across; the other directions get the rest, so that the norm is 1.
 const ACROSS: f64 = 0.25;
+
+/// Writes the derivatives of all channels to `out`, from the positions and derivatives `d` of the axes of `machine`.
+/// Returns those of the tip.
+pub(crate) fn channel_derivatives(machine: &Machine, d: &[Joints; 4], out: &mut [[f64; 3]]) -> [DVec3; 3] {
+    let (axes, tip) = out.split_at_mut(machine.axes.len());
+    axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
+    let motion = machine.tip_derivatives(d);
+    if !tip.is_empty() {
+        TipChannels::derivatives(motion, tip);
+    }
+    motion
+}
 
 /// The tip's acceleration and jerk along directions in its own frame: tangent and normal, and across both.
 ///
@@ -24,21 +46,21 @@ pub(crate) struct TipChannels;
 
 impl TipChannels {
     /// The channels' limits; none if the machine has no limits of the tip.
-    pub(crate) fn limits(machine: &Machine) -> Vec<Limits> {
-        let TipLimits { speed, acceleration, jerk } = machine.tip;
-        if machine.tip == TipLimits::NONE {
+    fn limits(machine: &Machine) -> Vec<AxisLimits> {
+        let AxisLimits { speed, acceleration, jerk } = machine.tip;
+        if machine.tip == AxisLimits::NONE {
             return Vec::new();
         }
         let octagon = FRAC_PI_8.cos();
         let inside = (1.0 - ACROSS * ACROSS).sqrt();
         let limit = |value: f64| value.min(UNBOUNDED);
-        let in_plane = Limits {
+        let in_plane = AxisLimits {
             speed: UNBOUNDED,
             acceleration: limit(octagon * acceleration),
             jerk: limit(octagon * inside * jerk),
         };
-        let across = Limits { speed: UNBOUNDED, acceleration: UNBOUNDED, jerk: limit(ACROSS * jerk) };
-        vec![Limits { speed: limit(octagon * speed), ..in_plane }, in_plane, in_plane, in_plane, across]
+        let across = AxisLimits { speed: UNBOUNDED, acceleration: UNBOUNDED, jerk: limit(ACROSS * jerk) };
+        vec![AxisLimits { speed: limit(octagon * speed), ..in_plane }, in_plane, in_plane, in_plane, across]
     }
 
     /// The channels' derivatives, from those of the tip by the same parameter.

@@ -1,9 +1,8 @@
 use crate::joint_path::{JointPath, JointPoint};
 use crate::pass_motion::PassMotion;
 use glam::DVec3;
-use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
-use seamwright_program::{PathRange, TorchPath};
+use seamwright_program::PathRange;
 
 /// Path of the first torch as planned for the axes: that along the seam, or the bead beside it, except in blends at
 /// corners. `s` is the station on the seam; beside it and in blends the tip's travel by `s` differs from 1.
@@ -33,22 +32,15 @@ impl TipPath<'_> {
         let rest = Joints::default();
         (self.machine.forward(&q).point, self.machine.tip_derivatives(&[q, d1, rest, rest])[0])
     }
-}
 
-impl TorchPath for TipPath<'_> {
-    fn length(&self) -> f64 {
+    /// Length, mm.
+    pub fn length(&self) -> f64 {
         self.joints.length()
     }
 
-    fn pose(&self, s: f64) -> Pose {
-        self.machine.forward(&self.joints.at(s))
-    }
-
-    fn rate(&self, s: f64) -> f64 {
-        self.joints.tip_rate(self.machine, s)
-    }
-
-    fn foot(&self, point: DVec3, guess: f64, within: PathRange) -> f64 {
+    /// The `s` in the range `within` at which the tip is nearest to `point`, which must lie near the path at `guess`.
+    /// Makes three Newton steps.
+    pub fn foot(&self, point: DVec3, guess: f64, within: PathRange) -> f64 {
         (0..3).fold(guess, |s, _| {
             let (tip, d1) = self.tip(s);
             // A tip at rest cannot come nearer.

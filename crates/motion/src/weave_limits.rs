@@ -10,9 +10,9 @@ use crate::joint_path::JointPath;
 use crate::limits::{Binding, keeps_speed};
 use crate::pass_channels::PassChannels;
 use crate::planned::Planned;
-use crate::speed_profile::{Bound, Certificate, Channels, Limits, SpeedProfile};
+use crate::speed_profile::{Bound, Certificate, Channels, SpeedProfile};
 use crate::stretch::Stretch;
-use seamwright_machine::Joints;
+use seamwright_machine::{AxisLimits, Joints};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, OnLimit, Pass};
 use std::cell::Cell;
@@ -96,7 +96,7 @@ impl<'a> Woven<'a> {
         if to - from <= 0.1 * length {
             return None;
         }
-        let line = follower.path.slower(0.0)?;
+        let line = follower.path.weave()?.slower(0.0);
         let line = Follower { path: &*line, ..follower };
         let mut windows = Vec::with_capacity(WINDOWS);
         let (mut q, mut here) = (*start, 0.0);
@@ -134,15 +134,8 @@ impl<'a> Woven<'a> {
         let binding = Binding::new(self.follower.machine, worst.bound)?;
         let reached = worst.holds * asked;
         let (message, cure) = self.too_fast_because(binding.cannot_keep(asked, reached), factor)?;
-        Some(Finding {
-            kind: "speed",
-            message,
-            pass: number,
-            from_mm: over[0].at,
-            to_mm: over[over.len() - 1].at,
-            cure: Some(cure),
-            allowed: false,
-        })
+        let range = Stretch { from: over[0].at, to: over[over.len() - 1].at };
+        Some(Finding::error("speed", message, number, range, cure))
     }
 
     /// Replaces the findings of kind `speed` by ones for a weave that is too fast, with its maximum frequency. They
@@ -199,7 +192,7 @@ impl<'a> Woven<'a> {
 
     /// Maximum use of a limit in each window with a weave `factor` times as fast; none if the axes cannot follow.
     fn used(&self, factor: f64) -> Option<Vec<Used>> {
-        let slower = self.follower.path.slower(factor)?;
+        let slower = self.follower.path.weave()?.slower(factor);
         let follower = Follower { path: &*slower, ..self.follower };
         let used = |window: &Window| {
             let goes_on = self.spend(WINDOW_WORK);
@@ -243,7 +236,8 @@ impl<'a> Woven<'a> {
     }
 
     fn plans(&self, factor: f64) -> bool {
-        let Some(slower) = self.follower.path.slower(factor) else { return false };
+        let Some(weave) = self.follower.path.weave() else { return false };
+        let slower = weave.slower(factor);
         let follower = Follower { path: &*slower, ..self.follower };
         let Ok(joints) = JointPath::new(follower, self.start) else { return false };
         let channels = PassChannels::new(follower.machine, &joints, self.pass, 1.0);
@@ -261,7 +255,7 @@ impl<'a> Woven<'a> {
 }
 
 /// The greater use of a limit: `most`, or that of channels with the derivatives `rows` at a station.
-fn greater(most: Used, station: Station, rows: &[[f64; 3]], limits: &[Limits]) -> Used {
+fn greater(most: Used, station: Station, rows: &[[f64; 3]], limits: &[AxisLimits]) -> Used {
     let Station { at, speed } = station;
     rows.iter().zip(limits).enumerate().fold(most, |most, (i, ([q1, q2, q3], limits))| {
         let uses = [

@@ -7,7 +7,7 @@ use crate::procedure::{PassProcedure, PlannedPass};
 use crate::redundancy::{Clearance, holding};
 use crate::set_points::{Phase, SetPoint};
 use crate::speed_profile::ProfilePoint;
-use crate::transfer::{Blocked, Leg, MoveEnd, TransferMove, route_within};
+use crate::transfer::{Leg, TransferMove, obstacle, route_within};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
 use seamwright_message::{Message, Unit};
@@ -16,7 +16,7 @@ use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// A whole program as motion: its passes, and the transfer moves before, between and after them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct WeldMotion {
     /// The passes in order.
     pub passes: Vec<PassMotion>,
@@ -71,13 +71,7 @@ impl WeldMotion {
         terms: Terms,
     ) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(terms.watch);
-        let mut planned = Self {
-            passes: Vec::new(),
-            clearance: Vec::new(),
-            transfers: Vec::new(),
-            procedure: Vec::new(),
-            findings: Vec::new(),
-        };
+        let mut planned = Self::default();
         for (i, &(path, pass)) in passes.iter().enumerate() {
             effort.begin_pass(i + 1, passes.len());
             let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
@@ -151,8 +145,8 @@ impl WeldMotion {
         }
         let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, super::joint_path::JointPath::length)) };
         let finding = |kind, message, cure, allowed| {
-            let cure = Some(Message::new(cure));
-            Finding { kind, message, pass, from_mm: s, to_mm: s, cure, allowed }
+            let cure = Message::new(cure);
+            Finding { allowed, ..Finding::error(kind, message, pass, PathRange::at(s), cure) }
         };
         let name = match i {
             0 => Message::new("motion-transfer-from-home"),
@@ -187,7 +181,7 @@ impl WeldMotion {
                 self.transfers.push(planned);
             }
             Err(blocked) => {
-                let message = about("motion-transfer-blocked").message("reason", blocked.message());
+                let message = about("motion-transfer-blocked").message("reason", blocked);
                 self.findings.push(finding("air", message, "motion-cure-transfer-blocked", false));
             }
         }
@@ -385,7 +379,7 @@ struct TransferSettings<'a> {
 impl TransferSettings<'_> {
     /// The move from the end of a weld (or home) to the start of the next (or home), with retract and approach; and the
     /// retract distances (mm) that are less than requested, none for a missing retract.
-    fn way(&self, end: Option<PassEnd>, start: Option<PassEnd>) -> Result<(TransferMove, Vec<Option<f64>>), Blocked> {
+    fn way(&self, end: Option<PassEnd>, start: Option<PassEnd>) -> Result<(TransferMove, Vec<Option<f64>>), Message> {
         let home = self.machine.home();
         let [back_end, back_start] = [end, start].map(|e| e.and_then(|end| self.back_from(&end)));
         let place = |back: Option<(Joints, f64)>, weld: Option<PassEnd>| {
@@ -396,12 +390,12 @@ impl TransferSettings<'_> {
         let to = if start.is_none() { self.nearest_turn(&to, &from) } else { to };
         let mut points = Vec::new();
         if let (Some(PassEnd { q, .. }), Some(_)) = (end, back_end) {
-            self.straight(MoveEnd::Retract, &q, &from)?;
+            self.straight("motion-transfer-retract", &q, &from)?;
             points.push(q);
         }
         points.extend(route_within(self.effort, self.machine, self.around, &from, &to, AxisSet::default())?);
         if let (Some(PassEnd { q, .. }), Some(_)) = (start, back_start) {
-            self.straight(MoveEnd::Approach, &to, &q)?;
+            self.straight("motion-transfer-approach", &to, &q)?;
             points.push(q);
         }
         points.dedup();
@@ -428,9 +422,11 @@ impl TransferSettings<'_> {
         q
     }
 
-    fn straight(&self, which: MoveEnd, from: &Joints, to: &Joints) -> Result<(), Blocked> {
+    /// Checks the torch's straight move from or to the weld; else the error `code` with the obstacle.
+    fn straight(&self, code: &'static str, from: &Joints, to: &Joints) -> Result<(), Message> {
         let leg = Leg::new(self.machine, from, to);
-        crate::transfer::obstacle(self.around, &leg).map_or(Ok(()), |obstacle| Err(Blocked::End { which, obstacle }))
+        let blocked = obstacle(self.around, &leg).map(|obstacle| Message::new(code).message("obstacle", obstacle));
+        blocked.map_or(Ok(()), Err)
     }
 
     /// Positions of the torch retracted along its axis (two torches: along the middle of both), and the fraction of the
@@ -458,15 +454,9 @@ impl TransferSettings<'_> {
 
 /// Note for a machine without shapes.
 fn unchecked(machine: &Machine) -> Finding {
-    Finding {
-        kind: "unchecked",
-        message: Message::new("motion-no-shapes").text("machine", machine.name.as_str()),
-        pass: 1,
-        from_mm: 0.0,
-        to_mm: 0.0,
-        cure: Some(Message::new("motion-cure-no-shapes")),
-        allowed: true,
-    }
+    let message = Message::new("motion-no-shapes").text("machine", machine.name.as_str());
+    let cure = Message::new("motion-cure-no-shapes");
+    Finding { allowed: true, ..Finding::error("unchecked", message, 1, PathRange::at(0.0), cure) }
 }
 
 /// Axes that turn by more than half a turn in a transfer move, with the angle, rad.

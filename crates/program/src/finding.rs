@@ -42,6 +42,19 @@ pub enum Severity {
 }
 
 impl Finding {
+    /// A fault of pass `pass` (counted from 1) on a range of its path length that forbids the weld, and the operator
+    /// action.
+    pub fn error(
+        kind: &'static str,
+        message: Message,
+        pass: usize,
+        range: impl Into<PathRange>,
+        cure: Message,
+    ) -> Self {
+        let PathRange { from_mm, to_mm } = range.into();
+        Self { kind, message, pass, from_mm, to_mm, cure: Some(cure), allowed: false }
+    }
+
     /// A note of pass `pass` (counted from 1) on a range of its path length: information that asks for no action.
     pub fn note(kind: &'static str, message: impl Into<Message>, pass: usize, range: PathRange) -> Self {
         let PathRange { from_mm, to_mm } = range;

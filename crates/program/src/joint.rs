@@ -305,22 +305,6 @@ impl Preparation {
         }
     }
 
-    /// In words.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Square(_) => "square butt",
-            Self::SingleV(_) => "single V",
-            Self::Bevel(_) => "single bevel",
-            Self::U(_) => "single U",
-            Self::J(_) => "single J",
-            Self::Fillet(_) => "fillet",
-            Self::FlareBevel(_) => "flare bevel",
-            Self::FlareV(_) => "flare V",
-            Self::TBevel(_) => "T with single bevel",
-            Self::TJ(_) => "T with single J",
-        }
-    }
-
     /// True if both parts' surfaces lie in one plane, nearly.
     pub fn is_butt(&self) -> bool {
         matches!(self, Self::Square(_) | Self::SingleV(_) | Self::Bevel(_) | Self::U(_) | Self::J(_) | Self::FlareV(_))

@@ -124,7 +124,9 @@ pub use span_value::{Ramp, SpanValue};
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use taught::Taught;
 pub use tolerance::Tolerance;
-pub use torch::{AxisPositions, Groove, MAX_AXES, Torch, TorchAt, TorchPath};
+pub use torch::{
+    AxisPositions, Groove, MAX_AXES, ThroughPoints, Torch, TorchAt, TorchPath, WovenPath, line_by_difference,
+};
 pub use torch_jumps::torch_jumps;
 pub use transfer::TransferMoves;
 pub use variables::Variables;

@@ -43,6 +43,8 @@ pub struct Groove {
     pub tangent: DVec3,
     /// Unit vector across the bisector of the faces, normal to the seam, towards the first part.
     pub towards_first: DVec3,
+    /// Unit vector from the root out to the face of the weld, along the bisector.
+    pub face: DVec3,
     /// Angle between the faces seen from the torch, rad.
     pub dihedral: f64,
 }
@@ -53,6 +55,10 @@ pub const MAX_AXES: usize = 12;
 pub type AxisPositions = [f64; MAX_AXES];
 
 /// A path of the torch in the work frame by path length: the view of a pass for the crates of machines and time.
+///
+/// Every path has a length and poses. The other methods have defaults for a plain line; [`TorchPath::groove`],
+/// [`TorchPath::second`], [`TorchPath::weave`] and [`TorchPath::points`] return `None` without that capability.
+/// `face`, `axes` and `foot` follow from the others and are not overridden.
 pub trait TorchPath: Sync {
     /// Length, mm: `s` runs from 0 to this.
     fn length(&self) -> f64;
@@ -67,31 +73,20 @@ pub trait TorchPath: Sync {
         1.0
     }
 
-    /// True if `s` counts planned time and not the tip's way: speeds along it are those by `s`, for any motion of the
-    /// tip.
-    fn is_timed(&self) -> bool {
-        false
+    /// Point and unit tangent at path length `s` of the line on which the tip moves, or about which it weaves.
+    fn line(&self, s: f64) -> (DVec3, DVec3) {
+        let swing = |s: f64| self.weave().map_or(DVec3::ZERO, |weave| weave.swing(s));
+        line_by_difference(|s| self.pose(s).point - swing(s), s, self.length())
     }
 
-    /// Path length at which this many points of a pass through points are reached.
-    fn reached(&self, _points: usize) -> Option<f64> {
-        None
-    }
-
-    /// Path lengths at which the torch stops.
-    fn stops(&self) -> Vec<f64> {
+    /// Path lengths inside the path where a derivative may jump, increasing.
+    fn knots(&self) -> Vec<f64> {
         Vec::new()
     }
 
-    /// Positions of the axes at path length `s`, of a path that is given by them.
-    fn axes(&self, _s: f64) -> Option<AxisPositions> {
-        None
-    }
-
-    /// Unit vector from the root of the joint out to its face at path length `s`: it points up for a weld in the flat
-    /// position (ISO 6947). By default the opposite of the torch's direction.
-    fn face(&self, s: f64) -> DVec3 {
-        -self.pose(s).direction
+    /// Knots at which the first or the second derivative may jump: elsewhere no axis has to stop.
+    fn bends(&self) -> Vec<f64> {
+        self.knots()
     }
 
     /// The joint at path length `s`, if its faces are known; without them there are no work angles.
@@ -104,55 +99,69 @@ pub trait TorchPath: Sync {
         None
     }
 
-    /// Offset of a weaving tip from its line, as a vector. `rate`, `tangent` and speeds refer to the line. `None`
-    /// without a weave.
-    fn swing(&self, _s: f64) -> Option<DVec3> {
+    /// The weave of the tip about the path's line.
+    fn weave(&self) -> Option<&dyn WovenPath> {
         None
     }
 
-    /// The same path with its weave slowed down to `factor` times its speed, below 1; 0 removes the weave. `None`
-    /// without a weave.
-    fn slower(&self, _factor: f64) -> Option<Box<dyn TorchPath + '_>> {
+    /// The points through which the path is given, with their times.
+    fn points(&self) -> Option<&dyn ThroughPoints> {
         None
     }
 
-    /// The position at `s` on the line about which the tip weaves.
-    fn centre(&self, s: f64) -> DVec3 {
-        self.pose(s).point - self.swing(s).unwrap_or_default()
+    /// Unit vector from the root of the joint out to its face at path length `s`: it points up for a weld in the flat
+    /// position (ISO 6947). Without a known joint the opposite of the torch's direction.
+    fn face(&self, s: f64) -> DVec3 {
+        self.groove(s).map_or_else(|| -self.pose(s).direction, |groove| groove.face)
     }
 
-    /// Unit tangent of the line at path length `s`, by a difference of 1e-3 mm to each side: small against any bend that
-    /// can be welded.
-    fn tangent(&self, s: f64) -> DVec3 {
-        let h = 1e-3_f64.min(0.25 * self.length());
-        let (behind, ahead) = ((s - h).max(0.0), (s + h).min(self.length()));
-        (self.centre(ahead) - self.centre(behind)).normalize()
-    }
-
-    /// Point and unit tangent of the line at path length `s`, where both are wanted.
-    fn line(&self, s: f64) -> (DVec3, DVec3) {
-        (self.centre(s), self.tangent(s))
+    /// Positions of the axes at path length `s`, of a path that is given by them.
+    fn axes(&self, s: f64) -> Option<AxisPositions> {
+        self.points()?.axes(s)
     }
 
     /// Path length in the range `within` of the path's point nearest to `point`, which must lie near the path at path
     /// length `guess`. Makes two Newton steps on the foot of the perpendicular. With a weave, the swing at `guess` is
     /// subtracted from `point`, and the foot is on the line.
     fn foot(&self, point: DVec3, guess: f64, within: PathRange) -> f64 {
-        let point = point - self.swing(guess).unwrap_or_default();
-        let along = |s: f64| {
-            let (centre, tangent) = self.line(s);
-            (point - centre).dot(tangent) / self.rate(s)
-        };
-        (0..2).fold(guess, |s, _| (s + along(s)).clamp(within.from_mm, within.to_mm))
+        let point = point - self.weave().map_or(DVec3::ZERO, |weave| weave.swing(guess));
+        (0..2).fold(guess, |s, _| {
+            let ((centre, tangent), rate) = (self.line(s), self.rate(s));
+            let along = (point - centre).dot(tangent) / rate;
+            if rate > STILL { (s + along).clamp(within.from_mm, within.to_mm) } else { s }
+        })
     }
+}
 
-    /// Path lengths inside the path where a derivative may jump, increasing.
-    fn knots(&self) -> Vec<f64> {
-        Vec::new()
-    }
+/// A path whose tip weaves.
+pub trait WovenPath: Sync {
+    /// Offset of the tip from its line at path length `s`, as a vector.
+    fn swing(&self, s: f64) -> DVec3;
 
-    /// Knots at which the first or the second derivative may jump: elsewhere no axis has to stop.
-    fn bends(&self) -> Vec<f64> {
-        self.knots()
-    }
+    /// The same path with its weave slowed down to `factor` times its speed, below 1; 0 removes the weave.
+    fn slower(&self, factor: f64) -> Box<dyn TorchPath + '_>;
+}
+
+/// A path through points. Its `s` counts planned time and not the tip's way: speeds along it are those by `s`, for any
+/// motion of the tip.
+pub trait ThroughPoints {
+    /// Path length at which this many points are reached.
+    fn reached(&self, points: usize) -> Option<f64>;
+
+    /// Path lengths at which the torch stops.
+    fn stops(&self) -> Vec<f64>;
+
+    /// Positions of the axes at path length `s`, if the points are given by them.
+    fn axes(&self, s: f64) -> Option<AxisPositions>;
+}
+
+/// A tip that moves less than this by path length stands still.
+const STILL: f64 = 1e-6;
+
+/// Point of the path `tip` at `s` and its unit tangent, by a difference of 1e-3 mm to each side: small against any bend
+/// that can be welded.
+pub fn line_by_difference(tip: impl Fn(f64) -> DVec3, s: f64, length: f64) -> (DVec3, DVec3) {
+    let h = 1e-3_f64.min(0.25 * length);
+    let (behind, ahead) = ((s - h).max(0.0), (s + h).min(length));
+    (tip(s), (tip(ahead) - tip(behind)).normalize())
 }

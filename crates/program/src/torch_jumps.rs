@@ -1,5 +1,6 @@
 //! Positions at which the torch itself would have to jump: no machine's axes can follow it there.
 
+use crate::PathRange;
 use crate::finding::Finding;
 use crate::torch::TorchPath;
 use seamwright_geometry::Pose;
@@ -47,13 +48,5 @@ fn jumps(pose: impl Fn(f64) -> Pose, s: f64, pass: usize) -> Vec<Finding> {
 }
 
 fn finding(message: Message, cure: &'static str, s: f64, pass: usize) -> Finding {
-    Finding {
-        kind: "turn",
-        message: message.quantity("s", s, Unit::Mm, 3),
-        pass,
-        from_mm: s,
-        to_mm: s,
-        cure: Some(Message::new(cure)),
-        allowed: false,
-    }
+    Finding::error("turn", message.quantity("s", s, Unit::Mm, 3), pass, PathRange::at(s), Message::new(cure))
 }

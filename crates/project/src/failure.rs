@@ -188,12 +188,6 @@ impl From<seamwright_record::Error> for Failure {
     }
 }
 
-impl From<seamwright_motion::textbook::Error> for Failure {
-    fn from(e: seamwright_motion::textbook::Error) -> Self {
-        Self::Input(e.message())
-    }
-}
-
 impl Failure {
     /// Bad input or usage.
     pub fn input(message: impl Into<Message>) -> Self {

@@ -99,8 +99,8 @@ fn check_held(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
     let program = &welding.program;
     for (i, pass) in program.value.passes.iter().enumerate() {
         if let Err(error) = redundancy::holding(machine, &pass.spare_axes) {
-            let path = welding.keys(i).of(&format!("spare_axes.hold.{}", error.axis()));
-            return Err(program.error_at(&path, error.message(), error.allowed()).into());
+            let path = welding.keys(i).of(&format!("spare_axes.hold.{}", error.axis));
+            return Err(program.error_at(&path, error.message, error.allowed).into());
         }
     }
     Ok(())

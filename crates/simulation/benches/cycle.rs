@@ -7,13 +7,13 @@ use seamwright_executive::tracking::RESERVE;
 use seamwright_executive::{
     Ask, Command, Cycle, Devices, Executive, Mode, Note, Orders, Place, Port, Reports, Slack, Start,
 };
-use seamwright_machine::{Clamped, Machine, Surroundings, Target, shipped};
+use seamwright_machine::{AxisLimits, BeamDeflection, Clamped, Machine, Surroundings, Target, shipped};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Pass, TorchPath};
 use seamwright_servo::{Gains, Notch, PositionLoop, SetPoint};
-use seamwright_simulation::tracking::Distortion;
 use seamwright_simulation::{Conditions, SimulatedCell};
-use seamwright_tracking::actuator::{DeflectionLimits, HeadTracking, SlideLimits};
+use seamwright_simulation::tracking::Distortion;
+use seamwright_tracking::actuator::{HeadTracking, SlideLimits};
 use seamwright_tracking::beam::{Beam, BeamTracking, Picture, Point, Settings as BeamSettings};
 use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, SeamFrame, Settings};
 use seamwright_weld::Welding;
@@ -165,7 +165,8 @@ fn executive() {
 
 /// Times tracking of one head at 100 mm/s on a bent seam, a measurement every 10 ms. Aim: 3 us for 999 of 1000.
 fn tracking() {
-    let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+    let limits =
+        SlideLimits { stroke_mm: 15.0, motion: AxisLimits { speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 } };
     let settings = Settings::usual(20.0, 100.0);
     let mut head = HeadTracking::new(settings, OwnCurve::straight(20.0), [limits; 2]).expect("settings that work");
     let seam = |s: f64| DVec2::new((0.02 * s).sin() + 0.1 * (0.3 * s).cos(), 0.5 * (0.03 * s).cos());
@@ -191,8 +192,8 @@ fn tracking() {
 /// head.
 fn beam() {
     let straight = |s: f64| SeamFrame { point: DVec3::X * s, along: DVec3::X, lateral: DVec3::Y, height: DVec3::Z };
-    let range = DeflectionLimits { range_mm: 1.0, slew: 2000.0, latency_s: 75e-6 };
-    let axes = SlideLimits { stroke_mm: 5.0, speed: 5.0, acceleration: 30.0, jerk: 300.0 };
+    let range = BeamDeflection { range_mm: 1.0, speed: 2000.0, latency_s: 75e-6, pivot_mm: 400.0 };
+    let axes = SlideLimits { stroke_mm: 5.0, motion: AxisLimits { speed: 5.0, acceleration: 30.0, jerk: 300.0 } };
     let mut head = BeamTracking::new(BeamSettings::usual(10.0), &straight, range, axes).expect("settings that work");
     let seam = |s: f64| 1.5 * (0.02 * s).sin();
     let (mut cycles, mut pictures) = (Vec::with_capacity(CYCLES), Vec::new());

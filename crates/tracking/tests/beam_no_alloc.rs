@@ -2,7 +2,8 @@
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use glam::{DVec2, DVec3};
-use seamwright_tracking::actuator::{DeflectionLimits, SlideLimits};
+use seamwright_machine::{AxisLimits, BeamDeflection};
+use seamwright_tracking::actuator::SlideLimits;
 use seamwright_tracking::beam::{
     Beam, BeamReplay, BeamTracking, Picture, Point, Recorder, Replay, ReplaySettings, Settings,
 };
@@ -25,8 +26,8 @@ fn points(s: f64, carried: f64) -> [Point; 40] {
 
 #[test]
 fn cycles_and_pictures_do_not_allocate() {
-    let beam = DeflectionLimits { range_mm: 1.0, slew: 2000.0, latency_s: 75e-6 };
-    let axes = SlideLimits { stroke_mm: 5.0, speed: 5.0, acceleration: 30.0, jerk: 300.0 };
+    let beam = BeamDeflection { range_mm: 1.0, speed: 2000.0, latency_s: 75e-6, pivot_mm: 400.0 };
+    let axes = SlideLimits { stroke_mm: 5.0, motion: AxisLimits { speed: 5.0, acceleration: 30.0, jerk: 300.0 } };
     let mut head = BeamTracking::new(Settings::usual(10.0), &straight, beam, axes).unwrap();
     let mut recorder = Recorder::new(250.0, 0.5, 0.03);
     let mut carried = 0.0;

@@ -2,6 +2,7 @@
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use glam::DVec2;
+use seamwright_machine::AxisLimits;
 use seamwright_tracking::actuator::{HeadTracking, SlideLimits};
 use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, Settings};
 use std::hint::black_box;
@@ -11,7 +12,8 @@ static ALLOCATOR: AllocDisabler = AllocDisabler;
 
 #[test]
 fn cycles_do_not_allocate() {
-    let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+    let limits =
+        SlideLimits { stroke_mm: 15.0, motion: AxisLimits { speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 } };
     let mut head = HeadTracking::new(Settings::usual(20.0, 100.0), OwnCurve::straight(20.0), [limits; 2]).unwrap();
     let (mut s, mut slide) = (-25.0f64, DVec2::ZERO);
     assert_no_alloc(|| {

@@ -4,7 +4,7 @@ use crate::seam::{SeamCurve, SeamPoint};
 use crate::stretch::Stretch;
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
-use seamwright_program::{Groove, TorchPath, Weaving, is_same_position};
+use seamwright_program::{Groove, TorchPath, Weaving, WovenPath, is_same_position, line_by_difference};
 
 /// Half the way over which the tip's rate is a difference, mm: small against any bend that can be welded.
 const HALF_MM: f64 = 1e-3;
@@ -83,14 +83,10 @@ impl TorchPath for PassPath<'_> {
     }
 
     /// Without the attitude, which it does not depend on.
-    fn centre(&self, s: f64) -> DVec3 {
-        let p = self.seam_point(s);
-        self.placement.transform_point3(self.bead.map_or(p.point, |bead| bead.tip(&p)))
-    }
-
     fn line(&self, s: f64) -> (DVec3, DVec3) {
-        if self.bead.is_some() {
-            return (self.centre(s), self.tangent(s));
+        if let Some(bead) = self.bead {
+            let tip = |s: f64| self.placement.transform_point3(bead.tip(&self.seam_point(s)));
+            return line_by_difference(tip, s, self.length());
         }
         let p = self.seam_point(s);
         (self.placement.transform_point3(p.point), self.placement.transform_vector3(self.stretch.sense * p.tangent))
@@ -107,28 +103,15 @@ impl TorchPath for PassPath<'_> {
         self.seam.across(&self.seam_point(s)).map(|p| self.placed(&p, s))
     }
 
-    fn swing(&self, s: f64) -> Option<DVec3> {
-        self.weaving.as_ref()?;
-        let p = self.seam_point(s);
-        let (_, axis) = self.torch_at(&p);
-        Some(self.placement.transform_vector3(self.swing_at(&p, axis, s)))
-    }
-
-    fn slower(&self, factor: f64) -> Option<Box<dyn TorchPath + '_>> {
-        let weaving = self.weaving.as_ref()?;
-        let weaving = (factor > 0.0).then(|| weaving.faster(factor));
-        Some(Box::new(PassPath { attitude: self.attitude.clone(), weaving, ..*self }))
-    }
-
-    fn face(&self, s: f64) -> DVec3 {
-        self.placement.transform_vector3(self.seam_point(s).bisector)
+    fn weave(&self) -> Option<&dyn WovenPath> {
+        self.weaving.as_ref().map(|_| self as &dyn WovenPath)
     }
 
     fn groove(&self, s: f64) -> Option<Groove> {
         let p = self.seam_point(s);
-        let [tangent, towards_first] =
-            [self.stretch.sense * p.tangent, p.towards_first].map(|v| self.placement.transform_vector3(v));
-        Some(Groove { tangent, towards_first, dihedral: p.dihedral })
+        let [tangent, towards_first, face] =
+            [self.stretch.sense * p.tangent, p.towards_first, p.bisector].map(|v| self.placement.transform_vector3(v));
+        Some(Groove { tangent, towards_first, face, dihedral: p.dihedral })
     }
 
     fn knots(&self) -> Vec<f64> {
@@ -137,6 +120,19 @@ impl TorchPath for PassPath<'_> {
 
     fn bends(&self) -> Vec<f64> {
         self.with_weave(Weaving::bends)
+    }
+}
+
+impl WovenPath for PassPath<'_> {
+    fn swing(&self, s: f64) -> DVec3 {
+        let p = self.seam_point(s);
+        let (_, axis) = self.torch_at(&p);
+        self.placement.transform_vector3(self.swing_at(&p, axis, s))
+    }
+
+    fn slower(&self, factor: f64) -> Box<dyn TorchPath + '_> {
+        let weaving = self.weaving.as_ref().filter(|_| factor > 0.0).map(|weaving| weaving.faster(factor));
+        Box::new(PassPath { attitude: self.attitude.clone(), weaving, ..*self })
     }
 }
 

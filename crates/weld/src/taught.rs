@@ -4,7 +4,7 @@ use crate::allowed::{at_most, by_key, rounded};
 use crate::seam::SeamCurve;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
-use seamwright_geometry::{Along, Curve, Edge, EdgePoint, End, Ends, Jet, Spline, chord_lengths};
+use seamwright_geometry::{Along, Curve, Edge, EdgePoint, End, Ends, Jet, Spline, angle_between, chord_lengths};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{PathRange, Taught, is_before, is_beyond};
 use std::sync::Arc;
@@ -422,7 +422,6 @@ impl SeamCurve {
         };
         let here = self.at(s);
         let there = nominal.at(foot(nominal, here.point, guess));
-        let turn = 2.0 * (here.tangent - there.tangent).length().atan2((here.tangent + there.tangent).length());
-        (here.point.distance(there.point), turn)
+        (here.point.distance(there.point), angle_between(here.tangent, there.tangent))
     }
 }

@@ -2,7 +2,7 @@ use crate::pass_path::PassPath;
 use crate::points::PointPath;
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_program::{AxisPositions, Groove, PathRange, TorchPath};
+use seamwright_program::{Groove, ThroughPoints, TorchPath, WovenPath};
 
 /// The path of a pass: along the seam, or through points.
 #[derive(Debug)]
@@ -44,24 +44,16 @@ impl TorchPath for WeldPath<'_> {
         self.path().rate(s)
     }
 
-    fn is_timed(&self) -> bool {
-        self.path().is_timed()
+    fn line(&self, s: f64) -> (DVec3, DVec3) {
+        self.path().line(s)
     }
 
-    fn reached(&self, points: usize) -> Option<f64> {
-        self.path().reached(points)
+    fn knots(&self) -> Vec<f64> {
+        self.path().knots()
     }
 
-    fn stops(&self) -> Vec<f64> {
-        self.path().stops()
-    }
-
-    fn axes(&self, s: f64) -> Option<AxisPositions> {
-        self.path().axes(s)
-    }
-
-    fn face(&self, s: f64) -> DVec3 {
-        self.path().face(s)
+    fn bends(&self) -> Vec<f64> {
+        self.path().bends()
     }
 
     fn groove(&self, s: f64) -> Option<Groove> {
@@ -72,35 +64,11 @@ impl TorchPath for WeldPath<'_> {
         self.path().second(s)
     }
 
-    fn swing(&self, s: f64) -> Option<DVec3> {
-        self.path().swing(s)
+    fn weave(&self) -> Option<&dyn WovenPath> {
+        self.path().weave()
     }
 
-    fn slower(&self, factor: f64) -> Option<Box<dyn TorchPath + '_>> {
-        self.path().slower(factor)
-    }
-
-    fn centre(&self, s: f64) -> DVec3 {
-        self.path().centre(s)
-    }
-
-    fn tangent(&self, s: f64) -> DVec3 {
-        self.path().tangent(s)
-    }
-
-    fn line(&self, s: f64) -> (DVec3, DVec3) {
-        self.path().line(s)
-    }
-
-    fn foot(&self, point: DVec3, guess: f64, within: PathRange) -> f64 {
-        self.path().foot(point, guess, within)
-    }
-
-    fn knots(&self) -> Vec<f64> {
-        self.path().knots()
-    }
-
-    fn bends(&self) -> Vec<f64> {
-        self.path().bends()
+    fn points(&self) -> Option<&dyn ThroughPoints> {
+        self.path().points()
     }
 }

@@ -4,10 +4,10 @@ use crate::args::{CurveArg, InterpolateArgs, MethodArg, RuleArg, StepArg};
 use crate::refusals::of_option;
 use crate::rows::{Cell, Rows};
 use glam::DVec2;
+use seamwright_interpolators::{AngleRule, EqualStep, Interpolation, Method, Request, Shape, Statistics};
 use seamwright_message::Message;
-use seamwright_motion::textbook::{AngleRule, EqualStep, Method, Request, Shape, Statistics};
-use seamwright_project::failure::Failure;
 use seamwright_project::files;
+use seamwright_project::failure::Failure;
 
 const POINT_COLUMNS: [&str; 7] = ["method", "t_s", "phi_deg", "x_mm", "y_mm", "z_mm", "chord_mm"];
 
@@ -36,13 +36,19 @@ struct Named {
     request: Request,
 }
 
+impl Named {
+    fn interpolate(&self) -> Result<Interpolation, Failure> {
+        self.request.interpolate().map_err(|e| Failure::Input(e.0))
+    }
+}
+
 pub(crate) fn run(args: &InterpolateArgs) -> Result<(), Failure> {
     let base = request(args)?;
     let requests: Vec<Named> =
         methods(args).into_iter().map(|(name, method)| Named { name, request: Request { method, ..base } }).collect();
     // All are checked before anything is written.
     for named in &requests {
-        named.request.interpolate()?;
+        named.interpolate()?;
     }
     if let Some(path) = &args.svg {
         files::write(path, &plot::draw(&requests)?)?;
@@ -130,13 +136,13 @@ fn ellipse(args: &InterpolateArgs) -> Result<Shape, Failure> {
 
 fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
     let mut rows = Rows::new(POINT_COLUMNS.map(str::to_owned).into(), json)?;
-    for Named { name, request } in requests {
+    for named in requests {
         let mut last = None;
-        for p in request.interpolate()? {
+        for p in named.interpolate()? {
             let chord = last.map_or(Cell::Empty, |l| Cell::Number(p.position.distance(l)));
             last = Some(p.position);
             let [x, y, z] = p.position.to_array().map(Cell::Number);
-            rows.row(&[Cell::Text(name), p.t_s.into(), p.u_rad.to_degrees().into(), x, y, z, chord])?;
+            rows.row(&[Cell::Text(named.name), p.t_s.into(), p.u_rad.to_degrees().into(), x, y, z, chord])?;
         }
     }
     rows.finish()
@@ -145,7 +151,7 @@ fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
 fn summary(requests: &[Named], json: bool) -> Result<(), Failure> {
     let mut rows = Rows::new(SUMMARY_COLUMNS.map(str::to_owned).into(), json)?;
     for Named { name, request } in requests {
-        let s: Statistics = request.statistics()?;
+        let s: Statistics = request.statistics().map_err(|e| Failure::Input(e.0))?;
         // Pulse methods: distances a period, since a pulse has no speed.
         let c = s.per_period;
         let mut cells = vec![Cell::Text(name), Cell::Count(s.steps)];

@@ -2,9 +2,10 @@ use super::alarm_list::Place;
 use super::bus::VALUES;
 use super::reduced_speed::hand;
 use seamwright_machine::{AxisSet, Joints, Machine, Surroundings};
-use seamwright_motion::feed_override::{Limits, PassTimed};
+use seamwright_message::Message;
+use seamwright_motion::feed_override::{ChannelLimits, PassTimed, channel_limits};
 use seamwright_motion::jog::Jog;
-use seamwright_motion::transfer::{Blocked, TransferMove, route};
+use seamwright_motion::transfer::{TransferMove, route};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{ArcTime, AtHold, Pass, Sequence};
 use std::cell::RefCell;
@@ -41,7 +42,7 @@ impl Start {
         motion: &WeldMotion,
         from: &Joints,
         place: Place,
-    ) -> Result<Self, Blocked> {
+    ) -> Result<Self, Message> {
         let pass = place.pass.saturating_sub(1).min(motion.passes.len().saturating_sub(1));
         let path = &motion.passes[pass].path;
         let welded_mm = place.s_mm.clamp(0.0, path.length());
@@ -66,7 +67,7 @@ pub struct Work<'a> {
     pub(super) hand: RefCell<Option<Jog<'a>>>,
     pub(super) passes: Vec<PassWork<'a>>,
     pub(super) air: &'a [TransferMove],
-    pub(super) limits: Limits,
+    pub(super) limits: ChannelLimits,
     pub(super) start: Start,
     values: Vec<String>,
 }
@@ -93,7 +94,7 @@ impl<'a> Work<'a> {
         let works = passes.iter().zip(&motion.passes);
         let passes = works.map(|(pass, planned)| PassWork { pass, timed: planned.timed(machine), planned }).collect();
         let hand = hand(machine, around);
-        Ok(Self { hand, passes, air: &motion.transfers, limits: Limits::of(machine), start, values })
+        Ok(Self { hand, passes, air: &motion.transfers, limits: channel_limits(machine), start, values })
     }
 
     /// Creates an empty program; jogging avoids collisions with `around`.
@@ -103,7 +104,7 @@ impl<'a> Work<'a> {
             pass: 0,
             welded_mm: 0.0,
         };
-        let limits = Limits::of(machine);
+        let limits = channel_limits(machine);
         let hand = hand(machine, Some(around));
         Self { hand, passes: Vec::new(), air: &[], limits, start, values: Vec::new() }
     }

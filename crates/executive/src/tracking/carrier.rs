@@ -122,12 +122,7 @@ fn slide_limits(
         let (i, axis) = (axes[k], &machine.axes[axes[k]]);
         let gain = by_slide.row(k).abs().element_sum();
         let room = axis.range.map_or(f64::MAX, |(low, high)| (high - q[i]).min(q[i] - low));
-        SlideLimits {
-            stroke_mm: room / gain,
-            speed: axis.max_speed / gain,
-            acceleration: axis.max_acceleration / gain,
-            jerk: axis.jerk() / gain,
-        }
+        SlideLimits { stroke_mm: room / gain, motion: axis.limits().divided(gain) }
     };
     let limits = lesser(&one(0), &one(1));
     limits.check()?;
@@ -135,12 +130,7 @@ fn slide_limits(
 }
 
 fn lesser(a: &SlideLimits, b: &SlideLimits) -> SlideLimits {
-    SlideLimits {
-        stroke_mm: a.stroke_mm.min(b.stroke_mm),
-        speed: a.speed.min(b.speed),
-        acceleration: a.acceleration.min(b.acceleration),
-        jerk: a.jerk.min(b.jerk),
-    }
+    SlideLimits { stroke_mm: a.stroke_mm.min(b.stroke_mm), motion: a.motion.min(b.motion) }
 }
 
 /// Matrix from a correction, lateral and height, to the displacements of both slides.

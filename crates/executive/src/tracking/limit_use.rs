@@ -1,3 +1,4 @@
+use seamwright_machine::AxisLimits;
 use seamwright_tracking::actuator::SlideLimits;
 
 /// Monitors the set-points of one axis of a slide, by differences.
@@ -25,7 +26,7 @@ impl LimitUse {
         let v = [d[0], d[1] - d[0], d[2] - d[1]];
         let acceleration = (v[0] - v[1]) / self.cycle_s;
         let before = (v[1] - v[2]) / self.cycle_s;
-        let SlideLimits { stroke_mm, speed, acceleration: most, jerk } = self.limits;
+        let SlideLimits { stroke_mm, motion: AxisLimits { speed, acceleration: most, jerk } } = self.limits;
         let parts = [
             position.abs() / stroke_mm,
             v[0].abs() / speed,
@@ -44,7 +45,8 @@ mod tests {
 
     #[test]
     fn limits_by_differences() {
-        let limits = SlideLimits { stroke_mm: 10.0, speed: 5.0, acceleration: 20.0, jerk: 100.0 };
+        let motion = AxisLimits { speed: 5.0, acceleration: 20.0, jerk: 100.0 };
+        let limits = SlideLimits { stroke_mm: 10.0, motion };
         let mut limit_use = LimitUse::new(limits, 1e-3);
         // A cubic from rest: t^3 has a third derivative of 6, at t = 1 3 mm/s and 6 mm/s^2.
         for i in 1..=1000 {

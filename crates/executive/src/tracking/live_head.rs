@@ -248,5 +248,5 @@ impl<'a> LiveHead<'a> {
 /// Returns the offset of the torch from its line at `s` by the weave: along, lateral, height.
 #[must_use]
 pub fn swing_at(path: &dyn TorchPath, s: f64, frame: &SeamFrame) -> DVec3 {
-    frame.components(path.swing(s.clamp(0.0, path.length())).unwrap_or_default())
+    frame.components(path.weave().map_or(DVec3::ZERO, |weave| weave.swing(s.clamp(0.0, path.length()))))
 }

@@ -11,7 +11,7 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{AxisSet, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Pass, TorchPath};
-use seamwright_tracking::actuator::{DeflectionLimits, HeadTracking};
+use seamwright_tracking::actuator::HeadTracking;
 use seamwright_tracking::beam::{BeamReplay, BeamTracking, DeviationRecord, Replay};
 use seamwright_tracking::lead::OwnCurve;
 
@@ -109,7 +109,7 @@ impl<'a> PassSeams<'a> {
     /// # Errors
     /// [`Error::OffLine`].
     pub fn check_plain(&self, machine: &Machine, planned: &PassMotion) -> Result<(), Error> {
-        let what = if self.path.swing(0.0).is_some() && (self.seams.len() > 1 || machine.deflection.is_some()) {
+        let what = if self.path.weave().is_some() && (self.seams.len() > 1 || machine.deflection.is_some()) {
             if self.seams.len() > 1 { OffLine::TwoTorches } else { OffLine::Beam }
         } else if !planned.path.blends().is_empty() {
             OffLine::Blends
@@ -140,9 +140,7 @@ impl<'a> PassSeams<'a> {
             }
             PassSensors::Beam(eye) => {
                 let settings = eye.settings(cycle_s, self.pass);
-                let beam = eye.beam;
-                let deflection =
-                    DeflectionLimits { range_mm: beam.range_mm, slew: beam.speed, latency_s: beam.latency_s };
+                let deflection = eye.beam;
                 let head = match stored {
                     Some(stored) => {
                         let stored = self.position(seam).of_pass(stored);

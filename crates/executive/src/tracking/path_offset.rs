@@ -1,4 +1,4 @@
-use seamwright_machine::{Joints, MAX_AXES, Machine};
+use seamwright_machine::{AxisLimits, Joints, MAX_AXES, Machine};
 use seamwright_tracking::actuator::RESERVE;
 
 /// Offset of the axes from their planned positions, without jumps. It follows corrections. Without corrections, or if
@@ -7,8 +7,7 @@ use seamwright_tracking::actuator::RESERVE;
 #[derive(Debug)]
 pub(super) struct PathOffset {
     period: f64,
-    /// Speed, acceleration and jerk of each axis.
-    limits: [[f64; 3]; MAX_AXES],
+    limits: [AxisLimits; MAX_AXES],
     by: Joints,
     /// Rate of change of the offset.
     rate: Joints,
@@ -38,10 +37,8 @@ const NONE: Joints = [0.0; MAX_AXES];
 
 impl PathOffset {
     pub(super) fn new(machine: &Machine) -> Self {
-        let mut limits = [[f64::INFINITY; 3]; MAX_AXES];
-        for (limits, axis) in limits.iter_mut().zip(&machine.axes) {
-            *limits = [axis.max_speed, axis.max_acceleration, axis.jerk()].map(|most| RESERVE * most);
-        }
+        let mut limits = [AxisLimits::NONE; MAX_AXES];
+        limits.iter_mut().zip(&machine.axes).for_each(|(limits, axis)| *limits = axis.limits().scaled(RESERVE));
         Self {
             period: machine.servo_period_s,
             limits,
@@ -81,7 +78,7 @@ impl PathOffset {
 
     fn brake(&mut self) {
         for i in 0..MAX_AXES {
-            let brake = self.limits[i][1] * self.period;
+            let brake = self.limits[i].acceleration * self.period;
             let rate = self.rate[i] - self.rate[i].clamp(-brake, brake);
             (self.by[i], self.rate[i]) = (self.by[i] + rate * self.period, rate);
         }
@@ -120,7 +117,7 @@ impl PathOffset {
         // and jerk of 60. The quintic of the initial speed has at most 1, 4 and 36 times that speed. Each gets half
         // of a limit.
         let time = |i: usize| {
-            let [speed, acceleration, jerk] = self.limits[i].map(|limit| 0.5 * limit);
+            let AxisLimits { speed, acceleration, jerk } = self.limits[i].scaled(0.5);
             let (by, rate) = (from[i].abs(), rate[i].abs());
             let way = (1.875 * by / speed).max((5.7736 * by / acceleration).sqrt()).max((60.0 * by / jerk).cbrt());
             way.max(4.0 * rate / acceleration).max((36.0 * rate / jerk).sqrt())
@@ -199,7 +196,7 @@ mod tests {
                 }
                 // The requested correction moves with a quarter of the limits.
                 for i in 0..machine.axes.len() {
-                    let [most, brisk, _] = off.limits[i].map(|limit| 0.25 * limit);
+                    let AxisLimits { speed: most, acceleration: brisk, .. } = off.limits[i].scaled(0.25);
                     speed[i] = (speed[i] + brisk * period * within(-1.0, 1.0)).clamp(-most, most);
                     wanted[i] += speed[i] * period;
                 }
@@ -211,7 +208,9 @@ mod tests {
                 }
                 places.push(off.by);
                 let n = places.len();
-                for (i, [most, brisk, _]) in off.limits.iter().enumerate().take(machine.axes.len()) {
+                for (i, AxisLimits { speed: most, acceleration: brisk, .. }) in
+                    off.limits.iter().enumerate().take(machine.axes.len())
+                {
                     let p = |k: usize| places[n - 1 - k][i];
                     let v = (p(0) - p(1)) / period;
                     let a = (p(0) - 2.0 * p(1) + p(2)) / (period * period);

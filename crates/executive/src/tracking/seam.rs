@@ -1,5 +1,4 @@
 use glam::DVec3;
-use seamwright_geometry::Pose;
 use seamwright_program::TorchPath;
 use seamwright_tracking::beam::DeviationRecord;
 use seamwright_tracking::lead::SeamFrame;
@@ -47,10 +46,9 @@ impl Seam {
         let count = (length_mm / STEP_MM).ceil().clamp(2.0, 1e6);
         let frame = |i: u32| {
             let s = length_mm * f64::from(i) / count;
-            let (pose, along) = (Pose { point: path.centre(s), ..path.pose(s) }, path.tangent(s));
-            let up = -pose.direction;
+            let ((point, along), up) = (path.line(s), -path.pose(s).direction);
             let height = (up - up.dot(along) * along).normalize_or(along.any_orthonormal_vector());
-            SeamFrame { point: pose.point, along, lateral: height.cross(along), height }
+            SeamFrame { point, along, lateral: height.cross(along), height }
         };
         let frames: Vec<SeamFrame> = (0..=count as u32).map(frame).collect();
         let round_mm = round(&frames, length_mm / count);

@@ -148,15 +148,10 @@ impl<'a> TrackedPass<'a> {
         let directions = [frame.along, frame.height];
         let Ok(most) = over.limits(std::iter::once((start, directions)), 2.0 * way) else { return Look::gaze(0) };
         // Half of the limits: the axes' share in the same motion changes along the way.
-        let limits = SlideLimits {
-            acceleration: 0.5 * most.acceleration,
-            jerk: 0.5 * most.jerk,
-            speed: 0.5 * most.speed,
-            ..most
-        };
+        let limits = SlideLimits { motion: most.motion.scaled(0.5), ..most };
         let Ok(mover) = Slide::new(limits, period) else { return Look::gaze(0) };
         let way = self.free_way(way, around);
-        let speed = speed.min(limits.speed);
+        let speed = speed.min(limits.motion.speed);
         let left = ((2.0 * way / speed + SLACK_S) / period) as u64;
         let (target, back) = (-way, way <= 0.0);
         let sight = Sight { mover, over, way, speed, target, at: 0.0, back, there: start, left };

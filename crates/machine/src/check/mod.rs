@@ -27,7 +27,7 @@ use crate::axis::{Axis, AxisKind};
 use crate::file::MachineFile;
 use crate::machine::Machine;
 use seamwright_document::Document;
-use seamwright_message::{Message, Unit};
+use seamwright_message::Message;
 use serde::Serialize;
 use task::Task;
 
@@ -110,12 +110,6 @@ pub struct HeadCheck {
 }
 
 impl Check {
-    /// Unit of the positions of the axis `name`.
-    pub fn unit_of(&self, name: &str) -> Unit {
-        let axis = self.axes.iter().find(|axis| axis.name == name);
-        axis.and_then(|axis| Unit::from_symbol(axis.unit)).unwrap_or(Unit::One)
-    }
-
     /// Maximum number of steps of a check, for a progress bar.
     pub fn steps(machine: &Machine, options: &CheckOptions) -> u64 {
         let others = u64::from(singular::LOOKED_AT + reach::LOOKED_AT) + voxels::SIDE.pow(3) as u64;

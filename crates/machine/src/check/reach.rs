@@ -2,9 +2,9 @@ use super::climb::climb;
 use super::random::Random;
 use super::voxels::{self, Volume};
 use crate::chain::Joints;
-use crate::inverse::angle_between;
 use crate::machine::Machine;
 use glam::DVec3;
+use seamwright_geometry::angle_between;
 use serde::Serialize;
 
 /// Number of random positions.

@@ -2,9 +2,9 @@ use super::random::Random;
 use super::task::Task;
 use crate::axis::AxisKind;
 use crate::chain::Joints;
-use crate::inverse::{Solution, angle_between};
+use crate::inverse::Solution;
 use crate::machine::{Machine, Target};
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 

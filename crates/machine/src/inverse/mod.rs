@@ -29,7 +29,7 @@ use plane_on_rotary::PlaneOnRotary;
 use seamwright_geometry::Pose;
 use three_linear::ThreeLinear;
 use two_linear::TwoLinear;
-pub(crate) use vectors::{angle_between, in_plane};
+pub(crate) use vectors::in_plane;
 
 /// Inverse kinematics of a chain.
 #[derive(Debug, Clone, PartialEq)]

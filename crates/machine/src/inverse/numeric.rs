@@ -1,11 +1,10 @@
 use super::branches::{Branches, Solution, Unreachable};
 use super::choice::spread;
-use super::vectors::angle_between;
 use crate::axis::{Axis, AxisKind};
 use crate::chain::{Chain, Joints, MAX_AXES};
 use glam::DVec3;
 use nalgebra::{SMatrix, SVector};
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 use std::f64::consts::{PI, TAU};
 
 /// Newton's method with Levenberg and Marquardt's damping, for arrangements without a closed form.

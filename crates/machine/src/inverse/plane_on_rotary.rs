@@ -1,8 +1,8 @@
-use super::branches::{Branches, Solution, Unreachable, Which};
 use super::rotaries;
-use super::vectors::{angle_between, in_plane};
+use super::branches::{Branches, Solution, Unreachable, Which};
+use super::vectors::in_plane;
 use crate::chain::{Chain, Joints, MAX_AXES, Turn};
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 
 /// Two linear axes, with or without a tilt across their plane, on a rotary axis next to the work (SADDLE-2020).
 ///

@@ -45,7 +45,7 @@ pub(crate) fn two(a: DVec3, b: DVec3, from: DVec3, to: DVec3) -> Result<[Pair; 2
 /// Minimum angle between `to` and the directions that the two rotations can reach.
 fn nearest_miss(a: DVec3, b: DVec3, from: DVec3, to: DVec3) -> f64 {
     // R(b, .) from makes an angle with `a` between |angle(a, b) - angle(b, from)| and their sum (reflected at pi).
-    let angle = crate::inverse::vectors::angle_between;
+    let angle = seamwright_geometry::angle_between;
     let (ab, bf, at) = (angle(a, b), angle(b, from), angle(a, to));
     let low = (ab - bf).abs();
     let high = (ab + bf).min(2.0 * std::f64::consts::PI - ab - bf);

@@ -1,9 +1,8 @@
 use super::branches::{Branches, Unreachable, Which};
 use super::rotaries::{self, Pair};
-use super::vectors::angle_between;
 use crate::chain::{Chain, Joints, MAX_AXES, Screw, Turn, Turns};
 use glam::DVec3;
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 
 /// Three linear axes and up to two rotary ones, in any order and on either side: the rotary axes follow from the
 /// direction, then the linear ones from a 3 x 3 system.

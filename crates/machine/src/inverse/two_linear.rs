@@ -1,7 +1,7 @@
 use super::branches::{Branches, Unreachable};
-use super::vectors::{angle_between, in_plane};
+use super::vectors::in_plane;
 use crate::chain::Chain;
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 
 /// Maximum distance (mm) of a point from the plane of two linear axes that counts as in it.
 const IN_PLANE_MM: f64 = 1e-6;

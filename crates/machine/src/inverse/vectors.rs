@@ -1,11 +1,6 @@
 use crate::chain::Screw;
 use glam::DVec3;
 
-/// Angle between two unit vectors, rad, accurate at all angles.
-pub(crate) fn angle_between(u: DVec3, v: DVec3) -> f64 {
-    2.0 * (u - v).length().atan2((u + v).length())
-}
-
 /// Positions of two linear axes along `a` and `b` that best give the displacement `d`, and the remainder.
 pub(crate) fn in_plane(a: DVec3, b: DVec3, d: DVec3) -> (f64, f64, DVec3) {
     let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));

@@ -4,7 +4,8 @@ use super::Command;
 use super::course::{Course, Return, Segment, State};
 use super::error::FeedOverrideError;
 use super::shield::Shield;
-use super::timed::{Limits, Pacing, Rates, Timed};
+use crate::tip_channels::ChannelLimits;
+use super::timed::{Pacing, Rates, Timed};
 
 /// Maximum override.
 const MAX_OVERRIDE: f64 = 1.5;
@@ -75,7 +76,7 @@ impl<'a, L: Timed + ?Sized> FeedOverride<'a, L> {
     ///
     /// # Errors
     /// A period outside that range.
-    pub fn new(limits: &Limits, period: f64, base: &'a L) -> Result<Self, FeedOverrideError> {
+    pub fn new(limits: &ChannelLimits, period: f64, base: &'a L) -> Result<Self, FeedOverrideError> {
         if !(0.00025..=0.004).contains(&period) {
             return Err(FeedOverrideError::Period { value: period });
         }
@@ -262,7 +263,7 @@ impl<'a, L: Timed + ?Sized> FeedOverride<'a, L> {
         let profile = self.profile();
         let theta = state.theta.clamp(0.0, profile.duration());
         let rates = profile.at(theta, state.feed_override.phi > 0.0);
-        let rates = rates.paced(self.shield.limits.0.len(), state.feed_override);
+        let rates = rates.paced(self.shield.limits.len(), state.feed_override);
         Played { theta, phi: state.feed_override.phi, faster: self.on_faster, rates }
     }
 

@@ -11,22 +11,6 @@ pub enum FeedOverrideError {
         /// Maximum override of the given profiles.
         greatest: f64,
     },
-    /// A limit of an axis is invalid.
-    Limit {
-        /// Number of the axis, from 0.
-        axis: usize,
-        /// Kind of the limit.
-        kind: LimitKind,
-        /// The value given.
-        value: f64,
-    },
-    /// More axes than a machine may have.
-    TooManyAxes {
-        /// Axes given.
-        axes: usize,
-        /// Axes allowed.
-        most: usize,
-    },
     /// The period of the set-points.
     Period {
         /// The value given, s.
@@ -73,13 +57,6 @@ impl FeedOverrideError {
             Self::Override { value, greatest } => Message::new("motion-override-faster")
                 .value("value", value, Unit::One)
                 .value("max", greatest, Unit::One),
-            Self::Limit { axis, kind, value } => Message::new("motion-axis-limit")
-                .number("axis", axis as f64, 0)
-                .message("limit", kind.message())
-                .value("value", value, Unit::One),
-            Self::TooManyAxes { axes, most } => {
-                Message::new("motion-too-many-axes").number("axes", axes as f64, 0).number("max", most as f64, 0)
-            }
             Self::Period { value } => Message::new("motion-period").value("value", value, Unit::S),
             Self::Place { value, length } => {
                 Message::new("motion-path-length").value("value", value, Unit::Mm).value("length", length, Unit::Mm)

@@ -17,12 +17,13 @@ mod run;
 mod shield;
 mod timed;
 
+pub use crate::tip_channels::{CHANNELS, ChannelLimits, channel_limits};
 pub use control::{FeedOverride, Played};
 pub use error::FeedOverrideError;
 pub use order::{Instant, Order, RunPhase};
 pub use pass::PassTimed;
 pub use run::Run;
-pub use timed::{AxisLimits, CHANNELS, Limits, Rates, Timed, Tip};
+pub use timed::{Rates, Timed, Tip};
 
 /// Command to the feed override, effective from the next period.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@ use super::timed::{Rates, Timed, Tip};
 use crate::joint_path::JointPath;
 use crate::speed_profile::{ProfilePoint, SpeedProfile};
 use crate::tip_channels::{self, TipChannels};
-use seamwright_machine::{Machine, TipLimits};
+use seamwright_machine::{AxisLimits, Machine};
 
 /// A pass in time: the axes' path with a speed profile.
 ///
@@ -64,7 +64,7 @@ impl Timed for PassTimed<'_> {
         };
         let axes = self.machine.axes.len();
         (0..axes).for_each(|i| channel(i, [p.d1[i], p.d2[i], p.d3[i]]));
-        if self.machine.tip != TipLimits::NONE {
+        if self.machine.tip != AxisLimits::NONE {
             let mut tip = [[0.0; 3]; tip_channels::COUNT];
             TipChannels::derivatives(self.machine.tip_derivatives(&[p.q, p.d1, p.d2, p.d3]), &mut tip);
             tip.into_iter().enumerate().for_each(|(i, d)| channel(axes + i, d));

@@ -1,6 +1,7 @@
 use super::course::{Course, State};
-use super::timed::{CHANNELS, Limits, Pacing, Rates, Timed};
-use crate::speed_profile::Limits as AxisLimits;
+use super::timed::{Pacing, Rates, Timed};
+use crate::tip_channels::{CHANNELS, ChannelLimits};
+use seamwright_machine::AxisLimits;
 
 /// Fraction of the machine's limits up to which a course is accepted at the samples. Profiles use slightly less; the
 /// rest covers values between the samples.
@@ -58,7 +59,7 @@ pub(crate) struct Breach {
 /// Checks that all axes stay within their limits along a course.
 #[derive(Debug, Clone)]
 pub(crate) struct Shield {
-    pub(crate) limits: Limits,
+    pub(crate) limits: ChannelLimits,
     /// Time between samples, s.
     spacing: f64,
     /// Maximum first and second derivative of the override, if the axes do not limit them.
@@ -69,12 +70,12 @@ pub(crate) struct Shield {
 pub(crate) type Interval = (f64, f64);
 
 impl Shield {
-    pub(crate) fn new(limits: Limits, period: f64) -> Self {
+    pub(crate) fn new(limits: ChannelLimits, period: f64) -> Self {
         let time = |l: &AxisLimits| {
             let of_jerk = if l.jerk.is_finite() { l.acceleration / l.jerk } else { f64::INFINITY };
             of_jerk.min(l.speed / l.acceleration)
         };
-        let shortest = limits.0.iter().map(time).fold(f64::INFINITY, f64::min);
+        let shortest = limits.iter().map(time).fold(f64::INFINITY, f64::min);
         let spacing = (shortest / PLACES).clamp(period / 8.0, 4.0 * period);
         // From rest to full override in sixteen periods if no axis limits it.
         Self { limits, spacing, most: (1.0 / (8.0 * period), 1.0 / (64.0 * period * period)) }
@@ -178,7 +179,7 @@ impl Shield {
         let widest = (t - t1).max(t1 - t0);
         let eighth = 0.25 * widest * widest / (t - t0);
         let mut new = Seen { t, ..Seen::default() };
-        for (i, l) in self.limits.0.iter().enumerate() {
+        for (i, l) in self.limits.iter().enumerate() {
             let (v, a, j) = state.feed_override.played(rates.v[i], rates.a[i], rates.j[i]);
             (new.a[i], new.j[i]) = (a, j);
             let between = |f0: f64, f1: f64, f2: f64| {
@@ -204,7 +205,7 @@ impl Shield {
     pub(crate) fn jerks(&self, rates: &Rates, feed_override: Pacing) -> Interval {
         let still = Pacing { d2: 0.0, ..feed_override };
         let mut range = (-self.most.1, self.most.1);
-        for (i, l) in self.limits.0.iter().enumerate().filter(|(_, l)| l.jerk.is_finite()) {
+        for (i, l) in self.limits.iter().enumerate().filter(|(_, l)| l.jerk.is_finite()) {
             narrow(&mut range, still.played(rates.v[i], rates.a[i], rates.j[i]).2, rates.v[i], AIMED * l.jerk);
         }
         range
@@ -213,7 +214,7 @@ impl Shield {
     /// Range of first derivatives of the override that every axis' acceleration allows at the override `phi`.
     pub(crate) fn accelerations(&self, rates: &Rates, phi: f64) -> Interval {
         let mut range = (-self.most.0, self.most.0);
-        for (i, l) in self.limits.0.iter().enumerate() {
+        for (i, l) in self.limits.iter().enumerate() {
             narrow(&mut range, rates.a[i] * phi * phi, rates.v[i], AIMED * l.acceleration);
         }
         range
@@ -226,14 +227,14 @@ impl Shield {
             let v = phi.abs() * l.speed;
             2.0 * (v / l.jerk).sqrt() + v / l.acceleration
         };
-        self.limits.0.iter().map(of_axis).fold(0.0, f64::max)
+        self.limits.iter().map(of_axis).fold(0.0, f64::max)
     }
 
     /// Second derivative of the override that every axis' jerk allows if the profile's own acceleration and jerk are
     /// zero.
     pub(crate) fn strength(&self, rates: &Rates) -> f64 {
         let of_axis = |(i, l): (usize, &AxisLimits)| AIMED * l.jerk / rates.v[i].abs();
-        self.limits.0.iter().enumerate().map(of_axis).fold(self.most.1, f64::min)
+        self.limits.iter().enumerate().map(of_axis).fold(self.most.1, f64::min)
     }
 }
 

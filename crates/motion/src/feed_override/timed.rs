@@ -1,10 +1,7 @@
-use super::error::FeedOverrideError;
 use crate::limit_kind::LimitKind;
-use crate::pass_channels::limits;
-pub use crate::speed_profile::Limits as AxisLimits;
-use crate::tip_channels::{self, TipChannels};
-use arrayvec::ArrayVec;
-use seamwright_machine::{Joints, MAX_AXES, Machine};
+use crate::tip_channels::CHANNELS;
+use seamwright_machine::Joints;
+use super::error::FeedOverrideError;
 
 /// A motion in time that can be played with a feed override.
 ///
@@ -20,9 +17,6 @@ pub trait Timed {
     /// The time at which path length `s` (mm) is reached, as exact as doubles allow.
     fn time_of(&self, s: f64) -> f64;
 }
-
-/// Maximum number of channels with limits: axes, then directions with limits of the tip.
-pub const CHANNELS: usize = MAX_AXES + tip_channels::COUNT;
 
 /// Position, speed, acceleration and jerk at one instant: of the channels (mm or rad per s, s^2, s^3) and along the
 /// path.
@@ -78,40 +72,5 @@ impl Rates {
         }
         (out.tip.v, out.tip.a, out.tip.j) = feed_override.played(self.tip.v, self.tip.a, self.tip.j);
         out
-    }
-}
-
-/// Limits of all axes of a machine, then of its tip.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Limits(pub(crate) ArrayVec<AxisLimits, CHANNELS>);
-
-impl Limits {
-    /// Limits of the axes and the tip of `machine`, as used in planning.
-    pub fn of(machine: &Machine) -> Self {
-        let all = machine.axes.iter().map(limits).chain(TipChannels::limits(machine));
-        Self(all.collect())
-    }
-
-    /// Limits of the axes in the machine's order.
-    ///
-    /// # Errors
-    /// More axes than a machine may have; speed or acceleration that is not finite and positive; jerk that is not
-    /// positive.
-    pub fn new(axes: &[AxisLimits]) -> Result<Self, FeedOverrideError> {
-        if axes.len() > MAX_AXES {
-            return Err(FeedOverrideError::TooManyAxes { axes: axes.len(), most: MAX_AXES });
-        }
-        let mut limits = ArrayVec::new();
-        for (axis, l) in axes.iter().enumerate() {
-            for (kind, value) in
-                [(LimitKind::Speed, l.speed), (LimitKind::Acceleration, l.acceleration), (LimitKind::Jerk, l.jerk)]
-            {
-                if value.is_nan() || value <= 0.0 || (value.is_infinite() && kind != LimitKind::Jerk) {
-                    return Err(FeedOverrideError::Limit { axis, kind, value });
-                }
-            }
-            limits.push(*l);
-        }
-        Ok(Self(limits))
     }
 }

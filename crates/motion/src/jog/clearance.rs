@@ -1,5 +1,5 @@
+use crate::transfer::{nearest, too_near};
 use super::point_to_point::PointToPoint;
-use crate::transfer::too_near;
 use seamwright_clearance::{ClearanceError, Limits};
 use seamwright_machine::{Course, Joints, Surroundings};
 use seamwright_message::Message;
@@ -49,14 +49,8 @@ impl PointToPoint {
         let smallest = (1e-5 * self.duration()).max(1e-9);
         let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest };
         let profile = around.along(self, STATIONS, &limits)?;
-        let near = profile.traces.iter().enumerate().filter(|(_, t)| t.nearest.1.place.is_some());
-        let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance));
-        let nearest = nearest.map(|(watch, trace)| {
-            let (t, found) = trace.nearest;
-            (found.distance, t, around.nearest_bodies(watch, &found).into())
-        });
         let stretches = profile.stretches.iter();
         let too_near = stretches.map(|s| (s.from, s.to, too_near(around, s.watch, &s.nearest))).collect();
-        Ok(MotionClearance { nearest, too_near, cutoff_mm: CUTOFF_MM })
+        Ok(MotionClearance { nearest: nearest(around, &profile), too_near, cutoff_mm: CUTOFF_MM })
     }
 }

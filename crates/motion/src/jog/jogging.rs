@@ -3,7 +3,6 @@ use super::point_to_point::{Goal, PointToPoint};
 use super::state::{AxisState, State};
 use super::stop::{Commitment, Stop};
 use super::tip::{TipFrame, TipLine, same_way};
-use crate::limit_kind::position_unit;
 use glam::DVec3;
 use rsruckig::prelude::Synchronization;
 use seamwright_machine::{CollisionMonitor, Joints, MAX_AXES, Machine, RangeViolation, Surroundings};
@@ -343,8 +342,8 @@ impl<'a> Jog<'a> {
             _ => Joints::default(),
         };
         let mut goals = [Goal::Speed(0.0); MAX_AXES];
-        for (i, limits) in self.plan.limits().iter().enumerate() {
-            goals[i] = Goal::jog(limits, self.state.q[i], self.override_share * speeds[i]);
+        for (i, (limits, range)) in self.plan.limits().iter().zip(self.plan.ranges()).enumerate() {
+            goals[i] = Goal::jog(limits, *range, self.state.q[i], self.override_share * speeds[i]);
         }
         self.plan.plan_goals(&self.state, &goals, Synchronization::None)
     }
@@ -369,12 +368,12 @@ impl<'a> Jog<'a> {
     fn verified(&mut self, next: &State) -> Result<Stop, Halt> {
         let period = self.settings.period_s;
         let stop = Stop::new(self.plan.limits(), next);
-        for (i, limits) in self.plan.limits().iter().enumerate() {
+        for (i, (limits, range)) in self.plan.limits().iter().zip(self.plan.ranges()).enumerate() {
             let fits = follows(self.state.axis(i), next.axis(i), limits.jerk, period)
                 && next.acceleration[i].abs() <= limits.acceleration * (1.0 + SLACK)
                 && stop.ramps()[i].greatest_speed(0.0, stop.duration()) <= limits.speed * (1.0 + SLACK);
             let (low, high) = stop.ramps()[i].reach();
-            if !(fits && low >= limits.range.0 && high <= limits.range.1) {
+            if !(fits && low >= range.0 && high <= range.1) {
                 return Err(Halt::Limit(i));
             }
         }
@@ -384,29 +383,6 @@ impl<'a> Jog<'a> {
             monitor.prove(&way, &low, &high, self.settings.looks).map_err(Halt::TooNear)?;
         }
         Ok(stop)
-    }
-
-    /// Guaranteed stopping distance of an axis from its position, mm or rad: see
-    /// [`super::AxisLimits::stopping_distance`]. It counts from the set-point at which the loss is detected; a silent
-    /// panel adds the time of silence at its speed.
-    ///
-    /// # Errors
-    /// No such axis.
-    pub fn stopping_distance(&self, axis: usize) -> Result<f64, JogError> {
-        let limits = self.plan.limits();
-        let limits = limits.get(axis).ok_or(JogError::NoSuchAxis { axis, axes: limits.len() })?;
-        Ok(limits.stopping_distance(self.state.speed[axis]))
-    }
-
-    /// Guaranteed stopping distance of the torch tip relative to the work from its position, mm.
-    pub fn tip_stopping_distance(&self) -> f64 {
-        let mut by = Joints::default();
-        for (i, limits) in self.plan.limits().iter().enumerate() {
-            // An axis at rest with no acceleration does not move.
-            let AxisState { speed: v, acceleration: a, .. } = self.state.axis(i);
-            by[i] = if v == 0.0 && a == 0.0 { 0.0 } else { limits.stopping_distance(v) };
-        }
-        self.machine.tip_travel(&self.state.q, &by)
     }
 }
 
@@ -444,7 +420,7 @@ fn check_positions(machine: &Machine, q: &Joints) -> Result<(), JogError> {
             let axis = &machine.axes[axis];
             let (low, high) = axis.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
             let [value, low, high] = [value, low, high].map(|v| axis.to_file(v));
-            Err(JogError::Range { axis: short(&axis.name), value, low, high, unit: position_unit(axis.kind) })
+            Err(JogError::Range { axis: short(&axis.name), value, low, high, unit: axis.position_unit() })
         }
     }
 }

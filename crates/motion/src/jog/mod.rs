@@ -11,7 +11,6 @@
 mod clearance;
 mod error;
 mod jogging;
-mod limits;
 mod point_to_point;
 mod ramp;
 mod state;
@@ -21,7 +20,6 @@ mod tip;
 pub use clearance::MotionClearance;
 pub use error::{AxisName, AxisValue, JogError, JogSetting};
 pub use jogging::{Command, Halt, Jog, JogPoint, JogSettings, Signals};
-pub use limits::AxisLimits;
 pub use point_to_point::PointToPoint;
 pub use state::State;
 pub use tip::TipFrame;

@@ -2,7 +2,7 @@ use super::error::JogError;
 use super::limits::AxisLimits;
 use super::state::{AxisState, State};
 use rsruckig::prelude::*;
-use seamwright_machine::{Joints, MAX_AXES, Machine};
+use seamwright_machine::{Axis, AxisLimits, Joints, MAX_AXES, Machine};
 
 /// Margin of the soft ends inside the range, mm or rad, so that rounding never puts an axis beyond.
 pub(super) const ROOM: f64 = 1e-7;
@@ -19,6 +19,8 @@ const LONGEST_S: f64 = 3000.0;
 #[derive(Debug)]
 pub struct PointToPoint {
     limits: Vec<AxisLimits>,
+    /// Minimum and maximum position of each axis; infinite on a continuous one.
+    ranges: Vec<(f64, f64)>,
     ruckig: Ruckig<0, IgnoreErrorHandler>,
     input: InputParameter<0>,
     trajectory: Trajectory<0>,
@@ -38,12 +40,8 @@ pub(super) enum Goal {
 impl PointToPoint {
     /// For a machine's axes.
     pub fn new(machine: &Machine) -> Self {
-        Self::with_limits(machine.axes.iter().map(AxisLimits::from).collect())
-    }
-
-    /// For axes with these limits; those beyond [`MAX_AXES`] are left out.
-    pub fn with_limits(mut limits: Vec<AxisLimits>) -> Self {
-        limits.truncate(MAX_AXES);
+        let limits: Vec<AxisLimits> = machine.axes.iter().map(Axis::limits).collect();
+        let ranges = machine.axes.iter().map(|axis| axis.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY))).collect();
         let axes = Some(limits.len());
         let mut input = InputParameter::new(axes);
         for (i, limits) in limits.iter().enumerate() {
@@ -51,12 +49,18 @@ impl PointToPoint {
             input.max_jerk[i] = limits.jerk;
         }
         input.per_dof_control_interface = Some(DataArrayOrVec::new(axes, ControlInterface::Position));
-        Self { limits, ruckig: Ruckig::new(axes, 1e-3), input, trajectory: Trajectory::new(axes), goes_on: false }
+        let (ruckig, trajectory) = (Ruckig::new(axes, 1e-3), Trajectory::new(axes));
+        Self { limits, ranges, ruckig, input, trajectory, goes_on: false }
     }
 
     /// Limits of the axes.
     pub fn limits(&self) -> &[AxisLimits] {
         &self.limits
+    }
+
+    /// Minimum and maximum positions of the axes.
+    pub(super) fn ranges(&self) -> &[(f64, f64)] {
+        &self.ranges
     }
 
     /// Plans from `from` to rest at `target`, at up to the fraction `override_share` (above 0, up to 1) of the axes'
@@ -66,11 +70,10 @@ impl PointToPoint {
     /// [`JogError::NoMotion`]; the previous plan is then lost.
     pub fn plan(&mut self, from: &State, target: &Joints, override_share: f64) -> Result<(), JogError> {
         let mut goals = [Goal::Speed(0.0); MAX_AXES];
-        for ((goal, limits), at) in goals.iter_mut().zip(&self.limits).zip(target) {
-            let (low, high) = limits.range;
+        for (i, (limits, (low, high))) in self.limits.iter().zip(&self.ranges).enumerate() {
             // A range narrower than its margins yields a single point.
             let (low, high) = (low + ROOM, (high - ROOM).max(low + ROOM));
-            *goal = Goal::Position { at: at.clamp(low, high), speed: override_share * limits.speed };
+            goals[i] = Goal::Position { at: target[i].clamp(low, high), speed: override_share * limits.speed };
         }
         for synchronization in [Synchronization::Time, Synchronization::None] {
             if self.plan_goals(from, &goals, synchronization).is_ok() && self.stays_in_range(from) {
@@ -122,9 +125,8 @@ impl PointToPoint {
     /// library's extremes are wrong.
     fn stays_in_range(&mut self, from: &State) -> bool {
         let reach = self.trajectory.get_position_extrema();
-        let mut ends = self.limits.iter().zip(from.q.iter().zip(reach.iter()));
-        let inside = |range: (f64, f64), q: f64, low: f64, high: f64| low >= range.0.min(q) && high <= range.1.max(q);
-        ends.all(|(limits, (q, reach))| inside(limits.range, *q, reach.min, reach.max))
+        let mut ends = self.ranges.iter().zip(from.q.iter().zip(reach.iter()));
+        ends.all(|((low, high), (q, reach))| reach.min >= low.min(*q) && reach.max <= high.max(*q))
     }
 
     /// Duration of the planned motion, s.
@@ -148,8 +150,8 @@ impl PointToPoint {
 
 impl Goal {
     /// Goal of an axis at `q` that moves at speed `wanted` up to the end of its range, slowing down in time.
-    pub(super) fn jog(limits: &AxisLimits, q: f64, wanted: f64) -> Self {
-        let end = if wanted > 0.0 { limits.range.1 - ROOM } else { limits.range.0 + ROOM };
+    pub(super) fn jog(limits: &AxisLimits, range: (f64, f64), q: f64, wanted: f64) -> Self {
+        let end = if wanted > 0.0 { range.1 - ROOM } else { range.0 + ROOM };
         let speed = wanted.abs();
         if speed < 1e-6 * limits.speed || (end - q) * wanted.signum() <= ROOM {
             return Self::Speed(0.0);

@@ -1,5 +1,6 @@
 use super::limits::AxisLimits;
 use super::state::AxisState;
+use seamwright_machine::AxisLimits;
 
 /// Time-optimal change of one axis from any speed and acceleration to a constant speed within its acceleration and
 /// jerk: three phases of constant jerk, in closed form.
@@ -102,8 +103,7 @@ mod tests {
             v in -50.0..50.0f64, a in -1.0..1.0f64, to in prop::sample::select(vec![0.0, 0.0, -20.0, 7.5, 50.0]),
             acceleration in 1.0..1000.0f64, jerk in 10.0..20000.0f64,
         ) {
-            let range = (f64::NEG_INFINITY, f64::INFINITY);
-            let limits = AxisLimits { speed: 50.0, acceleration, jerk, range };
+            let limits = AxisLimits { speed: 50.0, acceleration, jerk };
             let a = a * acceleration;
             let ramp = Ramp::new(&limits, AxisState { q: 3.0, speed: v, acceleration: a }, to);
             let mut ruckig = Ruckig::<1, ThrowErrorHandler>::new(None, 1e-3);
@@ -149,8 +149,7 @@ mod tests {
     /// An acceleration beyond its limit, as after the limit was lowered, is reduced first.
     #[test]
     fn takes_back_what_is_too_much() {
-        let range = (f64::NEG_INFINITY, f64::INFINITY);
-        let limits = AxisLimits { speed: 50.0, acceleration: 10.0, jerk: 100.0, range };
+        let limits = AxisLimits { speed: 50.0, acceleration: 10.0, jerk: 100.0 };
         for (v, to) in [(5.0, 40.0), (5.0, 0.0), (-5.0, 0.0)] {
             let ramp = Ramp::new(&limits, AxisState { q: 0.0, speed: v, acceleration: 20.0 }, to);
             let AxisState { speed: reached, acceleration: a, .. } = ramp.at(ramp.duration() * (1.0 - 1e-12));

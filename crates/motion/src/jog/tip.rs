@@ -1,9 +1,10 @@
+use super::State;
 use super::limits::AxisLimits;
 use super::ramp::Ramp;
 use super::state::{AxisState, State};
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_machine::{Joints, Machine};
+use seamwright_machine::{AxisLimits, Joints, Machine};
 
 /// Frame of the directions of a tip jog.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,8 +95,7 @@ impl TipLine {
 /// Limits of the tip along a line from those of the axes: half of their acceleration and jerk for its own changes of
 /// speed, a quarter of the acceleration for the curvature of the axes' path.
 fn along_limits(limits: &[AxisLimits], first: &Joints, second: &Joints) -> AxisLimits {
-    let infinite = f64::INFINITY;
-    let mut most = AxisLimits { speed: infinite, acceleration: infinite, jerk: infinite, range: (-infinite, infinite) };
+    let mut most = AxisLimits::NONE;
     for (limits, (d, dd)) in limits.iter().zip(first.iter().zip(second)) {
         most.speed = most.speed.min(0.9 * limits.speed / d.abs()).min((0.25 * limits.acceleration / dd.abs()).sqrt());
         most.acceleration = most.acceleration.min(0.5 * limits.acceleration / d.abs());

@@ -3,7 +3,7 @@
 use super::PassProcedure;
 use super::planned_pass::{PlannedPass, Quantity};
 use seamwright_message::{Argument, Message, Unit};
-use seamwright_program::{Finding, Outside, Pass, PositionStretch, Procedure, Run, WeldingPosition};
+use seamwright_program::{Finding, Outside, Pass, PathRange, PositionStretch, Procedure, Run, WeldingPosition};
 
 /// Temperatures are measured before welding, not planned.
 const MEASURED: [&str; 2] = ["preheat_c", "interpass_c"];
@@ -16,16 +16,10 @@ pub(super) fn findings(
     planned: PlannedPass,
 ) -> Vec<Finding> {
     let PlannedPass { pass, number, .. } = planned;
-    let finding = |(from_mm, to_mm): (f64, f64), message: Message, cure: Message| Finding {
-        kind: "procedure",
-        message: message.text("procedure", procedure.number.as_str()),
-        pass: number,
-        from_mm,
-        to_mm,
-        cure: Some(cure),
-        allowed: false,
+    let finding = |range: PathRange, message: Message, cure: Message| {
+        Finding::error("procedure", message.text("procedure", procedure.number.as_str()), number, range, cure)
     };
-    let whole = (0.0, pass.length());
+    let whole = PathRange::up_to(pass.length());
     let Some(run) = run else {
         let message = Message::new("motion-procedure-no-run").pass("pass", number).text("name", pass.name.as_str());
         return vec![finding(whole, message, Message::new("motion-cure-procedure-run"))];
@@ -45,7 +39,11 @@ pub(super) fn findings(
             }
             _ => all.extend(quantity.outside.iter().map(|stretch| {
                 let message = within(value(quantity, stretch));
-                finding((stretch.from_mm, stretch.to_mm), message, cure(&quantity.key, stretch.above))
+                finding(
+                    PathRange { from_mm: stretch.from_mm, to_mm: stretch.to_mm },
+                    message,
+                    cure(&quantity.key, stretch.above),
+                )
             })),
         }
     }
@@ -54,7 +52,7 @@ pub(super) fn findings(
             let names = allowed.iter().map(WeldingPosition::to_string).map(Argument::Text);
             let message = of_run(position(held, stretch)).list("positions", names);
             let cure = Message::new("motion-cure-procedure-position");
-            all.push(finding((stretch.from_mm, stretch.to_mm), message, cure));
+            all.push(finding(PathRange { from_mm: stretch.from_mm, to_mm: stretch.to_mm }, message, cure));
         }
     }
     all

@@ -30,7 +30,7 @@ pub(super) fn at(planned: PlannedPass, s: f64) -> Lie {
     let PlannedPass { machine, path, motion, .. } = planned;
     let q = motion.path.at(s);
     let groove = path.groove(s);
-    let (face, tangent) = (path.face(s), groove.map_or_else(|| path.tangent(s), |g| g.tangent));
+    let (face, tangent) = (path.face(s), groove.map_or_else(|| path.line(s).1, |g| g.tangent));
     let torch = -machine.forward(&q).direction;
     let along = torch.dot(tangent);
     Lie {

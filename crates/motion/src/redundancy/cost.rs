@@ -1,5 +1,6 @@
 use crate::singular;
 use glam::DVec3;
+use seamwright_geometry::angle_between;
 use seamwright_machine::{AxisKind, AxisSet, Joints, MAX_AXES, Machine, Target};
 use seamwright_program::{
     FilletOrButt, Inclination, Pass, Position, PositionLimits, Procedure, SpareAxes, TorchPath, WeldingPosition,
@@ -141,7 +142,7 @@ impl<'a> Cost<'a> {
             rows[ALLOWED] = root(2.0 * self.allowed * ((1.0 + lacking * lacking).sqrt() - 1.0));
         }
         if self.tilts && self.wishes.position == Position::Flat && w.position.get() > 0.0 {
-            let angle = 2.0 * (up - place.face).length().atan2((up + place.face).length());
+            let angle = angle_between(up, place.face);
             let beyond = (angle.to_degrees() - self.wishes.flat_within_deg.get()).max(0.0);
             rows[POSITION] = root(w.position.get()) * beyond / 10.0;
         }

@@ -1,11 +1,10 @@
 use super::graph::Graph;
 use super::hold_error::HoldError;
 use super::task::Task;
-use crate::limit_kind::position_unit;
 use crate::limits::Runs;
 use seamwright_machine::{AxisKind, Joints};
 use seamwright_message::{Message, Unit};
-use seamwright_program::Finding;
+use seamwright_program::{Finding, PathRange};
 use std::f64::consts::TAU;
 
 /// Number of samples of the free axes used to find the reason for an inverse without closed form.
@@ -15,16 +14,9 @@ const NUMERIC_SAMPLES: usize = 4;
 const NO_AXIS: usize = 0;
 
 /// Finding for an invalid hold of an axis.
-pub(crate) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
-    Finding {
-        kind: "hold",
-        message: error.message(),
-        pass,
-        from_mm: 0.0,
-        to_mm: length,
-        cure: Some(Message::new("document-allowed").message("allowed", error.allowed())),
-        allowed: false,
-    }
+pub(crate) fn hold(error: HoldError, length: f64, pass: usize) -> Finding {
+    let cure = Message::new("document-allowed").message("allowed", error.allowed);
+    Finding::error("hold", error.message, pass, PathRange::up_to(length), cure)
 }
 
 /// Reasons for a missing path: unreachable stations, or reachable ones without a connection.
@@ -38,16 +30,11 @@ pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
         let why = nodes.is_empty().then(|| nearest_miss(task, &samples, place.s));
         runs.add(place.s, why);
     }
-    let unreachable = runs.findings(|run| Finding {
-        kind: if run.key == NO_AXIS { "reach" } else { "range" },
-        message: Message::new("motion-unreachable-redundant")
-            .text("machine", task.machine.name.as_str())
-            .message("reason", run.message.clone()),
-        pass,
-        from_mm: run.from,
-        to_mm: run.to,
-        cure: Some(Message::new("motion-cure-unreachable-redundant")),
-        allowed: false,
+    let unreachable = runs.findings(|run| {
+        let kind = if run.key == NO_AXIS { "reach" } else { "range" };
+        let message = Message::new("motion-unreachable-redundant").text("machine", task.machine.name.as_str());
+        let message = message.message("reason", run.message.clone());
+        Finding::error(kind, message, pass, run.stretch(), Message::new("motion-cure-unreachable-redundant"))
     });
     if unreachable.is_empty() {
         return vec![jump(task, graph, pass).unwrap_or_else(|| not_smooth(task, pass))];
@@ -57,15 +44,9 @@ pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
 
 /// Finding for stations that can be joined only discontinuously.
 fn not_smooth(task: &Task, pass: usize) -> Finding {
-    Finding {
-        kind: "singular",
-        message: Message::new("motion-not-smooth-redundant").text("machine", task.machine.name.as_str()),
-        pass,
-        from_mm: 0.0,
-        to_mm: task.path.length(),
-        cure: Some(Message::new("motion-cure-not-tried")),
-        allowed: false,
-    }
+    let message = Message::new("motion-not-smooth-redundant").text("machine", task.machine.name.as_str());
+    let whole = PathRange::up_to(task.path.length());
+    Finding::error("singular", message, pass, whole, Message::new("motion-cure-not-tried"))
 }
 
 /// Sample of the free axes that comes nearest to reaching path length `s`: the axis out of range and its excess, as a
@@ -85,12 +66,8 @@ fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, Message
                         let a = &task.machine.axes[axis];
                         let by = a.to_file(by);
                         least = part;
-                        let message = Message::new("motion-axis-beyond").axis("axis", a.name.as_str()).quantity(
-                            "by",
-                            by,
-                            position_unit(a.kind),
-                            3,
-                        );
+                        let message = Message::new("motion-axis-beyond").axis("axis", a.name.as_str());
+                        let message = message.quantity("by", by, a.position_unit(), 3);
                         reason = (axis + 1, by, message);
                     }
                 }
@@ -139,17 +116,10 @@ fn jump(task: &Task, graph: &Graph, pass: usize) -> Option<Finding> {
     let (_, axis, by) = pairs.min_by(|a, b| a.0.total_cmp(&b.0))?;
     let axis = &task.machine.axes[axis];
     let (from_mm, to_mm) = (graph.places[k - 1].s, graph.places[k].s);
-    Some(Finding {
-        kind: "jump",
-        message: Message::new("motion-jump")
-            .quantity("from", from_mm, Unit::Mm, 1)
-            .quantity("to", to_mm, Unit::Mm, 1)
-            .axis("axis", axis.name.as_str())
-            .quantity("by", axis.to_file(by), position_unit(axis.kind), 1),
-        pass,
-        from_mm,
-        to_mm,
-        cure: Some(Message::new("motion-cure-jump")),
-        allowed: false,
-    })
+    let message = Message::new("motion-jump")
+        .quantity("from", from_mm, Unit::Mm, 1)
+        .quantity("to", to_mm, Unit::Mm, 1)
+        .axis("axis", axis.name.as_str())
+        .quantity("by", axis.to_file(by), axis.position_unit(), 1);
+    Some(Finding::error("jump", message, pass, PathRange { from_mm, to_mm }, Message::new("motion-cure-jump")))
 }

@@ -28,7 +28,6 @@ mod refine;
 mod task;
 
 use crate::effort::Effort;
-use crate::limit_kind::position_unit;
 pub use cost::Clearance;
 pub(crate) use cost::{Aim, AllowedPositions};
 pub(crate) use explain::hold as hold_finding;
@@ -63,10 +62,19 @@ pub fn holding<'m>(machine: &'m Machine, wishes: &SpareAxes) -> Result<Cow<'m, M
     let axis = held.first().cloned().unwrap_or_default();
     let redundant = machine.free().iter().count();
     if redundant == 0 {
-        return Err(HoldError::Decided { axis });
+        return Err(needed(&axis));
     }
-    let freed = machine.freeing(wanted);
-    freed.map(Cow::Owned).ok_or(HoldError::TooFew { axis, held, redundant })
+    machine.freeing(wanted).map(Cow::Owned).ok_or_else(|| {
+        // The other axes cannot reach every torch pose.
+        let message = Message::new("motion-hold-too-few").list("held", held.into_iter().map(Argument::Axis));
+        HoldError { axis, message, allowed: Message::new("motion-hold-allowed-count").count("axes", redundant) }
+    })
+}
+
+/// Error of an axis that every torch pose needs.
+fn needed(axis: &str) -> HoldError {
+    let message = Message::new("motion-hold-decided").axis("axis", axis);
+    HoldError { axis: axis.to_owned(), message, allowed: Message::new("motion-hold-allowed-none") }
 }
 
 /// The axes held by `wishes`, with their positions in mm or rad.
@@ -74,17 +82,19 @@ fn held(machine: &Machine, wishes: &SpareAxes) -> Result<Vec<(usize, f64)>, Hold
     let chain = machine.heads[0].chain.axes();
     let mut held = Vec::new();
     for (name, position) in &wishes.hold {
-        let axis = machine.axis(name).filter(|&i| chain.has(i)).ok_or_else(|| HoldError::Unknown {
-            axis: name.clone(),
-            axes: chain.iter().map(|i| machine.axes[i].name.clone()).collect(),
+        let about = |code| Message::new(code).axis("axis", name.as_str());
+        let wrong = |message, allowed| HoldError { axis: name.clone(), message, allowed };
+        let axis = machine.axis(name).filter(|&i| chain.has(i)).ok_or_else(|| {
+            let axes: Vec<&str> = chain.iter().map(|i| machine.axes[i].name.as_str()).collect();
+            wrong(about("motion-hold-unknown"), Message::verbatim(axes.join(", ")))
         })?;
         let value = machine.axes[axis].from_file(position.get());
         if machine.axes[axis].outside(value).is_some() {
             let a = &machine.axes[axis];
-            let (low, high) = a.range.unwrap_or_default();
-            let range = (a.to_file(low), a.to_file(high));
-            let unit = position_unit(a.kind);
-            return Err(HoldError::Range { axis: name.clone(), value: position.get(), range, unit });
+            let ((low, high), unit) = (a.range.unwrap_or_default(), a.position_unit());
+            let message = about("motion-hold-range").value("value", position.get(), unit);
+            let allowed = Message::new("document-between").quantity("min", a.to_file(low), unit, 3);
+            return Err(wrong(message, allowed.quantity("max", a.to_file(high), unit, 3)));
         }
         held.push((axis, value));
     }
@@ -105,7 +115,7 @@ pub fn resolve(
     clearance: Option<Clearance>,
     pass: usize,
 ) -> Result<FreeAxes, Vec<Finding>> {
-    let machine = holding(machine, wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
+    let machine = holding(machine, wishes).map_err(|e| vec![explain::hold(e, path.length(), pass)])?;
     let aim = Aim { speed, wishes, clearance, positions: None, explains: true };
     resolve_within(&Effort::new(None), &machine, path, aim, pass)
 }
@@ -121,12 +131,11 @@ pub(crate) fn resolve_within(
     if path.axes(0.0).is_some() {
         return Ok(FreeAxes::default());
     }
-    let still = held(machine, aim.wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
+    let still = held(machine, aim.wishes).map_err(|e| vec![explain::hold(e, path.length(), pass)])?;
     let two = path.second(0.0).is_some();
     if let (true, Some(&(axis, _))) = (two, still.first()) {
         // Two torches determine every axis.
-        let error = HoldError::Decided { axis: machine.axes[axis].name.clone() };
-        return Err(vec![explain::hold(&error, path.length(), pass)]);
+        return Err(vec![explain::hold(needed(&machine.axes[axis].name), path.length(), pass)]);
     }
     if machine.free().is_empty() || two {
         return Ok(FreeAxes::default());

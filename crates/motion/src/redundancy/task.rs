@@ -63,7 +63,7 @@ impl<'a> Task<'a> {
     }
 
     pub(super) fn place(&self, s: f64) -> Place {
-        let tangent = self.path.groove(s).map_or_else(|| self.path.tangent(s), |groove| groove.tangent);
+        let tangent = self.path.groove(s).map_or_else(|| self.path.line(s).1, |groove| groove.tangent);
         Place { s, target: self.path.pose(s).into(), face: self.path.face(s), tangent }
     }
 

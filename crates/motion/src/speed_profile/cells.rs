@@ -1,7 +1,8 @@
-use super::channels::{Channels, Limits};
+use super::channels::Channels;
 use super::error::SpeedProfileError;
 use super::rest::RestToRest;
 use crate::stretch::Stretch;
+use seamwright_machine::AxisLimits;
 
 /// Sample points of the path in each cell, as fractions of its width.
 pub(crate) const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -25,7 +26,7 @@ pub(crate) struct Cells {
     pub(crate) map: RestToRest,
     /// Stations between cells, from 0 to the map's length.
     pub(crate) tau: Vec<f64>,
-    pub(crate) limits: Vec<Limits>,
+    pub(crate) limits: Vec<AxisLimits>,
     /// Channels' derivatives at [`PARTS`] of every cell.
     derivatives: Vec<[f64; 3]>,
     /// Requested squared speed by `tau` at the same points.
@@ -44,7 +45,7 @@ impl Cells {
         path: &dyn Channels,
         map: RestToRest,
         tau: Vec<f64>,
-        limits: Vec<Limits>,
+        limits: Vec<AxisLimits>,
     ) -> Result<Self, SpeedProfileError> {
         let (channels, cells) = (limits.len(), tau.len() - 1);
         let mut derivatives = vec![[0.0; 3]; cells * PARTS.len() * channels];

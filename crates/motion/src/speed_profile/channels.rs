@@ -1,5 +1,6 @@
 use super::error::SpeedProfileError;
 use crate::limit_kind::LimitKind;
+use seamwright_machine::AxisLimits;
 
 /// Input of a speed profile: the motion of everything with limits by the path's parameter `u`.
 ///
@@ -18,7 +19,7 @@ pub trait Channels {
     fn range(&self) -> (f64, f64);
 
     /// Returns the limits of every channel: always the same number of channels, in the same order.
-    fn limits(&self) -> &[Limits];
+    fn limits(&self) -> &[AxisLimits];
 
     /// Writes the first, second and third derivative of every channel at `u` to `out`, in the order of
     /// [`Channels::limits`]. At a break they are those of the piece before it if `before`, else of the piece behind it.
@@ -57,17 +58,6 @@ pub struct Bend {
     pub at: f64,
     /// Approximate range of the parameter on either side over which the profile rounds the bend off.
     pub rounded_over: f64,
-}
-
-/// Symmetric limits of one channel, in its unit per s, s^2 and s^3. The jerk may be infinite.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
-    /// Maximum speed; > 0.
-    pub speed: f64,
-    /// Maximum acceleration; > 0.
-    pub acceleration: f64,
-    /// Maximum jerk; > 0.
-    pub jerk: f64,
 }
 
 /// Parameters of the start, stops and end of `path`.

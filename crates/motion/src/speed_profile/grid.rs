@@ -1,8 +1,9 @@
 //! Division of a path into the cells of a speed profile.
 
-use super::channels::{Channels, Limits};
+use super::channels::Channels;
 use super::rest::RestToRest;
 use crate::stretch::Stretch;
+use seamwright_machine::AxisLimits;
 
 /// Number of cells of a path without breaks, if evenly spaced.
 const CELLS: f64 = 60.0;
@@ -19,7 +20,7 @@ const PART_AT_REST: (f64, f64) = (1e-6, 0.25);
 const SAME: f64 = 1e-9;
 
 /// The map and the first stations (by `tau`) of the `piece` of `path` between two stops.
-pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], piece: Stretch) -> (RestToRest, Vec<f64>) {
+pub(crate) fn stations(path: &dyn Channels, limits: &[AxisLimits], piece: Stretch) -> (RestToRest, Vec<f64>) {
     let Stretch { from, to } = piece;
     let length = to - from;
     let [least, most] = [PART_AT_REST.0 * length, PART_AT_REST.1 * length];
@@ -80,21 +81,16 @@ fn divide(tau: &mut Vec<f64>, stretch: Stretch, width: impl Fn(f64) -> f64) {
 }
 
 /// Distance to reach the maximum speed at `u` from rest, with the path's derivatives of `u` throughout.
-fn run_up(path: &dyn Channels, limits: &[Limits], u: f64, before: bool) -> f64 {
+fn run_up(path: &dyn Channels, limits: &[AxisLimits], u: f64, before: bool) -> f64 {
     let mut derivatives = vec![[0.0; 3]; limits.len()];
     let tip = path.derivatives(u, before, &mut derivatives);
     let (from, to) = path.range();
     let inside = u + 1e-6 * if before { from - to } else { to - from };
-    let mut least = Limits { speed: path.asked(inside) / tip.abs(), acceleration: f64::INFINITY, jerk: f64::INFINITY };
+    let mut least = AxisLimits { speed: path.asked(inside) / tip.abs(), ..AxisLimits::NONE };
     for ([q1, ..], l) in derivatives.iter().zip(limits) {
-        let by = |limit: f64, now: f64| now.min(limit / q1.abs());
-        least = Limits {
-            speed: by(l.speed, least.speed),
-            acceleration: by(l.acceleration, least.acceleration),
-            jerk: by(l.jerk, least.jerk),
-        };
+        least = least.min(l.divided(q1.abs()));
     }
-    let Limits { speed, acceleration, jerk } = least;
+    let AxisLimits { speed, acceleration, jerk } = least;
     let time = if speed * jerk > acceleration * acceleration {
         speed / acceleration + acceleration / jerk
     } else {

@@ -1,13 +1,14 @@
 //! Coefficients of a piece's speed profile, verified also between the points at which rows were imposed.
 
 use super::cells::Cells;
-use super::channels::{Channels, Limits};
+use super::channels::Channels;
 use super::error::SpeedProfileError;
 use super::interior::Iterate;
 use super::peak::{peak, used};
 use super::problem::Problem;
 use super::rest::RestToRest;
 use super::rows::Room;
+use seamwright_machine::AxisLimits;
 
 /// Fraction of the limits kept in reserve: for values between the checked points, and for the start of a hold (see
 /// `feed_override`).
@@ -59,7 +60,7 @@ pub(crate) fn plan(
     path: &dyn Channels,
     map: RestToRest,
     tau: Vec<f64>,
-    limits: &[Limits],
+    limits: &[AxisLimits],
 ) -> Result<(Cells, Vec<f64>), SpeedProfileError> {
     let mut cells = Cells::new(path, map, tau, limits.to_vec())?;
     let mut near = guess(path, &cells);

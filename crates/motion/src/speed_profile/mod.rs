@@ -17,15 +17,16 @@
 //! One axis over 100 mm at 10 mm/s, from rest to rest:
 //!
 //! ```
-//! use seamwright_motion::speed_profile::{Certificate, Channels, Limits, SpeedProfile};
+//! use seamwright_machine::AxisLimits;
+//! use seamwright_motion::speed_profile::{Certificate, Channels, SpeedProfile};
 //!
-//! struct Line([Limits; 1]);
+//! struct Line([AxisLimits; 1]);
 //!
 //! impl Channels for Line {
 //!     fn range(&self) -> (f64, f64) {
 //!         (0.0, 100.0)
 //!     }
-//!     fn limits(&self) -> &[Limits] {
+//!     fn limits(&self) -> &[AxisLimits] {
 //!         &self.0
 //!     }
 //!     fn derivatives(&self, _u: f64, _before: bool, out: &mut [[f64; 3]]) -> f64 {
@@ -40,7 +41,7 @@
 //!     }
 //! }
 //!
-//! let line = Line([Limits { speed: 50.0, acceleration: 100.0, jerk: 1000.0 }]);
+//! let line = Line([AxisLimits { speed: 50.0, acceleration: 100.0, jerk: 1000.0 }]);
 //! let profile = SpeedProfile::new(&line)?;
 //! // 10 s at the requested speed, and 0.1 s for each of acceleration and deceleration phase.
 //! assert!(profile.duration() > 10.2 && profile.duration() < 10.3);
@@ -131,7 +132,7 @@ mod spread;
 mod stream;
 
 pub use certificate::{Bound, Certificate, Interval, Use};
-pub use channels::{Bend, Channels, Limits};
+pub use channels::{Bend, Channels};
 pub use error::SpeedProfileError;
 pub use profile::{Leg, ProfilePoint, SpeedProfile, SpeedReport};
 pub use stream::{Feed, ProfileStream};

@@ -177,11 +177,6 @@ impl SpeedProfile {
         self.point(i, part * self.cells[i].time, part > 0.5)
     }
 
-    /// True if the tip has the requested speed in all of cell `i`; within three thousandths if that changes.
-    pub fn cruises(&self, i: usize) -> bool {
-        self.cells[i].cruises
-    }
-
     /// Evaluates the speed at the parameter `s`, 1/s.
     pub fn speed(&self, s: f64) -> f64 {
         let (i, v, tau) = self.passing(s);

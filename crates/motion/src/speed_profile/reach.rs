@@ -1,9 +1,10 @@
 //! The fastest profile under limits of speed and acceleration alone, by reachability (Pham and Pham, T-RO 2018).
 
 use super::cells::broken;
-use super::channels::{Channels, Limits};
+use super::channels::Channels;
 use super::error::SpeedProfileError;
 use super::lanes::{LANES, Lanes, larger, smaller};
+use seamwright_machine::AxisLimits;
 
 /// Points of each cell at which limits are imposed, as fractions of its width.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
@@ -110,8 +111,9 @@ impl Slabs {
             .limits()
             .chunks(LANES)
             .map(|limits| {
-                let by =
-                    |limit: fn(&Limits) -> f64| std::array::from_fn(|k| limits.get(k).map_or(0.0, |l| 1.0 / limit(l)));
+                let by = |limit: fn(&AxisLimits) -> f64| {
+                    std::array::from_fn(|k| limits.get(k).map_or(0.0, |l| 1.0 / limit(l)))
+                };
                 [by(|l| l.speed), by(|l| l.acceleration)]
             })
             .collect();

@@ -1,7 +1,8 @@
 //! Division of a path into the cells of a profile without limits of jerk: narrow cells at low tip speed.
 
-use super::channels::{Channels, Limits};
+use super::channels::Channels;
 use crate::stretch::Stretch;
+use seamwright_machine::AxisLimits;
 
 /// Number of cells per probe of the speed.
 const CELLS_A_PROBE: usize = 4;
@@ -110,7 +111,7 @@ impl Bins {
 
 /// Maximum squared speed for channels with the derivatives `row`, with `asked` the maximum by the tip, and the maximum
 /// acceleration from rest.
-fn squared_speed_and_acceleration(row: &[[f64; 3]], limits: &[Limits], asked: f64) -> (f64, f64) {
+fn squared_speed_and_acceleration(row: &[[f64; 3]], limits: &[AxisLimits], asked: f64) -> (f64, f64) {
     let (mut speed, mut first, mut second) = (0.0f64, 0.0f64, 0.0f64);
     for ([q1, q2, _], l) in row.iter().zip(limits) {
         speed = speed.max(q1.abs() / l.speed);

@@ -1,10 +1,9 @@
 use super::spline::{Piece, slopes};
 use super::thin::{Kept, SAME, Taught, Thinned, Tolerance};
-use crate::pass_channels::limits;
-use crate::speed_profile::{Channels, Feed, Limits};
+use crate::speed_profile::{Channels, Feed};
 use crate::stretch::Stretch;
-use crate::tip_channels::TipChannels;
-use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
+use crate::tip_channels::{ChannelLimits, channel_derivatives, channel_limits};
+use seamwright_machine::{AxisKind, AxisLimits, Joints, MAX_AXES, Machine};
 use std::collections::VecDeque;
 
 /// Motion at a corner of the taught points.
@@ -26,7 +25,7 @@ pub enum Corner {
 pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
     machine: &'a Machine,
     /// Limits of the axes, then of the tip if it has any.
-    limits: Vec<Limits>,
+    limits: ChannelLimits,
     speed: f64,
     corner: Corner,
     points: std::iter::Peekable<Thinned<Tips<'a, I>>>,
@@ -66,7 +65,7 @@ impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
         let tolerance = Tolerance { tip: tolerance, axes: std::array::from_fn(near) };
         Self {
             machine,
-            limits: machine.axes.iter().map(limits).chain(TipChannels::limits(machine)).collect(),
+            limits: channel_limits(machine),
             speed,
             corner,
             points: Thinned::new(tips, tolerance).peekable(),
@@ -325,19 +324,13 @@ impl<I: Iterator<Item = Joints>> Channels for TaughtPath<'_, I> {
         (self.pieces.front().map_or(0.0, |p| p.from), self.pieces.back().map_or(0.0, |p| p.to))
     }
 
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         &self.limits
     }
 
     fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
         let d = self.piece(u, before).derivatives(u);
-        let (axes, tip) = out.split_at_mut(self.machine.axes.len());
-        axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
-        let tip_motion = self.machine.tip_derivatives(&d);
-        if !tip.is_empty() {
-            TipChannels::derivatives(tip_motion, tip);
-        }
-        tip_motion[0].length()
+        channel_derivatives(self.machine, &d, out)[0].length()
     }
 
     fn asked(&self, _u: f64) -> f64 {

@@ -1,6 +1,6 @@
 use super::rest_to_rest::RestToRest;
 use crate::feed_override::{Rates, Timed, Tip};
-use seamwright_machine::{Axis, Course, Joints, Machine};
+use seamwright_machine::{AxisLimits, Course, Joints, Machine};
 
 /// Synchronised move of all axes between two sets of positions, straight in axis space, from rest to rest. Its speed is
 /// the maximum within every axis' speed, acceleration and jerk.
@@ -13,14 +13,11 @@ pub struct Leg {
 }
 
 impl Leg {
-    /// Plans the leg on `machine`. An axis without a maximum jerk uses [`Axis::jerk`].
+    /// Plans the leg on `machine`. An axis without a maximum jerk uses [`Axis::jerk`](seamwright_machine::Axis::jerk).
     pub fn new(machine: &Machine, from: &Joints, to: &Joints) -> Self {
-        let least = |limit: fn(&Axis) -> f64| {
-            let parts = machine.axes.iter().zip(from.iter().zip(to)).map(|(a, (p, q))| limit(a) / (p - q).abs());
-            parts.fold(f64::INFINITY, f64::min)
-        };
-        let part = RestToRest::new(least(|a| a.max_speed), least(|a| a.max_acceleration), least(Axis::jerk));
-        Self { from: *from, to: *to, part }
+        let ways = machine.axes.iter().zip(from.iter().zip(to));
+        let parts = ways.map(|(axis, (p, q))| axis.limits().divided((p - q).abs()));
+        Self { from: *from, to: *to, part: RestToRest::new(parts.fold(AxisLimits::NONE, AxisLimits::min)) }
     }
 
     /// Time from rest to rest, s.

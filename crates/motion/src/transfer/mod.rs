@@ -6,7 +6,7 @@ mod route;
 mod too_near;
 
 pub use leg::{Leg, TransferMove};
-pub use route::{Blocked, MoveEnd, route};
+pub use route::route;
 pub(crate) use route::{obstacle, route_within};
 pub use too_near::names_nearest;
-pub(crate) use too_near::too_near;
+pub(crate) use too_near::{nearest, too_near};

@@ -1,3 +1,5 @@
+use seamwright_machine::AxisLimits;
+
 /// Time-optimal motion from 0 to 1, rest to rest, within a speed, an acceleration and a jerk limit: up to seven phases
 /// of constant jerk, symmetric in time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,9 +12,9 @@ pub(super) struct RestToRest {
 }
 
 impl RestToRest {
-    /// Plans with the limits `v` (1/s), `a` (1/s^2) and `j` (1/s^3), all greater than 0; infinite limits give a motion
-    /// of zero duration.
-    pub(super) fn new(v: f64, a: f64, j: f64) -> Self {
+    /// Plans with limits in 1/s, 1/s^2 and 1/s^3; infinite limits give a motion of zero duration.
+    pub(super) fn new(limits: AxisLimits) -> Self {
+        let AxisLimits { speed: v, acceleration: a, jerk: j } = limits;
         if !(v.is_finite() && a.is_finite() && j.is_finite()) {
             return Self { jerk: 0.0, speed: 0.0, times: [0.0; 3] };
         }

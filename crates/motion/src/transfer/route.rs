@@ -5,52 +5,6 @@ use seamwright_clearance::Limits;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings};
 use seamwright_message::Message;
 
-/// Reason why no transfer move exists.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Blocked {
-    /// One end of the move is not clear.
-    End {
-        /// The part of the move that is not clear.
-        which: MoveEnd,
-        /// The two solids that are too near, and their distance.
-        obstacle: Message,
-    },
-    /// No detour was found.
-    NoWay {
-        /// The obstacle on the straight move.
-        obstacle: Message,
-    },
-}
-
-/// Part of a transfer move that has no detour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MoveEnd {
-    /// Its first position.
-    Start,
-    /// Its last position.
-    End,
-    /// The move of the torch away from the weld, along itself.
-    Retract,
-    /// The move of the torch to the weld, along itself.
-    Approach,
-}
-
-impl Blocked {
-    /// Describes the reason.
-    pub fn message(&self) -> Message {
-        let (code, obstacle) = match self {
-            Self::End { which: MoveEnd::Start, obstacle } => ("motion-transfer-start", obstacle),
-            Self::End { which: MoveEnd::End, obstacle } => ("motion-transfer-end", obstacle),
-            Self::End { which: MoveEnd::Retract, obstacle } => ("motion-transfer-retract", obstacle),
-            Self::End { which: MoveEnd::Approach, obstacle } => ("motion-transfer-approach", obstacle),
-            Self::NoWay { obstacle } => ("motion-transfer-none", obstacle),
-        };
-        Message::new(code).message("obstacle", obstacle.clone())
-    }
-}
-
-seamwright_message::display_by_message!(Blocked);
-
 /// Maximum number of nodes of both trees together; the search then gives up.
 const MAX_NODES: usize = 4000;
 /// Units of effort of a leg that is checked.
@@ -69,14 +23,14 @@ const LIMITS: Limits = Limits { cutoff_mm: 50.0, precision_mm: 1.0, smallest: 1e
 /// skips no thin obstacle.
 ///
 /// # Errors
-/// [`Blocked`] with a description of the obstacle.
+/// The end that is not clear or the straight move, with the obstacle.
 pub fn route(
     machine: &Machine,
     around: &Surroundings,
     from: &Joints,
     to: &Joints,
     held: AxisSet,
-) -> Result<Vec<Joints>, Blocked> {
+) -> Result<Vec<Joints>, Message> {
     route_within(&Effort::new(None), machine, around, from, to, held)
 }
 
@@ -88,18 +42,19 @@ pub(crate) fn route_within(
     from: &Joints,
     to: &Joints,
     held: AxisSet,
-) -> Result<Vec<Joints>, Blocked> {
+) -> Result<Vec<Joints>, Message> {
     effort.begin(SearchStage::Transfer);
-    for (which, q) in [(MoveEnd::Start, from), (MoveEnd::End, to)] {
+    for (code, q) in [("motion-transfer-start", from), ("motion-transfer-end", to)] {
         if !around.is_clear(q) {
             let found = around.nearest(q, LIMITS.cutoff_mm);
             let obstacle = found.map_or_else(Message::default, |(watch, e)| too_near(around, watch, &e));
-            return Err(Blocked::End { which, obstacle });
+            return Err(Message::new(code).message("obstacle", obstacle));
         }
     }
     let search = Search { effort, machine, around, held, turns: turns(machine, from, to) };
     let Some(obstacle) = search.obstacle(from, to) else { return Ok(vec![*from, *to]) };
-    let way = search.grow(from, to).ok_or(Blocked::NoWay { obstacle })?;
+    let way =
+        search.grow(from, to).ok_or_else(|| Message::new("motion-transfer-none").message("obstacle", obstacle))?;
     Ok(search.cut_short(&way))
 }
 

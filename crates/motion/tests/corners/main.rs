@@ -202,7 +202,7 @@ fn a_small_blend_of_a_long_path_keeps_every_limit() {
     let rows: Vec<[f64; 2]> = motion.set_points(2e-4).map(|p| [p.q[0], p.q[1]]).collect();
     for (i, axis) in machine.axes.iter().enumerate() {
         let mut row: Vec<f64> = rows.iter().map(|q| q[i]).collect();
-        for (order, limit) in [axis.max_speed, axis.max_acceleration, axis.jerk()].into_iter().enumerate() {
+        for (order, limit) in axis.limits().to_array().into_iter().enumerate() {
             row = row.windows(2).map(|w| (w[1] - w[0]) / 2e-4).collect();
             let most = row.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             assert!(most <= limit + 1e-12 / 2e-4f64.powi(order as i32 + 1), "{order}: {most} of {limit}");

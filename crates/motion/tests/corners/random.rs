@@ -189,7 +189,7 @@ fn used_at_constant_speed(case: &Case, from: f64, to: f64) -> Option<f64> {
     }
     let used = machine.axes.iter().enumerate().map(|(i, axis)| {
         let mut row: Vec<f64> = rows.iter().map(|q| q[i]).collect();
-        let limits = [axis.max_speed, axis.max_acceleration, axis.jerk()];
+        let limits = axis.limits().to_array();
         limits.into_iter().fold(0.0, |used: f64, limit| {
             row = row.windows(2).map(|w| (w[1] - w[0]) / period).collect();
             row.iter().fold(used, |u, v| u.max(v.abs() / limit))
@@ -248,7 +248,7 @@ fn in_time(case: &Case, what: &str) -> usize {
     }
     for (i, axis) in machine.axes.iter().enumerate() {
         let mut row: Vec<f64> = sets.iter().map(|p| p.q[i]).collect();
-        for (order, limit) in [axis.max_speed, axis.max_acceleration, axis.jerk()].into_iter().enumerate() {
+        for (order, limit) in axis.limits().to_array().into_iter().enumerate() {
             row = row.windows(2).map(|w| (w[1] - w[0]) / PERIOD).collect();
             let most = row.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             let rounding = 1e-12 / PERIOD.powi(order as i32 + 1);
@@ -262,7 +262,7 @@ fn in_time(case: &Case, what: &str) -> usize {
 #[test]
 fn limits_of_the_tip_hold_in_blends_too() {
     let mut machine = machine("torch-5axis");
-    machine.tip = seamwright_machine::TipLimits { speed: 25.0, acceleration: 60.0, jerk: 500.0 };
+    machine.tip = seamwright_machine::AxisLimits { speed: 25.0, acceleration: 60.0, jerk: 500.0 };
     for seed in 0..cases(10) {
         let mut random = Uniform(seed * 104_729 + 3);
         let route = route(&mut random, Some([0.0; 2]), DVec3::new(0.0, 0.0, 300.0));

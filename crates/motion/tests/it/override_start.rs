@@ -1,7 +1,7 @@
 //! A hold soon after the start of a transfer move.
 
 use seamwright_machine::{Machine, shipped};
-use seamwright_motion::feed_override::{Command, FeedOverride, Limits};
+use seamwright_motion::feed_override::{Command, FeedOverride, channel_limits};
 use seamwright_motion::transfer::Leg;
 
 const PERIOD: f64 = 1e-3;
@@ -22,7 +22,7 @@ fn a_hold_just_after_the_start_is_no_slow_stop() {
     let (mut worst, mut slow) = (0, Vec::new());
     for name in ["saddle-4axis", "torch-5axis", "ebw-7axis"] {
         let machine = Machine::read("m.toml", shipped(name).unwrap().text).unwrap();
-        let limits = Limits::of(&machine);
+        let limits = channel_limits(&machine);
         for way in 0..12 {
             let from = machine.home();
             let mut to = from;

@@ -154,7 +154,7 @@ fn positions_are_seen_from_the_part_as_the_machine_turns_it() {
     let path = held.welding.path(0);
     for (s, found) in held.held.inclinations.iter().step_by(7) {
         let turn = work_to_zero(&held.machine, &held.motion.path.at(*s));
-        let wanted = Inclination::new(turn * path.tangent(*s), turn * path.face(*s), up);
+        let wanted = Inclination::new(turn * path.line(*s).1, turn * path.face(*s), up);
         let off = (wanted.slope - found.slope).abs().max((wanted.rotation - found.rotation).abs());
         assert!(off < 1e-5, "s = {s}: {found:?} {wanted:?}");
     }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use seamwright_machine::{Joints, MAX_AXES, Machine, TipLimits, shipped};
+use seamwright_machine::{AxisLimits, Joints, MAX_AXES, Machine, shipped};
 use seamwright_motion::speed_profile::{Channels, ProfileStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
 use std::f64::consts::TAU;
@@ -108,7 +108,7 @@ fn any_segmentation_is_the_same_weld() {
 fn the_tip_keeps_limits_of_its_own_in_every_direction() {
     let mut machine = machine();
     let (speed, acceleration, jerk) = (15.0, 12.0, 60.0);
-    machine.tip = TipLimits { speed, acceleration, jerk };
+    machine.tip = AxisLimits { speed, acceleration, jerk };
     let period = 2e-3;
     let run = run(&machine, cut(&machine, 0.1), 20.0, Corner::Stop, period);
     let tips: Vec<DVec3> = run.rows.iter().map(|r| machine.forward(&r.2).point).collect();

@@ -2,12 +2,12 @@
 //! they bind.
 
 use glam::DVec3;
-use seamwright_machine::{Joints, Machine, TipLimits, shipped};
-use seamwright_motion::feed_override::{Command, FeedOverride, Limits};
+use seamwright_machine::{AxisLimits, Joints, Machine, shipped};
+use seamwright_motion::feed_override::{Command, FeedOverride, channel_limits};
 use seamwright_motion::{Binding, LimitKind, PassMotion};
 use seamwright_weld::Welding;
 
-const TIP: TipLimits = TipLimits { speed: 25.0, acceleration: 40.0, jerk: 300.0 };
+const TIP: AxisLimits = AxisLimits { speed: 25.0, acceleration: 40.0, jerk: 300.0 };
 const PERIOD: f64 = 1e-3;
 
 /// The saddle on the trunnion table, at a requested 30 mm/s: more than the tip's limit.
@@ -58,7 +58,7 @@ fn a_weld_keeps_them_and_says_so() {
 fn an_operator_cannot_break_them() {
     let (machine, motion) = planned();
     let timed = motion.timed(&machine);
-    let mut feed_override = FeedOverride::new(&Limits::of(&machine), PERIOD, &timed).unwrap();
+    let mut feed_override = FeedOverride::new(&channel_limits(&machine), PERIOD, &timed).unwrap();
     let commands = [
         Command::Resume,
         Command::Override(0.3),

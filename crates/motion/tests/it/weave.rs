@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
-use seamwright_program::{Finding, Groove, TorchPath};
+use seamwright_program::{Finding, Groove, TorchPath, WovenPath};
 use seamwright_weld::Welding;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -180,20 +180,26 @@ impl TorchPath for Counted<'_> {
         self.path.groove(s)
     }
 
-    fn swing(&self, s: f64) -> Option<glam::DVec3> {
-        self.path.swing(s)
-    }
-
-    fn slower(&self, factor: f64) -> Option<Box<dyn TorchPath + '_>> {
-        Some(Box::new(Counted { path: self.path.slower(factor)?, poses: self.poses }))
-    }
-
     fn knots(&self) -> Vec<f64> {
         self.path.knots()
     }
 
     fn bends(&self) -> Vec<f64> {
         self.path.bends()
+    }
+
+    fn weave(&self) -> Option<&dyn WovenPath> {
+        self.path.weave().map(|_| self as &dyn WovenPath)
+    }
+}
+
+impl WovenPath for Counted<'_> {
+    fn swing(&self, s: f64) -> glam::DVec3 {
+        self.path.weave().unwrap().swing(s)
+    }
+
+    fn slower(&self, factor: f64) -> Box<dyn TorchPath + '_> {
+        Box::new(Counted { path: self.path.weave().unwrap().slower(factor), poses: self.poses })
     }
 }
 
@@ -209,7 +215,7 @@ fn the_highest_frequency_costs_about_a_plan() {
         let path = welding.path(0);
         let path = path.along_seam().unwrap();
         // With a factor of 1 the path is its own.
-        let counted = Counted { path: path.slower(1.0).unwrap(), poses: &poses };
+        let counted = Counted { path: path.weave().unwrap().slower(1.0), poses: &poses };
         let motion = PassMotion::plan(&machine, &counted, &welding.program.value.passes[0], 1);
         let poses = poses.load(Ordering::Relaxed);
         let mut findings = motion.err().unwrap_or_default();

@@ -125,7 +125,7 @@ fn what_is_too_near_is_told() {
     let length = welding.path(0).length();
     let pose = welding.path(0).pose(0.4 * length);
     // 60 mm up along the torch, 20 mm aside: the torch body of 14 mm radius passes 1 mm from a ball of 5 mm.
-    let aside = welding.path(0).tangent(0.4 * length);
+    let aside = welding.path(0).line(0.4 * length).1;
     let out = -pose.direction;
     let across = out.cross(aside).normalize();
     let ball = |d: f64| {

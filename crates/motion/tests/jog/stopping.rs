@@ -2,7 +2,31 @@
 
 use crate::{Random, cases, read};
 use rsruckig::prelude::*;
-use seamwright_motion::jog::{AxisLimits, Command, Halt, Jog, JogError, JogSettings, Signals};
+use seamwright_machine::{AxisLimits, Joints};
+use seamwright_motion::jog::{Command, Halt, Jog, JogError, JogSettings, Signals};
+
+/// Guaranteed stopping distance, mm or rad: an upper bound of the fastest stop's distance from any state within the
+/// limits with this speed (of either sign).
+///
+/// Closed form. The worst acceleration is the maximum from which the maximum speed is not exceeded: it is reduced to 0
+/// at full jerk, and the resulting speed is then braked. An axis that is slow for its acceleration may travel farther
+/// backwards; that is then the worst case.
+fn stopping_distance(limits: &AxisLimits, speed: f64) -> f64 {
+    let AxisLimits { speed: top, acceleration: most, jerk: j } = *limits;
+    // Distance of the fastest stop from speed `v` and acceleration `a`, both forwards.
+    let accelerating = |v: f64, a: f64| {
+        let rise = a / j;
+        let risen = v * rise + a * rise * rise / 3.0;
+        let v = v + 0.5 * a * rise;
+        let full = most / j;
+        risen + if v >= most * full { 0.5 * v * (v / most + full) } else { v * (v / j).sqrt() }
+    };
+    let v = speed.abs().min(top);
+    let onwards = accelerating(v, most.min((2.0 * j * (top - v)).sqrt()));
+    // Against the motion: the remaining acceleration at the reversal of the axis.
+    let back = (0.5 * most * most / j - v).clamp(0.0, top);
+    onwards.max(accelerating(0.0, (2.0 * j * back).sqrt()))
+}
 
 /// Maximum distance from the start on the fastest stop, by the library, sampled.
 fn farthest(limits: &AxisLimits, v: f64, a: f64) -> f64 {
@@ -31,17 +55,15 @@ fn no_stop_takes_longer_than_promised_and_some_take_as_long() {
             speed: 10f64.powf(random.within(-2.0, 3.0)),
             acceleration: 10f64.powf(random.within(-1.0, 3.5)),
             jerk: 10f64.powf(random.within(0.0, 5.0)),
-            range: (f64::NEG_INFINITY, f64::INFINITY),
         };
         // Any state that can be within the limits before and after: corners more often than not.
         let corner = |r: &mut Random, most: f64| if r.unit() < 0.3 { most } else { r.within(-most, most) };
         let v = corner(&mut random, limits.speed);
         let room = |v: f64| (2.0 * limits.jerk * (limits.speed - v)).max(0.0).sqrt().min(limits.acceleration);
         let a = if random.unit() < 0.3 { room(v) } else { random.within(-room(-v), room(v)) };
-        let promised = limits.stopping_distance(v);
+        let promised = stopping_distance(&limits, v);
         let truly = farthest(&limits, v, a);
         assert!(truly <= promised * (1.0 + 1e-9) + 1e-12, "{limits:?} {v} {a}: {truly} > {promised}");
-        assert!(promised <= limits.greatest_stopping_distance() * (1.0 + 1e-9), "{limits:?} {v}");
         tightest = tightest.max(truly / promised);
     }
     assert!(tightest > 1.0 - 1e-9, "{tightest}");
@@ -80,8 +102,9 @@ fn a_lost_signal_stops_within_the_promised_distance() {
                 lost.halt = next.halt;
             }
             let from = lost.state;
-            let promised: Vec<f64> = (0..machine.axes.len()).map(|i| jog_promise(&machine, i, from.speed[i])).collect();
-            let mut by = seamwright_machine::Joints::default();
+            let promised: Vec<f64> =
+                (0..machine.axes.len()).map(|i| stopping_distance(&machine.axes[i].limits(), from.speed[i])).collect();
+            let mut by = Joints::default();
             by[..promised.len()].copy_from_slice(&promised);
             let tip = machine.tip_travel(&from.q, &by);
             let first = machine.forward(&from.q).point;
@@ -106,8 +129,4 @@ fn a_lost_signal_stops_within_the_promised_distance() {
             jog.command(&Command::To(start)).unwrap();
         }
     }
-}
-
-fn jog_promise(machine: &seamwright_machine::Machine, axis: usize, speed: f64) -> f64 {
-    AxisLimits::from(&machine.axes[axis]).stopping_distance(speed)
 }

@@ -6,8 +6,8 @@ pub mod orders;
 
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
-use seamwright_machine::Joints;
-use seamwright_motion::feed_override::{AxisLimits, Limits, Rates, Timed, Tip};
+use seamwright_machine::{AxisLimits, Joints};
+use seamwright_motion::feed_override::{ChannelLimits, Rates, Timed, Tip};
 
 pub struct Uniform(TestRng);
 
@@ -232,8 +232,8 @@ pub struct Case {
 }
 
 impl Case {
-    pub fn limits(&self) -> Limits {
-        Limits::new(&self.limits).unwrap()
+    pub fn limits(&self) -> ChannelLimits {
+        self.limits.iter().copied().collect()
     }
 
     pub fn random(random: &mut Uniform) -> Self {

@@ -1,7 +1,7 @@
 //! The example jobs as planned motion, at their speeds and so fast that the axes' limits bind.
 
 use seamwright_machine::{Joints, Machine, shipped};
-use seamwright_motion::feed_override::{Limits, PassTimed, Rates};
+use seamwright_motion::feed_override::{ChannelLimits, PassTimed, Rates, channel_limits};
 use seamwright_motion::{PassMotion, SpeedProfile};
 use seamwright_program::TorchPath;
 use seamwright_weld::Welding;
@@ -42,8 +42,8 @@ impl Weld {
         Self { name: format!("{name} at {times} times its speed"), machine, welding, motion, faster }
     }
 
-    pub(crate) fn limits(&self) -> Limits {
-        Limits::of(&self.machine)
+    pub(crate) fn limits(&self) -> ChannelLimits {
+        channel_limits(&self.machine)
     }
 
     pub(crate) fn base(&self) -> PassTimed<'_> {

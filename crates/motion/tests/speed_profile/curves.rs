@@ -1,12 +1,13 @@
 //! Paths in closed form and splines, as channels.
 
-use seamwright_motion::speed_profile::{Channels, Limits};
+use seamwright_machine::AxisLimits;
+use seamwright_motion::speed_profile::Channels;
 
 /// Cubic pieces by parameter, coefficients highest first: `pieces[i][power][axis]`.
 pub struct Spline {
     pub knots: Vec<f64>,
     pub pieces: Vec<[Vec<f64>; 4]>,
-    pub limits: Vec<Limits>,
+    pub limits: Vec<AxisLimits>,
 }
 
 impl Spline {
@@ -20,7 +21,7 @@ impl Spline {
         let path = |p: &serde_json::Value| {
             let pieces = p["coefficients_highest_first"].as_array().unwrap().iter();
             let (speed, acceleration) = (numbers(&p["max_speed"]), numbers(&p["max_acceleration"]));
-            let limit = |(v, a): (&f64, &f64)| Limits { speed: *v, acceleration: *a, jerk: jerk * a };
+            let limit = |(v, a): (&f64, &f64)| AxisLimits { speed: *v, acceleration: *a, jerk: jerk * a };
             let spline = Self {
                 knots: numbers(&p["knots"]),
                 pieces: pieces.map(|c| std::array::from_fn(|k| numbers(&c[k]))).collect(),
@@ -37,7 +38,7 @@ impl Channels for Spline {
         (self.knots[0], self.knots[self.knots.len() - 1])
     }
 
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         &self.limits
     }
 
@@ -89,7 +90,7 @@ impl<P: Channels> Channels for Finely<P> {
         self.path.range()
     }
 
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         self.path.limits()
     }
 
@@ -109,7 +110,7 @@ impl<P: Channels> Channels for Finely<P> {
 /// The saddle of a nozzle of radius 25 on a shell of radius 60 with a trunnion that tilts by 20 sin(phi) degrees, in
 /// closed form by phi: X Y Z in mm, A C in degrees; the same as in the table of rivals' measurements.
 pub struct Saddle {
-    pub limits: Vec<Limits>,
+    pub limits: Vec<AxisLimits>,
     pub speed: f64,
 }
 
@@ -137,7 +138,7 @@ fn chain(f: Jet, g: Jet) -> Jet {
 
 impl Saddle {
     pub fn new(jerk: f64) -> Self {
-        let limit = |speed, acceleration| Limits { speed, acceleration, jerk: jerk * acceleration };
+        let limit = |speed, acceleration| AxisLimits { speed, acceleration, jerk: jerk * acceleration };
         let (linear, rotary) = (limit(50.0, 500.0), limit(60.0, 600.0));
         Self { limits: vec![linear, linear, linear, rotary, rotary], speed: 20.0 }
     }
@@ -169,7 +170,7 @@ impl Channels for Saddle {
         (0.0, std::f64::consts::TAU)
     }
 
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         &self.limits
     }
 

@@ -3,10 +3,11 @@
 use crate::check::{check, check_ends};
 use crate::curves::{Saddle, Spline};
 use crate::random::{Path, Uniform, natural};
+use seamwright_machine::AxisLimits;
 use seamwright_motion::LimitKind;
-use seamwright_motion::speed_profile::{Channels, Limits, SpeedProfile, SpeedProfileError};
+use seamwright_motion::speed_profile::{Channels, SpeedProfile, SpeedProfileError};
 
-const LIMITS: Limits = Limits { speed: 100.0, acceleration: 1000.0, jerk: 20_000.0 };
+const LIMITS: AxisLimits = AxisLimits { speed: 100.0, acceleration: 1000.0, jerk: 20_000.0 };
 
 /// Cubic pieces by parameter with the same limits for all channels.
 fn spline(knots: &[f64], pieces: Vec<[Vec<f64>; 4]>) -> Path {
@@ -31,7 +32,7 @@ impl Channels for Stopping {
         self.0.range()
     }
 
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         self.0.limits()
     }
 
@@ -163,12 +164,12 @@ fn a_cusp_told_as_a_stop_comes_to_rest_there() {
 #[test]
 fn near_singular_poses() {
     // A rotary that turns by half a turn within a width from 1 to 1e-7 of a line: q = atan(u / width).
-    struct Passing(f64, Vec<Limits>);
+    struct Passing(f64, Vec<AxisLimits>);
     impl Channels for Passing {
         fn range(&self) -> (f64, f64) {
             (-10.0, 10.0)
         }
-        fn limits(&self) -> &[Limits] {
+        fn limits(&self) -> &[AxisLimits] {
             &self.1
         }
         fn derivatives(&self, u: f64, _before: bool, out: &mut [[f64; 3]]) -> f64 {
@@ -185,7 +186,8 @@ fn near_singular_poses() {
         }
     }
     for decade in 0..8 {
-        let path = Passing(10f64.powi(-decade), vec![LIMITS, Limits { speed: 1.0, acceleration: 10.0, jerk: 200.0 }]);
+        let path =
+            Passing(10f64.powi(-decade), vec![LIMITS, AxisLimits { speed: 1.0, acceleration: 10.0, jerk: 200.0 }]);
         let profile = holds(&path);
         assert!(profile.duration() < 10.0, "width {}: {} s", path.0, profile.duration());
     }

@@ -3,7 +3,8 @@
 use crate::check::check_ends;
 use crate::curves::Spline;
 use crate::random::{Path, Uniform};
-use seamwright_motion::speed_profile::{Channels, Limits, SpeedProfile};
+use seamwright_machine::AxisLimits;
+use seamwright_motion::speed_profile::{Channels, SpeedProfile};
 
 /// Number of steps of constant jerk along the path in the reference profile.
 const STEPS: usize = 100;
@@ -149,7 +150,7 @@ fn curve(random: &mut Uniform) -> Path {
     let piece = [column(30.0), column(30.0), column(20.0), column(0.0)];
     let limit = || {
         let acceleration = random.decades(20.0, 200.0);
-        Limits { speed: random.decades(5.0, 40.0), acceleration, jerk: acceleration * random.decades(3.0, 30.0) }
+        AxisLimits { speed: random.decades(5.0, 40.0), acceleration, jerk: acceleration * random.decades(3.0, 30.0) }
     };
     Path::free(Spline {
         knots: vec![0.0, 1.0],
@@ -185,8 +186,8 @@ fn at_most_two_percent_slower_than_a_slow_optimiser_in_time() {
 }
 
 /// Time of the fastest rest-to-rest motion over `length` in closed form, see Biagiotti and Melchiorri, 2008, 3.4.
-fn seven_segments(length: f64, l: Limits) -> f64 {
-    let Limits { speed: v, acceleration: a, jerk: j } = l;
+fn seven_segments(length: f64, l: AxisLimits) -> f64 {
+    let AxisLimits { speed: v, acceleration: a, jerk: j } = l;
     let ramp = |v: f64| if v * j < a * a { 2.0 * (v / j).sqrt() } else { v / a + a / j };
     // Acceleration and deceleration phase cover v times the time of one of them.
     if v * ramp(v) <= length {
@@ -206,11 +207,14 @@ fn straight_lines_take_as_long_as_in_closed_form() {
     let mut worst: f64 = 0.0;
     for _ in 0..300 {
         let acceleration = random.decades(1.0, 1e4);
-        let l =
-            Limits { speed: random.decades(1.0, 1e3), acceleration, jerk: acceleration * random.decades(0.5, 100.0) };
+        let l = AxisLimits {
+            speed: random.decades(1.0, 1e3),
+            acceleration,
+            jerk: acceleration * random.decades(0.5, 100.0),
+        };
         let length = random.decades(1e-3, 1e4);
         // Another axis that moves along, always slower by its limits.
-        let wide = Limits { speed: 2.0 * l.speed, acceleration: 2.0 * l.acceleration, jerk: 2.0 * l.jerk };
+        let wide = l.scaled(2.0);
         let zero = || vec![0.0; 2];
         let piece = [zero(), zero(), vec![length, -length], zero()];
         let path = Path::free(Spline { knots: vec![0.0, 1.0], pieces: vec![piece], limits: vec![l, wide] });

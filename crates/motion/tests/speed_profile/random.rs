@@ -3,7 +3,8 @@
 use crate::curves::Spline;
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
-use seamwright_motion::speed_profile::{Channels, Limits};
+use seamwright_machine::AxisLimits;
+use seamwright_motion::speed_profile::Channels;
 
 /// Seeded numbers from proptest's own generator.
 pub struct Uniform(TestRng);
@@ -51,7 +52,7 @@ impl Channels for Path {
         self.spline.range()
     }
 
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         &self.spline.limits
     }
 
@@ -70,7 +71,7 @@ impl Channels for Path {
 }
 
 /// The natural cubic spline through `points` (one list of values a channel) at `knots`.
-pub fn natural(knots: Vec<f64>, points: &[Vec<f64>], limits: Vec<Limits>) -> Spline {
+pub fn natural(knots: Vec<f64>, points: &[Vec<f64>], limits: Vec<AxisLimits>) -> Spline {
     let count = knots.len() - 1;
     let h: Vec<f64> = knots.windows(2).map(|w| w[1] - w[0]).collect();
     let mut pieces = vec![std::array::from_fn(|_| vec![0.0; points.len()]); count];
@@ -112,10 +113,10 @@ fn values(random: &mut Uniform, parts: &[f64]) -> Vec<f64> {
 }
 
 /// Random limits: acceleration reached in 1 ms to 10 s, its jerk in 10 ms to 2 s.
-fn limits(random: &mut Uniform) -> Limits {
+fn limits(random: &mut Uniform) -> AxisLimits {
     let speed = random.decades(1e-1, 1e3);
     let acceleration = speed * random.decades(0.1, 1e3);
-    Limits { speed, acceleration, jerk: acceleration * random.decades(0.5, 100.0) }
+    AxisLimits { speed, acceleration, jerk: acceleration * random.decades(0.5, 100.0) }
 }
 
 /// A random path of at most `most_axes` axes and `most_pieces` pieces.

@@ -1,7 +1,8 @@
 //! Profiles from a sliding window against the profile of the whole path.
 
 use crate::curves::{Saddle, Spline};
-use seamwright_motion::speed_profile::{Channels, Feed, Limits, ProfilePoint, ProfileStream, SpeedProfile};
+use seamwright_machine::AxisLimits;
+use seamwright_motion::speed_profile::{Channels, Feed, ProfilePoint, ProfileStream, SpeedProfile};
 
 /// A path repeated, known only over a window.
 struct Window<P> {
@@ -21,7 +22,7 @@ impl<P: Channels> Channels for Window<P> {
     fn range(&self) -> (f64, f64) {
         self.loaded
     }
-    fn limits(&self) -> &[Limits] {
+    fn limits(&self) -> &[AxisLimits] {
         self.path.limits()
     }
     fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {

@@ -9,7 +9,6 @@ use crate::polynomial::{Evenly, Polynomial};
 use glam::DVec3;
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::{PassMotion, TipPath};
-use seamwright_program::TorchPath;
 
 /// Parts of a block at whose ends it is compared with the exact path.
 pub(super) const CHECKS: usize = 16;

@@ -7,7 +7,7 @@ use crate::even_speed::EvenSpeed;
 use crate::part_program::Level;
 use seamwright_geometry::Pose;
 use seamwright_machine::Joints;
-use seamwright_program::{PathRange, TorchPath};
+use seamwright_program::PathRange;
 
 /// Maximum lead or lag of a block against the plan, as a multiple of the chord tolerance: along the seam, or along a
 /// weaving tip's way.

@@ -131,7 +131,7 @@ fn restarts(program: &Program) -> bool {
 fn point_events(pass: &Pass, path: &dyn TorchPath) -> Vec<(f64, Event)> {
     let events = pass.points.iter().flat_map(|points| &points.events);
     let mut events: Vec<(f64, Event)> =
-        events.filter_map(|event| Some((path.reached(event.after)?, event_of(event)?))).collect();
+        events.filter_map(|event| Some((path.points()?.reached(event.after)?, event_of(event)?))).collect();
     events.sort_by(|a, b| a.0.total_cmp(&b.0));
     events
 }

@@ -12,7 +12,7 @@ use seamwright_geometry::Pose;
 use seamwright_geometry::numeric::{self, tridiagonal};
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 use seamwright_motion::PassMotion;
-use seamwright_program::{PathRange, TorchPath};
+use seamwright_program::PathRange;
 
 /// Times are multiples of this, s.
 pub(crate) const TICK: f64 = 2.5e-7;

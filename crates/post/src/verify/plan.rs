@@ -7,7 +7,7 @@ use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::{PassMotion, TipPath};
-use seamwright_program::{ArcTime, Pass, PathRange, TorchPath};
+use seamwright_program::{ArcTime, Pass, PathRange};
 use std::ops::Range;
 
 /// Stations checked in a block, its end among them.

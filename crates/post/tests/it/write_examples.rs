@@ -8,7 +8,7 @@ use seamwright_post::{
     Control, Dialect, Event, Feed, Interpolation, Level, Options, PartProgram, Path, ReadOptions, What, WriteOptions,
     read, verify, write,
 };
-use seamwright_program::{PathRange, TorchPath};
+use seamwright_program::PathRange;
 
 const TOLERANCE: f64 = 0.01;
 
@@ -41,7 +41,7 @@ fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
                 let s = motion.profile.at(time + f * way.step.seconds, &mut 0).s;
                 let away = if head == 0 {
                     let foot = path.foot(tip, s, PathRange::up_to(path.length()));
-                    tip.distance(path.pose(foot).point)
+                    tip.distance(planned.machine.forward(&motion.path.at(foot)).point)
                 } else {
                     let near = (-20..=20).map(|k| (s + 0.01 * f64::from(k)).clamp(0.0, path.length()));
                     near.map(|s| tip.distance(planned.machine.forward_of(head, &motion.path.at(s)).point))

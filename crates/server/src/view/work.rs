@@ -90,7 +90,7 @@ fn nearest(around: &Surroundings<'_>, clearance: &PassClearance, planned: &PassM
 /// Returns the path lengths at which a pass of this length reaches its points, mm.
 fn points(pass: &Pass, path: &dyn TorchPath, length: f64) -> Vec<f64> {
     let Some(points) = &pass.points else { return Vec::new() };
-    (0..=points.count()).map(|i| path.reached(i).unwrap_or(length)).collect()
+    (0..=points.count()).map(|i| path.points().and_then(|points| points.reached(i)).unwrap_or(length)).collect()
 }
 
 /// Returns start and end of the spans of a pass of this length with its points at `points_mm`, mm.

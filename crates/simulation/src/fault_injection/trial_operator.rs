@@ -1,10 +1,10 @@
 //! A simulated operator who brings a cell into a situation, and checks of the result.
 
-use super::case::{Case, Situation};
-use super::outcome::Outcome;
 use crate::devices::fault::{Device, FaultKind};
 use seamwright_executive::{Alarm, Ask, Command, Cycle, Mode, Note, Place, Port, ProcessState, Reaction};
-use seamwright_machine::{Joints, Machine};
+use seamwright_machine::{Axis, AxisLimits, Joints, Machine};
+use super::case::{Case, Situation};
+use super::outcome::Outcome;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::feed_override::RunPhase;
 use seamwright_motion::jog;
@@ -46,8 +46,7 @@ const HAND: u64 = 25;
 pub struct TrialOperator {
     orders: Orders,
     period: f64,
-    /// Maximum speed, acceleration and jerk of each axis.
-    limits: Vec<[f64; 3]>,
+    limits: Vec<AxisLimits>,
     /// Shortest stop distance from here, mm.
     stop_needs: f64,
     /// Allowed stop distance, mm, and the part of it that was needed.
@@ -88,7 +87,7 @@ impl TrialOperator {
         Self {
             orders,
             period: machine.servo_period_s,
-            limits: machine.axes.iter().map(|a| [a.max_speed, a.max_acceleration, a.jerk()]).collect(),
+            limits: machine.axes.iter().map(Axis::limits).collect(),
             stop_needs: 0.0,
             stop_bound: None,
             stop_part: 0.0,
@@ -237,7 +236,7 @@ impl TrialOperator {
     fn jog_speeds(&self) -> Joints {
         let mut speeds = Joints::default();
         let forth = (self.cycles as f64 * self.period / 2.0).fract() < 0.5;
-        speeds[0] = if forth { 0.2 } else { -0.2 } * self.limits[0][0];
+        speeds[0] = if forth { 0.2 } else { -0.2 } * self.limits[0].speed;
         speeds
     }
 
@@ -289,7 +288,7 @@ impl TrialOperator {
         self.sets.push(q);
         if let [a, b, c] = self.sets[..] {
             for i in 0..self.limits.len() {
-                let [speed, acceleration, _] = self.limits[i];
+                let AxisLimits { speed, acceleration, .. } = self.limits[i];
                 let v = (c[i] - b[i]) / self.period;
                 let dv = (c[i] - 2.0 * b[i] + a[i]) / (self.period * self.period);
                 if v.abs() > speed * 1.001 || dv.abs() > acceleration * 1.01 + 1e-6 {
@@ -308,13 +307,9 @@ impl TrialOperator {
         if v <= 0.0 {
             return 0.0;
         }
-        let (mut a, mut j) = (f64::INFINITY, f64::INFINITY);
-        for (set, [_, acceleration, jerk]) in cycle.orders.set.iter().zip(&self.limits) {
-            let by = set.velocity.abs() / v;
-            if by > 1e-9 {
-                (a, j) = (a.min(acceleration / by), j.min(jerk / by));
-            }
-        }
+        let by = cycle.orders.set.iter().map(|set| set.velocity.abs() / v).zip(&self.limits);
+        let by = by.filter(|(by, _)| *by > 1e-9).map(|(by, limits)| limits.divided(by));
+        let AxisLimits { acceleration: a, jerk: j, .. } = by.fold(AxisLimits::NONE, AxisLimits::min);
         // Trapezoidal deceleration up to a, or triangular below it.
         let time = if v * j >= a * a { v / a + a / j } else { 2.0 * (v / j).sqrt() };
         0.5 * v * time + REACTS * self.period * v

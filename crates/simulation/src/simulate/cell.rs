@@ -50,7 +50,7 @@ impl<'a> SimulatedCell<'a> {
         let whole = Whole::of(&passes);
         let of_pass = |(pass, planned): (&(&'a dyn TorchPath, &'a Pass), &seamwright_motion::PassMotion)| {
             let (path, pass) = *pass;
-            let has = hidden && planned.arc && !path.is_timed();
+            let has = hidden && planned.arc && path.points().is_none();
             has.then(|| PassSeams::new(path, pass))
         };
         let seams = passes.iter().zip(&motion.passes).map(of_pass).collect();

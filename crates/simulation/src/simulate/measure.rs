@@ -1,6 +1,6 @@
 use crate::sample::Sample;
 use glam::DVec3;
-use seamwright_geometry::Pose;
+use seamwright_geometry::{Pose, angle_between};
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_motion::corners::foot_in_blend;
@@ -13,7 +13,7 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
     // In blends the planned path differs from the seam, on which the nearest point would jump at the corner.
     let s = match planned.path.blends().is_empty() {
         // The tip may stop or turn back while the axes move on: their positions define the point.
-        _ if path.is_timed() => planned.path.foot(machine, &sample.q, sample.set.profile.s),
+        _ if path.points().is_some() => planned.path.foot(machine, &sample.q, sample.set.profile.s),
         true => path.foot(tip.point, sample.set.profile.s, whole),
         false => planned.tip_path(machine).foot(tip.point, sample.set.profile.s, whole),
     };
@@ -21,15 +21,17 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
     let along = path.line(s).1;
     let woven = planned.path.is_woven();
     let errors = |tip: &Pose, pose: &dyn Fn(f64) -> Pose| match foot_in_blend(&planned.path, pose, tip.point, s) {
-        _ if path.is_timed() => (tip.point.distance(pose(s).point), angle(tip, &pose(s))),
-        Some(foot) => (tip.point.distance(pose(foot).point), angle(tip, &pose(foot))),
+        _ if path.points().is_some() => {
+            (tip.point.distance(pose(s).point), angle_between(tip.direction, pose(s).direction))
+        }
+        Some(foot) => (tip.point.distance(pose(foot).point), angle_between(tip.direction, pose(foot).direction)),
         None if woven => {
             let foot = nearest(|s| pose(s).point, tip.point, sample.set.profile.s, path.length());
-            (tip.point.distance(pose(foot).point), angle(tip, &pose(foot)))
+            (tip.point.distance(pose(foot).point), angle_between(tip.direction, pose(foot).direction))
         }
         None => {
             let off = tip.point - pose(s).point;
-            ((off - off.dot(along) * along).length(), angle(tip, &pose(s)))
+            ((off - off.dot(along) * along).length(), angle_between(tip.direction, pose(s).direction))
         }
     };
     (sample.path_error, sample.attitude_error) = errors(&tip, &|s| path.pose(s));
@@ -71,8 +73,4 @@ fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, length_mm: f6
     }
     let found = 0.5 * (low + high);
     if away(found) < best.0 { found } else { best.1 }
-}
-
-fn angle(a: &Pose, b: &Pose) -> f64 {
-    2.0 * (a.direction - b.direction).length().atan2((a.direction + b.direction).length())
 }

@@ -292,7 +292,7 @@ fn slides(machine: &Machine, number: usize) -> Result<([usize; 2], [SlideLimits;
     let limits = axes.map(|i| {
         let axis = &machine.axes[i];
         let stroke_mm = axis.range.map_or(f64::MAX, |(low, high)| high.min(-low));
-        SlideLimits { stroke_mm, speed: axis.max_speed, acceleration: axis.max_acceleration, jerk: axis.jerk() }
+        SlideLimits { stroke_mm, motion: axis.limits() }
     });
     Ok((axes, limits))
 }

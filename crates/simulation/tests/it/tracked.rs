@@ -402,8 +402,8 @@ fn a_woven_pass_is_tracked() {
     let mut widest = 0.0f64;
     for sample in tracked.samples.iter().filter(|s| s.travels()).step_by(50) {
         let (s, head) = (sample.set.profile.s, sample.heads[0].unwrap());
-        let swing = path.swing(s).unwrap();
-        let off = tracked.machine.forward(&sample.q).point - path.centre(s) - swing;
+        let swing = path.weave().unwrap().swing(s);
+        let off = tracked.machine.forward(&sample.q).point - path.line(s).0 - swing;
         assert!((off.length() - head.correction.length()).abs() < 0.1, "{s}: {off} {}", head.correction);
         widest = widest.max(swing.length());
     }

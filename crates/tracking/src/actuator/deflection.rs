@@ -1,21 +1,11 @@
 use crate::lead::Error;
 use glam::DVec2;
-
-/// Limits of the beam deflection, the same in both directions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DeflectionLimits {
-    /// Maximum deflection on the work, mm: a circle about the undeflected beam.
-    pub range_mm: f64,
-    /// Maximum slew rate on the work, mm/s.
-    pub slew: f64,
-    /// Latency from the command to the work, s; up to one cycle is negligible.
-    pub latency_s: f64,
-}
+use seamwright_machine::BeamDeflection;
 
 /// Beam deflection: without inertia, limited in range and slew rate.
 #[derive(Debug, Clone)]
 pub struct Deflection {
-    limits: DeflectionLimits,
+    limits: BeamDeflection,
     cycle_s: f64,
     at: DVec2,
 }
@@ -25,8 +15,8 @@ impl Deflection {
     ///
     /// # Errors
     /// [`Error::Value`] for invalid limits.
-    pub fn new(limits: DeflectionLimits, cycle_s: f64) -> Result<Self, Error> {
-        for (key, value) in [("range_mm", limits.range_mm), ("slew", limits.slew), ("cycle_s", cycle_s)] {
+    pub fn new(limits: BeamDeflection, cycle_s: f64) -> Result<Self, Error> {
+        for (key, value) in [("range_mm", limits.range_mm), ("speed", limits.speed), ("cycle_s", cycle_s)] {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(Error::not_positive(key, value));
             }
@@ -47,7 +37,7 @@ impl Deflection {
     pub fn step(&mut self, target: DVec2) -> DVec2 {
         if target.is_finite() {
             let within = target.clamp_length_max(self.limits.range_mm);
-            self.at += (within - self.at).clamp_length_max(self.limits.slew * self.cycle_s);
+            self.at += (within - self.at).clamp_length_max(self.limits.speed * self.cycle_s);
         }
         self.at
     }
@@ -59,7 +49,7 @@ mod tests {
 
     #[test]
     fn range_and_slew_hold_and_the_rest_is_exact() {
-        let limits = DeflectionLimits { range_mm: 5.0, slew: 1000.0, latency_s: 75e-6 };
+        let limits = BeamDeflection { range_mm: 5.0, speed: 1000.0, latency_s: 75e-6, pivot_mm: 400.0 };
         let mut beam = Deflection::new(limits, 1e-3).unwrap();
         let mut last = DVec2::ZERO;
         for i in 0..20_000 {
@@ -75,11 +65,11 @@ mod tests {
 
     #[test]
     fn what_cannot_be_is_refused() {
-        let good = DeflectionLimits { range_mm: 5.0, slew: 1000.0, latency_s: 75e-6 };
+        let good = BeamDeflection { range_mm: 5.0, speed: 1000.0, latency_s: 75e-6, pivot_mm: 400.0 };
         for (name, limits) in [
-            ("range_mm", DeflectionLimits { range_mm: -5.0, ..good }),
-            ("slew", DeflectionLimits { slew: f64::NAN, ..good }),
-            ("latency_s", DeflectionLimits { latency_s: -1.0, ..good }),
+            ("range_mm", BeamDeflection { range_mm: -5.0, ..good }),
+            ("speed", BeamDeflection { speed: f64::NAN, ..good }),
+            ("latency_s", BeamDeflection { latency_s: -1.0, ..good }),
         ] {
             assert!(matches!(Deflection::new(limits, 1e-3), Err(Error::Value { key, .. }) if key == name), "{name}");
         }

@@ -243,7 +243,7 @@ impl HeadTracking {
             self.target = softened(
                 |t| self.tracker.at(there + speed * t).value,
                 settings.notice_s - lag,
-                limit(|slide| slide.limits().speed),
+                limit(|slide| slide.limits().motion.speed),
                 limit(Slide::acceleration),
             );
         }
@@ -256,7 +256,7 @@ impl HeadTracking {
             return (0.0, Some(Alarm::SlideStuck), None);
         }
         let stroke = DVec2::new(self.slides[0].limits().stroke_mm, self.slides[1].limits().stroke_mm);
-        let fastest = RESERVE * DVec2::new(self.slides[0].limits().speed, self.slides[1].limits().speed);
+        let fastest = RESERVE * DVec2::new(self.slides[0].limits().motion.speed, self.slides[1].limits().motion.speed);
         let ahead = self.tracker.ahead(now.s_mm);
         let needed = (ahead.slope * settings.speed_mm_s.max(speed.abs()) / fastest).max_element();
         let mut feed_override = if needed > 1.0 { 1.0 / needed } else { 1.0 };

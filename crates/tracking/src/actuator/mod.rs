@@ -19,7 +19,7 @@ mod slide_authority;
 
 pub(crate) use following::Following;
 
-pub use deflection::{Deflection, DeflectionLimits};
+pub use deflection::Deflection;
 pub use head_tracking::{Alarm, Cause, HeadTracking, Orders};
 pub use limits::SlideLimits;
 pub use over_axes::{OutOfReach, OverAxes, RESERVE};

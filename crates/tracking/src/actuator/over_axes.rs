@@ -3,7 +3,7 @@ use crate::lead::Error;
 use glam::{DMat3, DVec3};
 use nalgebra::{Cholesky, Const, SMatrix, SVector};
 use seamwright_geometry::Pose;
-use seamwright_machine::{AxisKind, AxisSet, Joints, MAX_AXES, Machine};
+use seamwright_machine::{AxisKind, AxisLimits, AxisSet, Joints, MAX_AXES, Machine};
 use seamwright_message::Message;
 
 /// Part of every axis' speed, acceleration and jerk that plans leave to corrections.
@@ -117,19 +117,16 @@ impl<'a> OverAxes<'a> {
         places: impl Iterator<Item = (Joints, [DVec3; 2])>,
         range_mm: f64,
     ) -> Result<SlideLimits, Error> {
-        let mut most =
-            SlideLimits { stroke_mm: range_mm, speed: f64::INFINITY, acceleration: f64::INFINITY, jerk: f64::INFINITY };
+        let mut motion = AxisLimits::NONE;
         let singular =
             Error::Value { key: "correction", value: range_mm, allowed: Message::new("tracking-correction-allowed") };
         for (q, directions) in places {
             let gains = self.gains(&q, directions).ok_or_else(|| singular.clone())?;
             for (axis, gain) in self.machine.axes.iter().zip(gains.iter()).filter(|(_, gain)| **gain > 1e-9) {
-                let part = RESERVE * DIRECT / gain;
-                most.speed = most.speed.min(part * axis.max_speed);
-                most.acceleration = most.acceleration.min(part * axis.max_acceleration);
-                most.jerk = most.jerk.min(part * axis.jerk());
+                motion = motion.min(axis.limits().scaled(RESERVE * DIRECT / gain));
             }
         }
+        let most = SlideLimits { stroke_mm: range_mm, motion };
         most.check()?;
         Ok(most)
     }

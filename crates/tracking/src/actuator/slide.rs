@@ -42,11 +42,11 @@ impl Slide {
         if !(LONGEST_MEAN_S / ROOM as f64..=LONGEST_MEAN_S).contains(&cycle_s) {
             return Err(Error::not_between("cycle_s", cycle_s, [0.00025, 0.04]));
         }
-        let mean_s = (2.0 * limits.acceleration / limits.jerk).min(LONGEST_MEAN_S);
+        let mean_s = (2.0 * limits.motion.acceleration / limits.motion.jerk).min(LONGEST_MEAN_S);
         let cycles = ((mean_s / cycle_s).floor() as usize).clamp(1, ROOM);
         // A mean over n cycles changes per cycle by 1/n of the change in acceleration.
-        let kept = 0.5 * limits.jerk * cycles as f64 * cycle_s;
-        let acceleration = limits.acceleration.min(kept) * ROUNDING;
+        let kept = 0.5 * limits.motion.jerk * cycles as f64 * cycle_s;
+        let acceleration = limits.motion.acceleration.min(kept) * ROUNDING;
         let rest = (0.0, 0.0, 0.0);
         let (target, position, velocity) = rest;
         Ok(Self { limits, cycle_s, acceleration, target, position, velocity, last: [0.0; ROOM], cycles, next: 0 })
@@ -75,13 +75,13 @@ impl Slide {
         let (dt, limits) = (self.cycle_s, self.limits);
         let stroke = limits.stroke_mm * ROUNDING;
         let target = if target.is_finite() { target.clamp(-stroke, stroke) } else { self.target };
-        let rate = ((target - self.target) / dt).clamp(-limits.speed, limits.speed);
+        let rate = ((target - self.target) / dt).clamp(-limits.motion.speed, limits.motion.speed);
         let wanted = rate + self.catch_up(self.target - self.position);
         self.target = target;
         let change = self.acceleration * dt;
         // Keeps the speed low enough to stop before the end of the stroke, a cycle early.
         let room = |to_end: f64| self.fastest_to_rest(to_end);
-        let speed = limits.speed * ROUNDING;
+        let speed = limits.motion.speed * ROUNDING;
         let low = -room(self.position + stroke).min(speed);
         let high = room(stroke - self.position).min(speed);
         let velocity = wanted.clamp(low, high);
@@ -128,8 +128,10 @@ mod tests {
     use super::*;
     use rand_pcg::Pcg64Mcg;
     use rand_pcg::rand_core::{Rng, SeedableRng};
+    use seamwright_machine::AxisLimits;
 
     const CYCLE: f64 = 1e-3;
+    const MOTION: AxisLimits = AxisLimits { speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
 
     fn uniform(random: &mut Pcg64Mcg) -> f64 {
         (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
@@ -137,7 +139,9 @@ mod tests {
 
     fn limits(random: &mut Pcg64Mcg) -> SlideLimits {
         let mut scale = |middle: f64| middle * 10f64.powf(0.7 * uniform(random));
-        SlideLimits { stroke_mm: scale(8.0), speed: scale(40.0), acceleration: scale(800.0), jerk: scale(20_000.0) }
+        let stroke_mm = scale(8.0);
+        let motion = AxisLimits { speed: scale(40.0), acceleration: scale(800.0), jerk: scale(20_000.0) };
+        SlideLimits { stroke_mm, motion }
     }
 
     /// Differences of set-points keep all limits for any target.
@@ -151,7 +155,7 @@ mod tests {
             for cycle in 0..4000 {
                 match random.next_u64() % 200 {
                     0 => target = 1.5 * limits.stroke_mm * uniform(&mut random),
-                    1 => rate = 2.0 * limits.speed * uniform(&mut random),
+                    1 => rate = 2.0 * limits.motion.speed * uniform(&mut random),
                     2 => rate = 0.0,
                     _ => target += rate * CYCLE + 1e-3 * uniform(&mut random),
                 }
@@ -160,9 +164,10 @@ mod tests {
                 let v = |i: usize| (p[i + 1] - p[i]) / CYCLE;
                 let a = |i: usize| (v(i + 1) - v(i)) / CYCLE;
                 assert!(p[3].abs() <= limits.stroke_mm, "{case} {cycle}: {} of {}", p[3], limits.stroke_mm);
-                assert!(v(2).abs() <= limits.speed * (1.0 + 1e-6), "{case} {cycle}");
-                assert!(a(1).abs() <= limits.acceleration * (1.0 + 1e-6), "{case} {cycle}");
-                assert!(((a(1) - a(0)) / CYCLE).abs() <= limits.jerk * (1.0 + 1e-6) + 1e-3, "{case} {cycle}");
+                let AxisLimits { speed, acceleration, jerk } = limits.motion;
+                assert!(v(2).abs() <= speed * (1.0 + 1e-6), "{case} {cycle}");
+                assert!(a(1).abs() <= acceleration * (1.0 + 1e-6), "{case} {cycle}");
+                assert!(((a(1) - a(0)) / CYCLE).abs() <= jerk * (1.0 + 1e-6) + 1e-3, "{case} {cycle}");
             }
         }
     }
@@ -170,7 +175,7 @@ mod tests {
     /// A braked slide stands exactly still after the time that acceleration and averaging need.
     #[test]
     fn what_is_braked_rests() {
-        let limits = SlideLimits { stroke_mm: 50.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+        let limits = SlideLimits { stroke_mm: 50.0, motion: MOTION };
         let mut slide = Slide::new(limits, CYCLE).unwrap();
         for _ in 0..300 {
             slide.step(40.0);
@@ -184,7 +189,7 @@ mod tests {
     /// A target within the limits is followed with the lag, exactly except for the averaging of a curve.
     #[test]
     fn what_can_be_followed_is() {
-        let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+        let limits = SlideLimits { stroke_mm: 15.0, motion: MOTION };
         for hz in [0.5, 1.0, 2.0] {
             let w = std::f64::consts::TAU * hz;
             let target = |t: f64| (w * t).sin() + 0.5 * (0.3 * w * t).cos() - 0.5;
@@ -203,11 +208,11 @@ mod tests {
     /// A step response has negligible overshoot and takes little more than the minimum time.
     #[test]
     fn steps_are_fast() {
-        let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+        let limits = SlideLimits { stroke_mm: 15.0, motion: MOTION };
         for step in [0.1, 1.0, 5.0] {
             let mut slide = Slide::new(limits, CYCLE).unwrap();
             let a = slide.acceleration();
-            let shortest = 2.0 * (step / a).sqrt() + step / limits.speed + 2.0 * slide.lag_s();
+            let shortest = 2.0 * (step / a).sqrt() + step / MOTION.speed + 2.0 * slide.lag_s();
             let places: Vec<f64> = (0..2000).map(|_| slide.step(step)).collect();
             let most = places.iter().copied().fold(0.0, f64::max);
             assert!(most < step + 0.02, "{step}: {most}");
@@ -218,12 +223,12 @@ mod tests {
 
     #[test]
     fn what_cannot_be_is_refused() {
-        let good = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+        let good = SlideLimits { stroke_mm: 15.0, motion: MOTION };
         let bad = [
             ("stroke_mm", SlideLimits { stroke_mm: 0.0, ..good }, CYCLE),
-            ("speed", SlideLimits { speed: -1.0, ..good }, CYCLE),
-            ("acceleration", SlideLimits { acceleration: f64::NAN, ..good }, CYCLE),
-            ("jerk", SlideLimits { jerk: f64::INFINITY, ..good }, CYCLE),
+            ("speed", SlideLimits { motion: AxisLimits { speed: -1.0, ..MOTION }, ..good }, CYCLE),
+            ("acceleration", SlideLimits { motion: AxisLimits { acceleration: f64::NAN, ..MOTION }, ..good }, CYCLE),
+            ("jerk", SlideLimits { motion: AxisLimits { jerk: f64::INFINITY, ..MOTION }, ..good }, CYCLE),
             ("cycle_s", good, 0.0),
         ];
         for (name, limits, cycle) in bad {

@@ -28,12 +28,7 @@ impl SlideAuthority {
     /// Invalid limits or an invalid cycle.
     pub fn new(slide: SlideLimits, axes: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
         slide.check()?;
-        let quick = SlideLimits {
-            stroke_mm: axes.stroke_mm,
-            speed: axes.speed.min(SHARE * slide.speed),
-            acceleration: axes.acceleration.min(SHARE * slide.acceleration),
-            jerk: axes.jerk.min(SHARE * slide.jerk),
-        };
+        let quick = SlideLimits { motion: axes.motion.min(slide.motion.scaled(SHARE)), ..axes };
         let one = Slide::new(quick, cycle_s)?;
         Ok(Self { slide, axes: [one.clone(), one], range_mm: axes.stroke_mm })
     }
@@ -41,14 +36,8 @@ impl SlideAuthority {
     /// Returns the combined limits of slides and axes.
     #[must_use]
     pub fn limits(&self) -> SlideLimits {
-        let SlideLimits { stroke_mm, speed, acceleration, jerk } = self.slide;
-        let left = 1.0 - SHARE;
-        SlideLimits {
-            stroke_mm: stroke_mm + self.range_mm,
-            speed: left * speed,
-            acceleration: left * acceleration,
-            jerk: left * jerk,
-        }
+        let SlideLimits { stroke_mm, motion } = self.slide;
+        SlideLimits { stroke_mm: stroke_mm + self.range_mm, motion: motion.scaled(1.0 - SHARE) }
     }
 
     /// Returns the part of `wanted` (mm) that a slide leaves to the axes in the long run.
@@ -74,10 +63,13 @@ impl SlideAuthority {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use seamwright_machine::AxisLimits;
     use std::f64::consts::TAU;
 
-    const SLIDE: SlideLimits = SlideLimits { stroke_mm: 10.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
-    const AXES: SlideLimits = SlideLimits { stroke_mm: 30.0, speed: 45.0, acceleration: 150.0, jerk: 1500.0 };
+    const SLIDE: SlideLimits =
+        SlideLimits { stroke_mm: 10.0, motion: AxisLimits { speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 } };
+    const AXES: SlideLimits =
+        SlideLimits { stroke_mm: 30.0, motion: AxisLimits { speed: 45.0, acceleration: 150.0, jerk: 1500.0 } };
 
     /// Corrections within the combined limits keep those of slide and axes, by differences of set-points, and the
     /// slide's stroke.
@@ -85,7 +77,7 @@ mod tests {
     fn each_keeps_its_limits() {
         for (size, hz) in [(9.0, 0.5), (18.0, 0.08), (30.0, 0.04), (3.0, 1.5)] {
             let mut authority = SlideAuthority::new(SLIDE, AXES, 1e-3).unwrap();
-            let most = authority.limits();
+            let most = authority.limits().motion;
             let mut last = [[DVec2::ZERO; 2]; 4];
             let w = TAU * hz;
             assert!(size * w <= most.speed && size * w * w <= most.acceleration && size * w * w * w <= most.jerk);
@@ -102,7 +94,7 @@ mod tests {
                 if i < 3 {
                     continue;
                 }
-                for (k, limits) in [SLIDE, AXES].into_iter().enumerate() {
+                for (k, limits) in [SLIDE.motion, AXES.motion].into_iter().enumerate() {
                     let p = |n: usize| last[n][k];
                     let (v, a) = ((p(3) - p(2)) / 1e-3, (p(3) - 2.0 * p(2) + p(1)) / 1e-6);
                     let j = (p(3) - 3.0 * p(2) + 3.0 * p(1) - p(0)) / 1e-9;

@@ -1,6 +1,7 @@
-use crate::actuator::{Deflection, DeflectionLimits, Slide, SlideLimits};
+use crate::actuator::{Deflection, Slide, SlideLimits};
 use crate::lead::Error;
 use glam::DVec2;
+use seamwright_machine::BeamDeflection;
 
 /// Fraction of the deflection's range that is used before the axes carry the gun.
 const RESERVE: f64 = 0.8;
@@ -39,7 +40,7 @@ pub(super) struct Shares {
 }
 
 impl BeamAuthority {
-    pub(super) fn new(deflection: DeflectionLimits, axes: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
+    pub(super) fn new(deflection: BeamDeflection, axes: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
         let range_mm = deflection.range_mm;
         let (deflection, axes) = (Deflection::new(deflection, cycle_s)?, Slide::new(axes, cycle_s)?);
         Ok(Self { deflection, axes, range_mm, target: 0.0, short_since: None })
@@ -77,9 +78,11 @@ impl BeamAuthority {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use seamwright_machine::AxisLimits;
 
-    const BEAM: DeflectionLimits = DeflectionLimits { range_mm: 2.0, slew: 2000.0, latency_s: 75e-6 };
-    const AXES: SlideLimits = SlideLimits { stroke_mm: 5.0, speed: 20.0, acceleration: 200.0, jerk: 3000.0 };
+    const BEAM: BeamDeflection = BeamDeflection { range_mm: 2.0, speed: 2000.0, latency_s: 75e-6, pivot_mm: 400.0 };
+    const AXES: SlideLimits =
+        SlideLimits { stroke_mm: 5.0, motion: AxisLimits { speed: 20.0, acceleration: 200.0, jerk: 3000.0 } };
 
     /// With late, shaking axes the beam stays on the seam, and they move only by the excess over the range.
     #[test]

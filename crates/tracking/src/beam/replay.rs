@@ -1,12 +1,13 @@
 use super::beam_authority::{BeamAuthority, SOON_S};
+use crate::actuator::{Alarm, Following, SlideLimits};
 use super::error::Error;
 use super::picture::{Course, Picture, located};
 use super::record::{DeviationRecord, Row};
 use super::schedule::{Allowed, Beam, Schedule};
 use super::tracking::{Faults, Orders, judge};
-use crate::actuator::{Alarm, DeflectionLimits, Following, SlideLimits};
 use crate::lead::{Estimate, History, Moment, Sight};
 use arrayvec::ArrayVec;
+use seamwright_machine::BeamDeflection;
 use seamwright_message::{Message, Unit, display_by_message};
 
 /// Stored deviation applied to another pass over the same seam.
@@ -168,7 +169,7 @@ impl<'a> BeamReplay<'a> {
         settings: ReplaySettings,
         replay: Replay,
         seam: Course<'a>,
-        deflection: DeflectionLimits,
+        deflection: BeamDeflection,
         axes: SlideLimits,
     ) -> Result<Self, Error> {
         let ReplaySettings { most_mm, oldest_s, cycle_s, .. } = settings;

@@ -1,13 +1,14 @@
 use super::beam_authority::{BeamAuthority, SOON_S, Shares};
+use crate::actuator::{Alarm, Following, SlideLimits};
 use super::error::Error;
 use super::picture::{Course, PLACES, Picture, Place, Taken, located, on_one_line};
 use super::schedule::{Beam, Schedule};
 use super::settings::Settings;
 use super::zone::Zone;
-use crate::actuator::{Alarm, DeflectionLimits, Following, SlideLimits};
 use crate::lead::{Estimate, Moment, OwnCurve, Refusal, Sight, Tracker};
 use arrayvec::ArrayVec;
 use glam::DVec2;
+use seamwright_machine::BeamDeflection;
 
 /// Feed override while a correction fades out, as a fraction.
 const FADING_SPEED: f64 = 0.25;
@@ -60,7 +61,7 @@ impl<'a> BeamTracking<'a> {
     pub fn new(
         settings: Settings,
         seam: Course<'a>,
-        deflection: DeflectionLimits,
+        deflection: BeamDeflection,
         axes: SlideLimits,
     ) -> Result<Self, Error> {
         let (schedule, lead) = settings.check()?;

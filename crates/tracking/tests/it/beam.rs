@@ -3,15 +3,17 @@
 use glam::{DVec2, DVec3};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
-use seamwright_tracking::actuator::{Alarm, DeflectionLimits, SlideLimits};
+use seamwright_machine::{AxisLimits, BeamDeflection};
+use seamwright_tracking::actuator::{Alarm, SlideLimits};
 use seamwright_tracking::beam::{
     Beam, BeamReplay, BeamTracking, DeviationRecord, Error, Misfit, Orders, Picture, Point, Recorder, Replay,
     ReplaySettings, Settings, Taken,
 };
 use seamwright_tracking::lead::{Moment, Refusal, SeamFrame};
 
-const BEAM: DeflectionLimits = DeflectionLimits { range_mm: 2.0, slew: 2000.0, latency_s: 75e-6 };
-const AXES: SlideLimits = SlideLimits { stroke_mm: 5.0, speed: 5.0, acceleration: 30.0, jerk: 300.0 };
+const BEAM: BeamDeflection = BeamDeflection { range_mm: 2.0, speed: 2000.0, latency_s: 75e-6, pivot_mm: 400.0 };
+const AXES: SlideLimits =
+    SlideLimits { stroke_mm: 5.0, motion: AxisLimits { speed: 5.0, acceleration: 30.0, jerk: 300.0 } };
 const CYCLE: f64 = 1e-3;
 const RADIUS: f64 = 150.0;
 

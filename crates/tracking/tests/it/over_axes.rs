@@ -5,7 +5,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisSet, Joints, Machine, shipped};
-use seamwright_tracking::actuator::{OverAxes, RESERVE, SlideLimits};
+use seamwright_tracking::actuator::{OverAxes, RESERVE};
 
 fn machine(name: &str) -> Machine {
     Machine::read(name, shipped(name).unwrap().text).unwrap()
@@ -158,7 +158,7 @@ fn corrections_keep_the_reserve() {
             let lateral = along.any_orthonormal_vector();
             let directions = [lateral, along.cross(lateral)];
             let Ok(limits) = OverAxes::new(&machine).limits(std::iter::once((q, directions)), 5.0) else { continue };
-            let SlideLimits { speed, .. } = limits;
+            let speed = limits.motion.speed;
             let mut over = OverAxes::new(&machine);
             let mut last = q;
             for i in 1..200 {

@@ -1,7 +1,7 @@
 //! Passes through points as paths: by tip poses, or by positions of a machine's axes.
 //!
 //! Between points the numbers of a pass (axes or poses) follow a line, an arc or a cubic of the path's parameter. The
-//! parameter counts the planned time, multiplied by the tip's mean speed (`TorchPath::is_timed`). So the speed profile
+//! parameter counts the planned time, multiplied by the tip's mean speed (`ThroughPoints`). So the speed profile
 //! gets one requested speed for the whole pass, blends at corners keep the times of the blocks, and a tip that stands
 //! still or turns back while the axes continue needs no special treatment.
 
@@ -13,7 +13,7 @@ mod thin;
 use block::Block;
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
-use seamwright_program::{AxisPositions, PathRange, Span, TorchPath};
+use seamwright_program::{AxisPositions, Span, ThroughPoints, TorchPath};
 use std::fmt;
 use std::sync::Arc;
 
@@ -94,8 +94,6 @@ impl PointPath {
 
 /// Half the way over which rates are differences, as a part of the path.
 const HALF: f64 = 1e-6;
-/// A tip that moves less than this by the parameter stands still.
-const STILL: f64 = 1e-6;
 
 impl TorchPath for PointPath {
     fn length(&self) -> f64 {
@@ -115,10 +113,28 @@ impl TorchPath for PointPath {
         at(a).distance(at(b)) / (b - a)
     }
 
-    fn is_timed(&self) -> bool {
-        true
+    fn points(&self) -> Option<&dyn ThroughPoints> {
+        Some(self)
     }
 
+    /// At a standstill of the tip the tangent is the torch's direction.
+    fn line(&self, s: f64) -> (DVec3, DVec3) {
+        let h = HALF * self.length();
+        let (a, b, here) = (self.pose((s - h).max(0.0)), self.pose((s + h).min(self.length())), self.pose(s));
+        (here.point, (b.point - a.point).try_normalize().unwrap_or(here.direction))
+    }
+
+    fn knots(&self) -> Vec<f64> {
+        self.blocks.iter().skip(1).map(|b| b.from).collect()
+    }
+
+    /// A spline has no bends inside.
+    fn bends(&self) -> Vec<f64> {
+        self.blocks.windows(2).filter(|w| !w[1].is_continued).map(|w| w[1].from).collect()
+    }
+}
+
+impl ThroughPoints for PointPath {
     fn reached(&self, points: usize) -> Option<f64> {
         self.reached.get(points).copied()
     }
@@ -129,29 +145,5 @@ impl TorchPath for PointPath {
 
     fn axes(&self, s: f64) -> Option<AxisPositions> {
         matches!(self.numbers, Numbers::Axes(_)).then(|| self.row(s))
-    }
-
-    /// At a standstill of the tip this is the torch's direction, for lack of a tangent.
-    fn tangent(&self, s: f64) -> DVec3 {
-        let h = HALF * self.length();
-        let (a, b) = ((s - h).max(0.0), (s + h).min(self.length()));
-        (self.pose(b).point - self.pose(a).point).try_normalize().unwrap_or_else(|| self.pose(s).direction)
-    }
-
-    fn foot(&self, point: DVec3, guess: f64, within: PathRange) -> f64 {
-        (0..2).fold(guess, |s, _| {
-            let rate = self.rate(s);
-            let along = (point - self.pose(s).point).dot(self.tangent(s));
-            if rate > STILL { (s + along / rate).clamp(within.from_mm, within.to_mm) } else { s }
-        })
-    }
-
-    fn knots(&self) -> Vec<f64> {
-        self.blocks.iter().skip(1).map(|b| b.from).collect()
-    }
-
-    /// A spline has no bends inside.
-    fn bends(&self) -> Vec<f64> {
-        self.blocks.windows(2).filter(|w| !w[1].is_continued).map(|w| w[1].from).collect()
     }
 }

@@ -219,7 +219,7 @@ proptest! {
         for s in parts.iter().map(|part| part * case.length) {
             let (p, q) = (a.pose(s), b.pose(case.length - s));
             prop_assert!((p.point - q.point).length() < 1e-8);
-            let along = a.tangent(s.clamp(0.01, case.length - 0.01));
+            let along = a.line(s.clamp(0.01, case.length - 0.01)).1;
             prop_assert!((a.rate(s) - b.rate(case.length - s)).abs() < 1e-6);
             let torch = |path: &PassPath, s: f64| path.torch_at(&path.seam_point(s)).1;
             let (p, q) = (torch(a, s), torch(b, case.length - s));

@@ -48,8 +48,9 @@ proptest! {
         let welding = Welding::read("points.toml", &text).unwrap_or_else(|e| panic!("{e}"));
         let path = welding.path(0);
         let pace = welding.program.value.passes[0].speed_at(0.5 * path.length());
+        let points = path.points().unwrap();
         for k in 0..steps.len() {
-            let (from, to) = (path.reached(k).unwrap(), path.reached(k + 1).unwrap());
+            let (from, to) = (points.reached(k).unwrap(), points.reached(k + 1).unwrap());
             prop_assert!(path.pose(to).point.distance(places[k + 1]) < 1e-9);
             let speed = way(&path, from, to) / (to - from) * pace;
             prop_assert!((speed / speeds[k] - 1.0).abs() < 1e-3, "{k}: {speed} for {}", speeds[k]);

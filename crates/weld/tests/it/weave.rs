@@ -102,16 +102,17 @@ proptest! {
             let full = 0.5 * width * (6.0 * t.powi(5) - 15.0 * t.powi(4) + 10.0 * t.powi(3));
             let exact = bare.point + full * (across * aside + along * tangent);
             prop_assert!(pose.point.distance(exact) < 1e-9 * (1.0 + width), "{} {}", pose.point, exact);
-            prop_assert!(path.centre(s).distance(bare.point) < 1e-9);
-            prop_assert!(path.tangent(s).distance(plain.tangent(s)) < 1e-6 && path.rate(s) == plain.rate(s));
+            prop_assert!(path.line(s).0.distance(bare.point) < 1e-9);
+            prop_assert!(path.line(s).1.distance(plain.line(s).1) < 1e-6 && path.rate(s) == plain.rate(s));
             let inside = s.clamp(1.0, length - 1.0);
-            let ahead = path.pose(inside).point + 0.01 * path.tangent(inside);
+            let ahead = path.pose(inside).point + 0.01 * path.line(inside).1;
             prop_assert!((path.foot(ahead, inside, PathRange::up_to(length)) - inside - 0.01).abs() < 1e-4);
         }
         // Half as fast, and not at all.
-        let (half, none) = (path.slower(0.5).unwrap(), path.slower(0.0).unwrap());
+        let woven_path = path.weave().unwrap();
+        let (half, none) = (woven_path.slower(0.5), woven_path.slower(0.0));
         let s = parts[0] * length;
-        prop_assert!(none.pose(s) == plain.pose(s) && plain.slower(0.5).is_none());
+        prop_assert!(none.pose(s) == plain.pose(s) && plain.weave().is_none());
         let twice = woven(text, reverse, weave(2.0 * pitch));
         prop_assert!(half.pose(s).point.distance(twice.path(0).pose(s).point) < 1e-9);
     }

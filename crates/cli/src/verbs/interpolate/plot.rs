@@ -4,8 +4,8 @@
 use super::Named;
 use crate::refusals::of_option;
 use glam::DVec3;
+use seamwright_interpolators::{Path, Point};
 use seamwright_message::Message;
-use seamwright_motion::textbook::{Path, Point};
 use seamwright_project::failure::Failure;
 use seamwright_report::{Axis, Chart, Series, Style, sheet};
 
@@ -18,10 +18,11 @@ const CURVE: u32 = 2000;
 
 /// The sheet with all charts.
 pub(super) fn draw(requests: &[Named]) -> Result<String, Failure> {
-    let path = requests[0].request.shape.path()?;
+    let path = requests[0].interpolate()?.path().clone();
     let mut charts = [paths(&path), close(&path, requests), speed(), deviation()];
-    for (place, Named { name, request }) in requests.iter().enumerate() {
-        let points: Vec<Point> = request.interpolate()?.take(MAX_POINTS + 1).collect();
+    for (place, named) in requests.iter().enumerate() {
+        let Named { name, request } = named;
+        let points: Vec<Point> = named.interpolate()?.take(MAX_POINTS + 1).collect();
         if points.len() > MAX_POINTS {
             let fault = Message::new("cli-too-many-to-draw").text("method", *name);
             let message = of_option("--svg", fault.number("max", MAX_POINTS as f64, 0));

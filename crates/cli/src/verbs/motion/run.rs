@@ -8,7 +8,7 @@ use crate::verbs::process::ProcessColumns;
 use seamwright_machine::Joints;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::feed_override::{
-    FeedOverride, FeedOverrideError, Instant, Limits, Order, Run, RunPhase, Timed as Moves,
+    FeedOverride, FeedOverrideError, Instant, Order, Run, RunPhase, Timed as Moves, channel_limits,
 };
 use seamwright_motion::{PassMotion, SpeedProfile, Stage, WeldMotion};
 use seamwright_program::{ArcTime, Finding, Pass};
@@ -154,7 +154,7 @@ impl<'a> Player<'a> {
         });
         let stuck = |e: FeedOverrideError| Failure::Findings(vec![finding(&e, i + 1)]);
         let mut feed_override =
-            FeedOverride::new(&Limits::of(&self.loaded.machine), self.period, &base).map_err(stuck)?;
+            FeedOverride::new(&channel_limits(&self.loaded.machine), self.period, &base).map_err(stuck)?;
         if let Some(profile) = &faster {
             feed_override = feed_override.with_faster(profile, FASTER).map_err(stuck)?;
         }

@@ -2,11 +2,11 @@ use glam::{DQuat, DVec3};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use seamwright_executive::tracking::Seam;
-use seamwright_machine::Machine;
+use seamwright_machine::{AxisLimits, BeamDeflection, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath;
 use seamwright_teaching::{SeamLine, Station};
-use seamwright_tracking::actuator::{DeflectionLimits, SlideLimits};
+use seamwright_tracking::actuator::SlideLimits;
 use std::f64::consts::TAU;
 
 /// A pass to be welded by beam.
@@ -20,9 +20,7 @@ pub struct BeamScene<'a> {
     /// True position of the seam.
     pub actual: SeamLine,
     /// Limits of the beam's deflection.
-    pub deflection: DeflectionLimits,
-    /// Distance from the work to the pivot of the beam's deflection, mm.
-    pub pivot_mm: f64,
+    pub deflection: BeamDeflection,
     /// Limits of the gun's offset by the axes, in the torch's frame.
     pub axes: SlideLimits,
 }
@@ -37,9 +35,8 @@ impl<'a> BeamScene<'a> {
             motion,
             taught: Seam::along(path),
             actual,
-            deflection: DeflectionLimits { range_mm: 2.0, slew: 2000.0, latency_s: 75e-6 },
-            pivot_mm: 260.0,
-            axes: SlideLimits { stroke_mm: 5.0, speed: 5.0, acceleration: 30.0, jerk: 300.0 },
+            deflection: BeamDeflection { range_mm: 2.0, speed: 2000.0, latency_s: 75e-6, pivot_mm: 260.0 },
+            axes: SlideLimits { stroke_mm: 5.0, motion: AxisLimits { speed: 5.0, acceleration: 30.0, jerk: 300.0 } },
         }
     }
 

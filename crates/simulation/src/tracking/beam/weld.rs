@@ -224,7 +224,7 @@ impl<'a> Gun<'a> {
     fn miss(&self, deflection: f64) -> Option<DVec2> {
         let frame = (self.scene.taught.frame)(self.s);
         let tip = self.now().tip + deflection * frame.lateral;
-        let up = frame.height - deflection / self.scene.pivot_mm * frame.lateral;
+        let up = frame.height - deflection / self.scene.deflection.pivot_mm * frame.lateral;
         let height = |at: DVec3| {
             let foot = self.scene.actual.foot(at)?;
             Some((at - foot.at.point).dot(foot.at.normal) / up.dot(foot.at.normal))
