@@ -42,10 +42,13 @@ impl Envelope {
 /// Curves of a simulated weld along the seam, gathered sample by sample in bounded memory; mm, deg, s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimulationCurves {
-    following: Vec<Envelope>,
-    path_error: Envelope,
-    tip_speed: Envelope,
-    attitude: Envelope,
+    /// Following error of each axis.
+    pub(super) following: Vec<Envelope>,
+    /// Distance of the actual torch tip from the seam.
+    pub(super) path_error: Envelope,
+    pub(super) tip_speed: Envelope,
+    /// Attitude error of the actual torch.
+    pub(super) attitude: Envelope,
     pub(super) heads: Vec<HeadCurves>,
     length: f64,
 }
@@ -54,9 +57,8 @@ impl SimulationCurves {
     /// Creates empty curves for a weld of `length` mm on a machine with `axes` axes.
     pub fn new(axes: usize, length: f64) -> Self {
         let empty = Envelope::new(length);
-        let following = vec![empty.clone(); axes];
         Self {
-            following,
+            following: vec![empty.clone(); axes],
             path_error: empty.clone(),
             tip_speed: empty.clone(),
             attitude: empty,
@@ -84,26 +86,6 @@ impl SimulationCurves {
             }
             self.heads[i].add(s, head);
         }
-    }
-
-    /// Returns the following error of axis `i` over path length.
-    pub(crate) fn following(&self, i: usize) -> Vec<(f64, f64)> {
-        self.following[i].points()
-    }
-
-    /// Returns the distance of the actual torch tip from the seam over path length.
-    pub(crate) fn path_error(&self) -> Vec<(f64, f64)> {
-        self.path_error.points()
-    }
-
-    /// Returns the speed of the actual torch tip over path length.
-    pub(crate) fn tip_speed(&self) -> Vec<(f64, f64)> {
-        self.tip_speed.points()
-    }
-
-    /// Returns the attitude error of the actual torch over path length.
-    pub(crate) fn attitude(&self) -> Vec<(f64, f64)> {
-        self.attitude.points()
     }
 }
 

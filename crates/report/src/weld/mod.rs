@@ -28,7 +28,5 @@ pub use certificate::CertificateFigures;
 pub use charts::Plots;
 pub use curves::SimulationCurves;
 pub use figures::{PassFigures, WeldReport};
-pub(crate) use page::table;
 pub use posts::PostFigures;
 pub use sections::sections;
-pub use taught::TaughtPlot;

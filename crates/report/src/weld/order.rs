@@ -1,7 +1,6 @@
-use super::WeldReport;
-use super::page::{number, table};
-use crate::Words as _;
-use crate::{Block, Language, OrderDrawing, OrderedLine};
+use super::{PassFigures, WeldReport};
+use crate::number::number;
+use crate::{Block, Language, OrderDrawing, OrderedLine, Table, Words as _};
 use glam::DVec3;
 use seamwright_message::Message;
 use seamwright_program::{Pass, Role, TorchPath};
@@ -74,42 +73,32 @@ pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawin
 impl WeldReport {
     /// Returns the passes in the order of welding with their times.
     pub(super) fn order_table(&self, language: Language) -> Block {
-        let mut begun = 0.0;
-        let rows = self.passes.iter().enumerate().map(|(i, pass)| {
-            let p = &pass.plan;
-            begun += pass.air_before_s;
-            let row = vec![
-                (i + 1).to_string(),
-                pass.name.clone(),
-                number(pass.air_before_s, language),
-                number(begun, language),
-                number(p.weld_s, language),
-                number(p.arc_on_s, language),
-                number(p.total_s, language),
-            ];
-            begun += p.total_s;
-            row
-        });
-        let mut rows: Vec<Vec<String>> = rows.collect();
-        let sum = |f: fn(&super::figures::PassFigures) -> f64| number(self.passes.iter().map(f).sum(), language);
-        rows.push(vec![
+        let number = |value| number(value, language);
+        let mut start_s = 0.0;
+        let mut started = |pass: &PassFigures| {
+            start_s += pass.air_before_s;
+            let started = number(start_s);
+            start_s += pass.plan.total_s;
+            started
+        };
+        let mut table = Table::of(language, self.passes.iter().zip(1..))
+            .text("", |(_, i): &(_, i32)| i.to_string())
+            .text("report-column-pass", |(pass, _)| pass.name.clone())
+            .number("report-column-transfer-before-s", |(pass, _)| number(pass.air_before_s))
+            .number("report-column-start-s", |(pass, _)| started(pass))
+            .number("report-column-travel-s", |(pass, _)| number(pass.plan.weld_s))
+            .number("report-column-arc-on-s", |(pass, _)| number(pass.plan.arc_on_s))
+            .number("report-column-total-s", |(pass, _)| number(pass.plan.total_s))
+            .table(language.words("report-caption-order-table"));
+        table.rows.push(vec![
             String::new(),
             language.words("report-all-from-home"),
-            number(self.air_s, language),
+            number(self.air_s),
             String::new(),
-            sum(|p| p.plan.weld_s),
-            sum(|p| p.plan.arc_on_s),
-            number(self.total_s, language),
+            number(self.totals.weld_s),
+            number(self.totals.arc_on_s),
+            number(self.total_s),
         ]);
-        let head = [
-            "",
-            "report-column-pass",
-            "report-column-transfer-before-s",
-            "report-column-start-s",
-            "report-column-travel-s",
-            "report-column-arc-on-s",
-            "report-column-total-s",
-        ];
-        table(&language.words("report-caption-order-table"), &head.map(|head| language.words(head)), rows, 2..7)
+        Block::Table(table)
     }
 }

@@ -1,8 +1,7 @@
 //! Ranges of figures, and their texts.
 
-use super::page::number;
 use crate::Language;
-use crate::number::{from_to, significant};
+use crate::number::{from_to, number, significant};
 
 /// Minimum and maximum of a figure.
 #[derive(Debug, Clone, Copy)]

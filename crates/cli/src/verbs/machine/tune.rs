@@ -6,10 +6,11 @@ use crate::labels::labelled;
 use crate::load::machine_and_file;
 use crate::progress::Progress;
 use crate::refusals::refused;
-use crate::rows::{print_json, print_text};
+use crate::rows::print_either;
 use seamwright_cell::tune_axis;
 use seamwright_machine::{Axis, Machine};
 use seamwright_message::Message;
+use seamwright_report::Drawing as _;
 
 pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {
     let (machine, file) = machine_and_file(&args.machine)?;
@@ -34,11 +35,7 @@ pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {
             labelled(&mut text, "cli-label-wrote", line);
         }
     }
-    if args.json {
-        print_json(&tunings)?;
-    } else {
-        print_text(&text)?;
-    }
+    print_either(args.json, &tunings, || text)?;
     if tunings.iter().all(|t| t.tuned.is_some()) { Ok(()) } else { Err(Failure::Printed) }
 }
 
