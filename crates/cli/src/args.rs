@@ -4,7 +4,7 @@ pub(crate) mod bench;
 pub(crate) mod edit;
 pub(crate) mod find_joint;
 pub(crate) mod follow;
-pub(crate) mod former;
+mod former;
 pub(crate) mod io;
 pub(crate) mod machine;
 pub(crate) mod move_to;
@@ -27,6 +27,7 @@ use clap::{Args, Command, CommandFactory as _, FromArgMatches as _, Id, Parser, 
 pub(crate) use planning::{KinematicsArgs, PlanningArgs};
 pub(crate) use pulses::PulsesArgs;
 pub(crate) use simulate::SimulateArgs;
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 /// Plans, checks, simulates and posts CNC welds of seams that curve through space.
@@ -49,12 +50,17 @@ pub(crate) struct Cli {
     /// Without a verb: the options of `serve`.
     #[command(flatten)]
     pub(crate) serve: serve::ServeArgs,
+    /// The former name by which the verb was called, and its present one.
+    #[arg(skip)]
+    pub(crate) renamed: Option<former::Renamed>,
 }
 
 impl Cli {
     /// Parses the arguments of the process.
     pub(crate) fn of_process() -> Result<Self, clap::Error> {
-        let matches = Self::command().try_get_matches().map_err(with_present_names)?;
+        let mut arguments: Vec<OsString> = std::env::args_os().collect();
+        let renamed = former::rename(&mut arguments);
+        let matches = Self::command().try_get_matches_from(arguments).map_err(with_listed_names)?;
         // clap can forbid all options before a verb, but `--language` is allowed there.
         let group = serve::ServeArgs::group_id();
         let option = group.and_then(|group| matches.get_many::<Id>(group.as_str())?.next());
@@ -62,10 +68,11 @@ impl Cli {
             let message = format!("the subcommand '{verb}' cannot be used with '--{option}' before it");
             return Err(Self::command().error(ErrorKind::ArgumentConflict, message));
         }
-        Self::from_arg_matches(&matches).map_err(|error| error.format(&mut Self::command()))
+        let cli = Self::from_arg_matches(&matches).map_err(|error| error.format(&mut Self::command()))?;
+        Ok(Self { renamed, ..cli })
     }
 
-    /// The command with its listed verbs: without former names, and those for packages and other processes.
+    /// The command with its listed verbs: without those for packages and other processes.
     pub(crate) fn listed() -> Command {
         let all = Self::command();
         let verbs = all.get_subcommands().filter(|verb| !verb.is_hide_set()).cloned();
@@ -81,7 +88,7 @@ impl Cli {
 }
 
 /// The same error; an unknown verb is compared with the listed verbs only.
-fn with_present_names(error: clap::Error) -> clap::Error {
+fn with_listed_names(error: clap::Error) -> clap::Error {
     if error.kind() != ErrorKind::InvalidSubcommand {
         return error;
     }
@@ -132,9 +139,6 @@ pub(crate) enum Verb {
     /// Write a manual page of every verb to a folder
     #[command(hide = true)]
     Man(shell::ManArgs),
-    /// Former names of verbs
-    #[command(flatten)]
-    Former(former::Former),
 }
 
 #[derive(Debug, Args)]
@@ -329,7 +333,7 @@ pub(crate) enum CurveArg {
 pub(crate) enum MethodArg {
     /// Equal steps along the curve, or equal chords
     Exact,
-    /// Increments of the eccentric angle (ELLIPSE-2015)
+    /// Increments of the eccentric angle, dt = dL / |OM|, as printed in ELLIPSE-2015
     EccentricAngle,
     /// Point-by-point comparison, pulse by pulse
     PointByPoint,
@@ -337,7 +341,7 @@ pub(crate) enum MethodArg {
     ComparisonIntegral,
     /// Digital differential analyser, pulse by pulse
     Dda,
-    /// All of them
+    /// All of them, and two other rules for the eccentric angle
     All,
 }
 
@@ -347,16 +351,6 @@ pub(crate) enum StepArg {
     Arc,
     /// Equal chords
     Chord,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum RuleArg {
-    /// dt = dL / |OM|, as printed in the paper
-    Printed,
-    /// dpsi = dL / |OM| with tan(psi) = (b/a) tan(t)
-    Polar,
-    /// dt = dL / sqrt(a^2 sin^2 t + b^2 cos^2 t)
-    Tangent,
 }
 
 #[derive(Debug, Args)]
@@ -376,9 +370,6 @@ pub(crate) struct InterpolateArgs {
     /// Exact method: the constant quantity of every step
     #[arg(long, value_enum, default_value = "arc")]
     pub(crate) step: StepArg,
-    /// Eccentric-angle method: the formula
-    #[arg(long, value_enum, default_value = "printed")]
-    pub(crate) rule: RuleArg,
     /// Speed, mm/s [default: the paper's]
     #[arg(long)]
     pub(crate) speed_mm_s: Option<f64>,
@@ -400,21 +391,15 @@ pub(crate) struct InterpolateArgs {
     /// Ellipse: end point x,y in mm; equal to the start for a full turn [default: a,0]
     #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y")]
     pub(crate) end_mm: Option<Vec<f64>>,
-    /// Ellipse: a full turn from the start point
+    /// Ellipse: a full turn from the start point, clockwise
     #[arg(long, conflicts_with = "end_mm")]
     pub(crate) full_turn: bool,
-    /// Ellipse: counter-clockwise instead of clockwise
-    #[arg(long)]
-    pub(crate) counter_clockwise: bool,
     /// Saddle: radius of the nozzle, mm
     #[arg(long, default_value_t = 250.0)]
     pub(crate) nozzle_radius_mm: f64,
     /// Saddle: radius of the shell, mm
     #[arg(long, default_value_t = 800.0)]
     pub(crate) shell_radius_mm: f64,
-    /// Saddle: start angle, degrees
-    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
-    pub(crate) start_deg: f64,
     /// Saddle: angle to sweep, degrees
     #[arg(long, default_value_t = 360.0, allow_hyphen_values = true)]
     pub(crate) sweep_deg: f64,

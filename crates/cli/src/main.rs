@@ -62,6 +62,11 @@ fn choose_language(wanted: Option<&str>) -> Language {
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {
+    if let Some((former, present)) = cli.renamed {
+        let note = Message::new("cli-verb-renamed").text("former", former).text("present", present);
+        // An error is ignored: standard error itself may be closed.
+        let _ = writeln!(std::io::stderr().lock(), "{note}");
+    }
     cli.verb.map_or_else(|| verbs::serve::run(&cli.serve), dispatch)
 }
 
@@ -98,13 +103,6 @@ fn dispatch(verb: Verb) -> Result<(), Failure> {
         Verb::Schema(a) => verbs::schema::run(&a),
         Verb::Completions(a) => verbs::shell::completions(&a),
         Verb::Man(a) => verbs::shell::man(&a),
-        Verb::Former(former) => {
-            let (former, present, verb) = former.renamed();
-            let note = Message::new("cli-verb-renamed").text("former", former).text("present", present);
-            // An error is ignored: standard error itself may be closed.
-            let _ = writeln!(std::io::stderr().lock(), "{note}");
-            dispatch(verb)
-        }
     }
 }
 

@@ -1,6 +1,9 @@
 //! Tables on standard output, streamed as CSV or as a JSON array of objects.
 
+use crate::refusals::not_json;
+use seamwright_message::{Language, Message};
 use seamwright_project::failure::Failure;
+use serde::{Serialize as _, Serializer};
 use std::borrow::Cow;
 use std::io::{self, BufWriter, StdoutLock, Write};
 
@@ -37,6 +40,11 @@ impl Rows {
             writeln!(out, "{}", columns.join(","))?;
         }
         Ok(Self { out, columns, json, rows: 0 })
+    }
+
+    /// Starts a table with the columns of this header line.
+    pub(crate) fn with_header(header: &str, json: bool) -> Result<Self, Failure> {
+        Self::new(header.split(',').map(str::to_owned).collect(), json)
     }
 
     /// Writes one row, with a cell a column.
@@ -120,6 +128,25 @@ pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     serde_json::to_writer_pretty(&mut out, value).map_err(io::Error::from)?;
     writeln!(out)?;
     Ok(())
+}
+
+/// Returns a value as the text of a JSON file.
+pub(crate) fn json_text(value: &impl serde::Serialize) -> Result<String, Failure> {
+    serde_json::to_string_pretty(value).map(|json| json + "\n").map_err(not_json)
+}
+
+/// Prints a value as JSON, or as its text.
+pub(crate) fn print_either(
+    json: bool,
+    value: &impl serde::Serialize,
+    text: impl FnOnce() -> String,
+) -> Result<(), Failure> {
+    if json { print_json(value) } else { print_text(&text()) }
+}
+
+/// Writes a message in English, the language of data.
+pub(crate) fn in_english<S: Serializer>(message: &Option<Message>, out: S) -> Result<S::Ok, S::Error> {
+    message.as_ref().map(|message| message.in_language(Language::English)).serialize(out)
 }
 
 /// Prints text.

@@ -9,6 +9,7 @@ use std::io::{BufRead, Lines};
 pub struct CsvReader<R> {
     source: String,
     lines: Lines<R>,
+    header: Vec<String>,
     names: Vec<String>,
     /// Index of each name in a line.
     places: Vec<usize>,
@@ -20,45 +21,36 @@ impl<R: BufRead> CsvReader<R> {
     /// A reader of `source` (its name, for messages) with the first of the sets of columns `wanted` that its header
     /// has; and which set that is.
     pub fn open(source: &str, mut reader: R, wanted: &[&[&str]]) -> Result<(Self, usize), Failure> {
-        let mut header = String::new();
-        reader.read_line(&mut header)?;
-        Self::below(&header, source, reader, wanted)
-    }
-
-    /// The same below a header line that has been read.
-    fn below(header: &str, source: &str, reader: R, wanted: &[&[&str]]) -> Result<(Self, usize), Failure> {
-        let lines = reader.lines();
-        let header = names_in(header);
+        let mut line = String::new();
+        reader.read_line(&mut line)?;
+        let header: Vec<&str> = line.trim_start_matches('\u{feff}').split(',').map(str::trim).collect();
         let place = |name: &&str| header.iter().position(|h| h == name);
-        for (set, names) in wanted.iter().enumerate() {
-            if let Some(places) = names.iter().map(place).collect::<Option<Vec<usize>>>() {
-                // Some columns of a larger set beside a smaller one: the others must have been forgotten.
-                let partly = |larger: &&&[&str]| {
-                    let others = larger.iter().filter(|name| !names.contains(name));
-                    names.iter().all(|name| larger.contains(name)) && others.clone().any(|name| place(name).is_some())
-                };
-                if let Some(name) =
-                    wanted[..set].iter().find(partly).and_then(|l| l.iter().find(|n| place(n).is_none()))
-                {
-                    return Err(no_column(source, name, &header, wanted));
-                }
-                let names: Vec<String> = names.iter().map(|n| (*n).to_owned()).collect();
-                let values = vec![0.0; names.len()];
-                return Ok((Self { source: source.to_owned(), lines, names, places, values, line: 1 }, set));
-            }
+        let complete = |names: &&[&str]| names.iter().map(place).collect::<Option<Vec<usize>>>();
+        let found = wanted.iter().enumerate().find_map(|(set, names)| Some((set, *names, complete(names)?)));
+        let Some((set, names, places)) = found else {
+            let missing = wanted.first().and_then(|names| names.iter().find(|n| place(n).is_none())).unwrap_or(&"");
+            return Err(no_column(source, missing, &header, wanted));
+        };
+        // Some columns of a larger set beside a smaller one: the others must have been forgotten.
+        let partly = |larger: &&&[&str]| {
+            let mut others = larger.iter().filter(|name| !names.contains(name));
+            names.iter().all(|name| larger.contains(name)) && others.any(|name| place(name).is_some())
+        };
+        if let Some(name) = wanted[..set].iter().find(partly).and_then(|l| l.iter().find(|n| place(n).is_none())) {
+            return Err(no_column(source, name, &header, wanted));
         }
-        let missing = wanted.first().and_then(|names| names.iter().find(|n| place(n).is_none())).unwrap_or(&"");
-        Err(no_column(source, missing, &header, wanted))
+        let names: Vec<String> = names.iter().map(|n| (*n).to_owned()).collect();
+        let (source, values) = (source.to_owned(), vec![0.0; names.len()]);
+        let header = header.iter().map(|name| (*name).to_owned()).collect();
+        Ok((Self { source, lines: reader.lines(), header, names, places, values, line: 1 }, set))
     }
 
     /// A reader of `source` with the columns `wanted` first, then all others that have a name; the names of these.
-    pub fn open_with_others(source: &str, mut reader: R, wanted: &[&str]) -> Result<(Self, Vec<String>), Failure> {
-        let mut header = String::new();
-        reader.read_line(&mut header)?;
-        let (mut table, _) = Self::below(&header, source, reader, &[wanted])?;
-        let names = names_in(&header);
-        let others = names.iter().enumerate().filter(|(place, n)| !n.is_empty() && !table.places.contains(place));
-        let (places, others): (Vec<usize>, Vec<String>) = others.map(|(place, n)| (place, (*n).to_owned())).unzip();
+    pub fn open_with_others(source: &str, reader: R, wanted: &[&str]) -> Result<(Self, Vec<String>), Failure> {
+        let (mut table, _) = Self::open(source, reader, &[wanted])?;
+        let others = table.header.iter().enumerate();
+        let others = others.filter(|(place, name)| !name.is_empty() && !table.places.contains(place));
+        let (places, others): (Vec<usize>, Vec<String>) = others.map(|(place, name)| (place, name.clone())).unzip();
         table.places.extend(places);
         table.names.extend(others.iter().cloned());
         table.values.resize(table.names.len(), 0.0);
@@ -131,9 +123,4 @@ fn no_column(source: &str, missing: &str, header: &[&str], wanted: &[&[&str]]) -
         message.text("header", header.join(",")),
         allowed.message("columns", sets.reduce(either).unwrap_or_default()),
     )
-}
-
-/// The names in a header line.
-fn names_in(header: &str) -> Vec<&str> {
-    header.trim_start_matches('\u{feff}').split(',').map(str::trim).collect()
 }

@@ -1,10 +1,10 @@
 //! The parts of a page.
 
-use crate::icon;
-use crate::text::{escape, minus};
-use crate::words::Words as _;
-use seamwright_message::{Language, Message};
-use std::fmt::Write;
+use crate::Words as _;
+use crate::text::minus;
+use crate::{Drawing, Language, icon};
+use maud::{Markup, PreEscaped, html};
+use seamwright_message::{Message, Unit};
 
 /// One part of a page, in reading order.
 #[derive(Debug, Clone, PartialEq)]
@@ -105,125 +105,192 @@ pub struct Table {
     pub numeric: Vec<bool>,
 }
 
-/// The language of a page, and the numbers given to its tables and figures so far.
-#[derive(Debug, Default)]
-pub(crate) struct Counters {
-    language: Language,
-    tables: usize,
-    figures: usize,
+pub(crate) fn heading(code: &'static str, language: Language) -> Block {
+    Block::Heading(language.words(code))
 }
 
-impl Counters {
-    pub(crate) fn new(language: Language) -> Self {
-        Self { language, ..Self::default() }
+/// Returns a section with its heading, unless it is empty.
+pub(crate) fn section(code: &'static str, content: Vec<Block>, language: Language) -> Vec<Block> {
+    if content.is_empty() { content } else { std::iter::once(heading(code, language)).chain(content).collect() }
+}
+
+pub(crate) fn paragraph(code: &'static str, language: Language) -> Block {
+    Block::Paragraph(language.words(code))
+}
+
+pub(crate) fn figure(drawing: &dyn Drawing, caption: &'static str, language: Language) -> Block {
+    Block::Figure { svg: drawing.to_svg(), caption: language.words(caption) }
+}
+
+pub(crate) fn tile(language: Language, label: &'static str, unit: Unit, value: String, note: String) -> Tile {
+    Tile { label: language.words(label), value, unit: language.symbol(unit), note, ..Tile::default() }
+}
+
+/// Returns a form to be signed, with the names of those who sign.
+pub(crate) fn signatures(signers: [(&'static str, String); 2], language: Language) -> Block {
+    Table::of(language, signers)
+        .text("", |(role, _)| language.words(role))
+        .text("report-column-name", |(_, name)| name.clone())
+        .text("report-column-date", |_| String::new())
+        .text("report-column-signature", |_| String::new())
+        .captioned("report-caption-by-hand")
+}
+
+/// A table under construction, with a row for each item.
+pub(crate) struct TableOf<T> {
+    language: Language,
+    items: Vec<T>,
+    table: Table,
+}
+
+impl<T> TableOf<T> {
+    /// Adds a column of texts under the words of the code `head`.
+    pub(crate) fn text(self, head: &'static str, cell: impl FnMut(&T) -> String) -> Self {
+        let head = self.language.words(head);
+        self.column(head, false, cell)
+    }
+
+    /// Adds a column of numbers under the words of the code `head`.
+    pub(crate) fn number(self, head: &'static str, cell: impl FnMut(&T) -> String) -> Self {
+        let head = self.language.words(head);
+        self.column(head, true, cell)
+    }
+
+    /// Adds a column under a ready heading.
+    pub(crate) fn column(mut self, head: String, numeric: bool, cell: impl FnMut(&T) -> String) -> Self {
+        self.table.head.push(head);
+        self.table.numeric.push(numeric);
+        for (row, cell) in self.table.rows.iter_mut().zip(self.items.iter().map(cell)) {
+            row.push(cell);
+        }
+        self
+    }
+
+    /// Returns the table under a ready caption.
+    pub(crate) fn table(self, caption: String) -> Table {
+        Table { caption, ..self.table }
+    }
+
+    /// Returns the table under the words of the code `caption`.
+    pub(crate) fn captioned(self, caption: &'static str) -> Block {
+        let caption = self.language.words(caption);
+        Block::Table(self.table(caption))
     }
 }
 
+/// The language of a page, and the numbers given to its tables and figures so far.
+#[derive(Debug, Default)]
+pub(crate) struct Counters {
+    pub(crate) language: Language,
+    pub(crate) tables: usize,
+    pub(crate) figures: usize,
+}
+
 impl Block {
-    pub(crate) fn render(&self, out: &mut String, counters: &mut Counters) {
+    pub(crate) fn render(&self, counters: &mut Counters) -> Markup {
         let language = counters.language;
-        let _ = match self {
-            Self::Tiles(tiles) => {
-                out.push_str("<div class=\"tiles\">\n");
-                tiles.iter().for_each(|t| t.render(out, language));
-                writeln!(out, "</div>")
-            }
-            Self::Heading(text) => writeln!(out, "<h2>{}</h2>", escape(text)),
-            Self::Paragraph(text) => writeln!(out, "<p>{}</p>", escape(text)),
+        match self {
+            Self::Tiles(tiles) => html! { div class="tiles" { @for tile in tiles { (tile.render(language)) } } },
+            Self::Heading(text) => html! { h2 { (text) } },
+            Self::Paragraph(text) => html! { p { (text) } },
             Self::Table(table) => {
                 counters.tables += 1;
-                table.render(out, counters);
-                Ok(())
+                let number = Message::new("report-table").pass("number", counters.tables).in_language(language);
+                table.render(&numbered(&number, &table.caption))
             }
             Self::Figure { svg, caption } => {
                 counters.figures += 1;
                 let number = Message::new("report-figure").pass("number", counters.figures).in_language(language);
-                let caption = numbered(&number, caption);
-                writeln!(out, "<figure><div class=\"drawing\">\n{svg}</div><figcaption>{caption}</figcaption></figure>")
-            }
-            Self::Findings(findings) if findings.is_empty() => {
-                writeln!(out, "<p>{}</p>", language.words("report-no-findings"))
-            }
-            Self::Findings(findings) => {
-                out.push_str("<ul class=\"findings\">\n");
-                findings.iter().for_each(|f| f.render(out, language));
-                writeln!(out, "</ul>")
-            }
-            Self::Code { caption, text } => {
-                let caption = escape(caption);
-                let _ = write!(out, "<figure class=\"code\"><figcaption><b>{caption}</b></figcaption><pre><code>");
-                for line in text.lines() {
-                    let _ = write!(out, "<span class=\"row\">{}\n</span>", escape(line));
+                html! {
+                    figure { div class="drawing" { (PreEscaped(svg)) } figcaption { (numbered(&number, caption)) } }
                 }
-                writeln!(out, "</code></pre></figure>")
             }
-        };
+            Self::Findings(findings) if findings.is_empty() => html! { p { (language.words("report-no-findings")) } },
+            Self::Findings(findings) => html! {
+                ul class="findings" { @for finding in findings { (finding.render(language)) } }
+            },
+            Self::Code { caption, text } => html! {
+                figure class="code" {
+                    figcaption { b { (caption) } }
+                    pre { code { @for line in text.lines() { span class="row" { (line) "\n" } } } }
+                }
+            },
+        }
     }
 }
 
 /// A caption with its number.
-fn numbered(number: &str, caption: &str) -> String {
-    format!("<b>{number}</b> {}", escape(caption)).trim_end().into()
+fn numbered(number: &str, caption: &str) -> Markup {
+    html! { b { (number) } @if !caption.is_empty() { " " (caption) } }
 }
 
 impl Tile {
-    fn render(&self, out: &mut String, language: Language) {
-        let class = self.severity.map_or(String::new(), |s| format!(" {}", s.class()));
-        let sign = self.severity.map_or("", icon::of);
-        let word = self.severity.map_or(String::new(), |s| format!("{}: ", s.word(language)));
-        let label = escape(&format!("{word}{}", self.label));
-        let _ = write!(out, "<dl class=\"tile{class}\">{sign}<dt>{label}</dt><dd class=\"value\">");
-        out.push_str(&escape(&minus(&self.value)));
-        if !self.unit.is_empty() {
-            let _ = write!(out, "<span class=\"unit\">{}</span>", escape(&self.unit));
+    fn render(&self, language: Language) -> Markup {
+        let class = self.severity.map_or("tile".to_owned(), |s| format!("tile {}", s.class()));
+        html! {
+            dl class=(class) {
+                @if let Some(severity) = self.severity { (icon::of(severity)) }
+                dt { @if let Some(severity) = self.severity { (severity.word(language)) ": " } (self.label) }
+                dd class="value" {
+                    (minus(&self.value))
+                    @if !self.unit.is_empty() { span class="unit" { (self.unit) } }
+                }
+                @if !self.note.is_empty() { dd class="remark" { (minus(&self.note)) } }
+            }
         }
-        out.push_str("</dd>");
-        if !self.note.is_empty() {
-            let _ = write!(out, "<dd class=\"remark\">{}</dd>", escape(&minus(&self.note)));
-        }
-        out.push_str("</dl>\n");
     }
 }
 
 impl Finding {
-    fn render(&self, out: &mut String, language: Language) {
-        let (sign, word) = (icon::of(self.severity), self.severity.word(language));
-        let _ = write!(out, "<li>{sign}<div><p><b>{word}:</b> {}</p>", escape(&self.text));
-        if !self.place.is_empty() {
-            let place = Message::new("report-finding-place").text("place", &self.place).in_language(language);
-            let _ = write!(out, "<p class=\"place\">{}</p>", escape(&place));
+    fn render(&self, language: Language) -> Markup {
+        let place = Message::new("report-finding-place").text("place", &self.place).in_language(language);
+        let cure = Message::new("report-finding-cure").text("cure", &self.cure).in_language(language);
+        html! {
+            li {
+                (icon::of(self.severity))
+                div {
+                    p { b { (self.severity.word(language)) ":" } " " (self.text) }
+                    @if !self.place.is_empty() { p class="place" { (place) } }
+                    @if !self.cure.is_empty() { p { (cure) } }
+                }
+            }
         }
-        if !self.cure.is_empty() {
-            let cure = Message::new("report-finding-cure").text("cure", &self.cure).in_language(language);
-            let _ = write!(out, "<p>{}</p>", escape(&cure));
-        }
-        out.push_str("</div></li>\n");
     }
 }
 
 impl Table {
+    /// Starts a table with a row for each item.
+    pub(crate) fn of<T>(language: Language, items: impl IntoIterator<Item = T>) -> TableOf<T> {
+        let items: Vec<T> = items.into_iter().collect();
+        let rows = vec![Vec::new(); items.len()];
+        TableOf { language, items, table: Self { rows, ..Self::default() } }
+    }
+
     fn is_number(&self, column: usize) -> bool {
         self.numeric.get(column).copied().unwrap_or(false)
     }
 
-    fn render(&self, out: &mut String, counters: &Counters) {
-        let number = Message::new("report-table").pass("number", counters.tables).in_language(counters.language);
-        let caption = numbered(&number, &self.caption);
-        let class = |column| if self.is_number(column) { " class=\"number\"" } else { "" };
-        let _ = write!(out, "<div class=\"scroll\"><table><caption>{caption}</caption>\n<thead><tr>");
-        for (column, text) in self.head.iter().enumerate() {
-            let _ = write!(out, "<th scope=\"col\"{}>{}</th>", class(column), escape(text));
-        }
-        out.push_str("</tr></thead>\n<tbody>\n");
-        for row in &self.rows {
-            out.push_str("<tr>");
-            for column in 0..self.head.len() {
-                let text = row.get(column).map_or("", String::as_str);
-                let text = if self.is_number(column) { minus(text) } else { text.into() };
-                let _ = write!(out, "<td{}>{}</td>", class(column), escape(&text));
+    fn cell(&self, row: &[String], column: usize) -> String {
+        let text = row.get(column).map_or("", String::as_str);
+        if self.is_number(column) { minus(text) } else { text.into() }
+    }
+
+    fn render(&self, caption: &Markup) -> Markup {
+        let class = |column| self.is_number(column).then_some("number");
+        html! {
+            div class="scroll" {
+                table {
+                    caption { (caption) }
+                    thead {
+                        tr { @for (i, text) in self.head.iter().enumerate() { th scope="col" class=[class(i)] { (text) } } }
+                    }
+                    tbody {
+                        @for row in &self.rows {
+                            tr { @for i in 0..self.head.len() { td class=[class(i)] { (self.cell(row, i)) } } }
+                        }
+                    }
+                }
             }
-            out.push_str("</tr>\n");
         }
-        out.push_str("</tbody></table></div>\n");
     }
 }

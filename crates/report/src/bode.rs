@@ -1,12 +1,8 @@
 //! A Bode plot: magnitude and phase over logarithmic frequency, with the margins drawn in.
 
-use crate::chart::{Axis, Chart};
-use crate::grid::ChartGrid;
-use crate::limit::LimitLine;
 use crate::number::Significant as _;
-use crate::series::{Series, Style};
-use crate::words::Words as _;
-use seamwright_message::{Language, Message, Unit};
+use crate::{Axis, Chart, ChartGrid, Language, LimitLine, Series, Style, Words as _};
+use seamwright_message::{Message, Unit};
 
 /// Magnitude and phase of an open loop, with its margins.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -44,10 +40,10 @@ impl Bode {
         let phases = || self.lines.iter().map(|l| l.2);
         let steps = |v: f64, up: f64| 45.0 * ((v / 45.0 + up).floor());
         let (lowest, highest) = (phases().fold(-180.0, f64::min), phases().fold(-90.0, f64::max));
-        let chart = |label, unit: String, range, series, limit| Chart {
+        let chart = |label, unit, range, series, limit| Chart {
             language: self.language,
-            x: Axis::new(self.language.words("report-bode-frequency"), self.language.symbol(Unit::Hz)),
-            y: Axis::new(self.language.words(label), unit),
+            x: Axis::of(self.language, "report-bode-frequency", Unit::Hz),
+            y: Axis::of(self.language, label, unit),
             series,
             limits: vec![limit],
             y_range: Some(range),
@@ -57,14 +53,13 @@ impl Bode {
         };
         let magnitude = chart(
             "report-bode-magnitude",
-            self.language.symbol(Unit::Db),
+            Unit::Db,
             (10.0 * (low / 10.0 - 0.2).floor(), 10.0 * (top / 10.0 + 0.2).ceil()),
             self.magnitudes(),
             LimitLine::new(self.language.words("report-bode-crossover"), 0.0),
         );
         let range = (steps(lowest, 0.0).max(-540.0), steps(highest, 1.0));
-        let degrees = self.language.symbol(Unit::Deg);
-        let phase = chart("report-bode-phase", degrees, range, self.phases(), LimitLine::new("", -180.0));
+        let phase = chart("report-bode-phase", Unit::Deg, range, self.phases(), LimitLine::new("", -180.0));
         ChartGrid { title: self.title.clone(), columns: 1, charts: vec![magnitude, phase] }
     }
 
@@ -78,12 +73,10 @@ impl Bode {
     fn names(&self) -> [String; 2] {
         let text = |codes: [&'static str; 2], (margin, hz): (f64, f64), unit| {
             let message = match margin.is_finite() {
-                true => Message::new(codes[0]).significant("margin", margin, unit, 3).significant(
-                    "frequency",
-                    hz,
-                    Unit::Hz,
-                    3,
-                ),
+                true => {
+                    let message = Message::new(codes[0]).significant("margin", margin, unit, 3);
+                    message.significant("frequency", hz, Unit::Hz, 3)
+                }
                 false => Message::new(codes[1]),
             };
             message.in_language(self.language)

@@ -7,7 +7,8 @@ use crate::plot::{Plot, Scale};
 use crate::series::Series;
 use crate::svg::{Anchor, Rect, Svg, WIDTH};
 use crate::text::{fit, width};
-use seamwright_message::Language;
+use crate::{Drawing, Language, Words as _};
+use seamwright_message::Unit;
 
 /// Quantity and unit of an axis.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -22,6 +23,11 @@ impl Axis {
     /// Creates an axis for `label` in `unit`.
     pub fn new(label: impl Into<String>, unit: impl Into<String>) -> Self {
         Self { label: label.into(), unit: unit.into() }
+    }
+
+    /// Creates an axis for the words of a code.
+    pub(crate) fn of(language: Language, label: &'static str, unit: Unit) -> Self {
+        Self::new(language.words(label), language.symbol(unit))
     }
 
     pub(crate) fn text(&self) -> String {
@@ -105,11 +111,11 @@ pub(crate) const STRIP: f64 = 17.0;
 /// Minimum room left of a plot, px, so that plots below each other align.
 const LEFT: f64 = 58.0;
 
-crate::svg::both_forms!(Chart);
-
 impl Chart {
-    fn label(&self) -> String {
-        if self.title.is_empty() { self.y.text() } else { self.title.clone() }
+    /// Creates a chart over path length with the title of a code.
+    pub(crate) fn along(language: Language, title: &'static str, y: Axis, series: Vec<Series>) -> Self {
+        let x = Axis::of(language, "report-label-path-length", Unit::Mm);
+        Self { language, title: language.words(title), x, y, series, ..Self::default() }
     }
 
     fn drawn(&self) -> impl Iterator<Item = (f64, f64)> {
@@ -163,9 +169,14 @@ impl Chart {
         let (x, y) = (x.widened_to(unit * w), y.domain.widened_to(unit * h));
         (Scale::across(x, w), Scale::upward(y, h), Rect { x: LEFT, w, h, ..Rect::default() })
     }
+}
 
-    /// Returns the drawing and its height, px.
-    pub(crate) fn draw(&self) -> (Svg, f64) {
+impl Drawing for Chart {
+    fn label(&self) -> String {
+        if self.title.is_empty() { self.y.text() } else { self.title.clone() }
+    }
+
+    fn draw(&self) -> (Svg, f64) {
         let mut svg = Svg::default();
         let (x, y, mut frame) = self.measure();
         let mut top = 0.0;

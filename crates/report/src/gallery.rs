@@ -1,6 +1,7 @@
-use crate::number::px;
-use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
-use seamwright_message::{Language, Message};
+use crate::glyph::closed;
+use crate::svg::{Anchor, Rect, Svg, WIDTH};
+use crate::{Drawing, Language};
+use seamwright_message::Message;
 
 /// Room above each section for its title and notes, px.
 const HEAD: f64 = 72.0;
@@ -41,8 +42,6 @@ pub struct SectionDrawing {
     pub torches: Vec<([f64; 2], [f64; 2])>,
 }
 
-both_forms!(Gallery);
-
 impl SectionDrawing {
     /// Returns the bounds of the groove and the beads, with room for the parts beside them.
     fn extent(&self) -> ([f64; 2], [f64; 2]) {
@@ -62,17 +61,19 @@ impl SectionDrawing {
 }
 
 impl Gallery {
-    fn label(&self) -> String {
-        let message = Message::new("report-sections").text("title", &self.title).count("n", self.sections.len());
-        message.in_language(self.language)
-    }
-
     fn columns(&self) -> usize {
         match self.sections.len() {
             0 | 1 => 1,
             2 | 4 => 2,
             _ => 3,
         }
+    }
+}
+
+impl Drawing for Gallery {
+    fn label(&self) -> String {
+        let message = Message::new("report-sections").text("title", &self.title).count("n", self.sections.len());
+        message.in_language(self.language)
     }
 
     fn draw(&self) -> (Svg, f64) {
@@ -111,33 +112,30 @@ impl SectionDrawing {
             let (x, y) = (scale * (p[0] - middle[0]), scale * (p[1] - middle[1]));
             (frame.x + 0.5 * frame.w + x, frame.y + 0.5 * frame.h - y)
         };
-        let closed = |points: &[[f64; 2]]| {
-            let corners: Vec<String> = points.iter().map(place).map(|(x, y)| format!("{},{}", px(x), px(y))).collect();
-            if corners.is_empty() { String::new() } else { format!("M{}Z", corners.join(" ")) }
-        };
+        let outline = |points: &[[f64; 2]]| closed(&points.iter().map(place).collect::<Vec<_>>());
         svg.rect("area", frame);
-        svg.open_clip(frame);
-        for part in &self.parts {
-            svg.path("metal", &closed(part));
-        }
-        svg.path("groove", &closed(&self.groove));
-        for (outline, colour) in &self.beads {
-            svg.path(&format!("bead f{colour}"), &closed(outline));
-        }
-        for (outline, _) in &self.beads {
-            svg.path("bead-edge", &closed(outline));
-        }
-        let long = 0.09 * frame.w;
-        for (tip, back) in &self.torches {
-            let (x, y) = place(tip);
-            svg.line("wire", x, y, x + long * back[0], y - long * back[1]);
-            svg.circle("wire-tip", x, y, 2.0);
-        }
-        for (number, (outline, _)) in self.beads.iter().enumerate() {
-            let (x, y) = place(&centroid(outline));
-            svg.text("bead-number", x, y + 4.0, Anchor::Middle, &(number + 1).to_string());
-        }
-        svg.close_clip();
+        svg.clipped(frame, |svg| {
+            for part in &self.parts {
+                svg.path("metal", &outline(part));
+            }
+            svg.path("groove", &outline(&self.groove));
+            for (bead, colour) in &self.beads {
+                svg.path(&format!("bead f{colour}"), &outline(bead));
+            }
+            for (bead, _) in &self.beads {
+                svg.path("bead-edge", &outline(bead));
+            }
+            let long = 0.09 * frame.w;
+            for (tip, back) in &self.torches {
+                let (x, y) = place(tip);
+                svg.line("wire", x, y, x + long * back[0], y - long * back[1]);
+                svg.circle("wire-tip", x, y, 2.0);
+            }
+            for (number, (bead, _)) in self.beads.iter().enumerate() {
+                let (x, y) = place(&centroid(bead));
+                svg.text("bead-number", x, y + 4.0, Anchor::Middle, &(number + 1).to_string());
+            }
+        });
         svg.rect("edge", frame);
         svg.scale_bar(frame, scale, language);
     }

@@ -5,7 +5,7 @@ use crate::legend::{Entry, Legend, ROW};
 use crate::plot::{Plot, Scale};
 use crate::svg::{Anchor, Rect, Svg, WIDTH};
 use crate::text::{fit, width};
-use crate::words::Words as _;
+use crate::{Drawing, Words as _};
 
 /// Small multiples: charts that share an x axis. For example one row per machine axis, with position, speed and
 /// acceleration.
@@ -32,16 +32,29 @@ const ASIDE: f64 = 0.25;
 /// Gap between columns, px.
 const GUTTER: f64 = 20.0;
 
-crate::svg::both_forms!(ChartGrid);
-
 impl ChartGrid {
+    fn columns(&self) -> usize {
+        self.columns.clamp(1, self.charts.len().max(1))
+    }
+
+    /// Draws the names of the series of the first chart with the largest number, if it has several; returns their
+    /// height.
+    fn draw_legend(&self, svg: &mut Svg, top: f64) -> f64 {
+        let Some(fullest) = self.charts.iter().rev().max_by_key(|c| c.series.len()).filter(|c| c.series.len() > 1)
+        else {
+            return 0.0;
+        };
+        let entries = fullest.series.iter().enumerate().map(|(i, s)| Entry::curve(i, s)).collect();
+        let legend = Legend::new(entries, f64::INFINITY, WIDTH);
+        legend.draw(svg, 0.0, top + 12.0 - ROW);
+        legend.height() + 4.0
+    }
+}
+
+impl Drawing for ChartGrid {
     fn label(&self) -> String {
         let language = self.charts.first().map(|chart| chart.language).unwrap_or_default();
         if self.title.is_empty() { language.words("report-charts") } else { self.title.clone() }
-    }
-
-    fn columns(&self) -> usize {
-        self.columns.clamp(1, self.charts.len().max(1))
     }
 
     fn draw(&self) -> (Svg, f64) {
@@ -73,19 +86,6 @@ impl ChartGrid {
             top = cells.iter().map(|c| c.frame.bottom()).fold(top, f64::max) + 12.0;
         }
         (svg, bottom.max(1.0))
-    }
-
-    /// Draws the names of the series of the first chart with the largest number, if it has several; returns their
-    /// height.
-    fn draw_legend(&self, svg: &mut Svg, top: f64) -> f64 {
-        let Some(fullest) = self.charts.iter().rev().max_by_key(|c| c.series.len()).filter(|c| c.series.len() > 1)
-        else {
-            return 0.0;
-        };
-        let entries = fullest.series.iter().enumerate().map(|(i, s)| Entry::curve(i, s)).collect();
-        let legend = Legend::new(entries, f64::INFINITY, WIDTH);
-        legend.draw(svg, 0.0, top + 12.0 - ROW);
-        legend.height() + 4.0
     }
 }
 

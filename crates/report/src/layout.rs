@@ -1,11 +1,16 @@
 //! Layout of three views and a pictorial one, and the mapping from space to them.
 
 use crate::domain::{Domain, usable};
+use crate::legend::{Entry, Legend, ROW};
 use crate::projection::Projection::{self, Front, Pictorial, Side, Top};
 use crate::svg::{Anchor, EDGE, Rect, Svg, WIDTH};
+use crate::text::fit;
 use crate::ticks::Ticks;
-use crate::words::Words as _;
-use seamwright_message::{Language, Unit};
+use crate::{Language, Words as _};
+use seamwright_message::Unit;
+
+/// Height of the title, px.
+pub(crate) const TITLE: f64 = 26.0;
 
 /// Height above a view for its name, px.
 pub(crate) const HEAD: f64 = 20.0;
@@ -63,6 +68,23 @@ fn middle(r: Rect) -> (f64, f64) {
     (r.x + 0.5 * r.w, r.y + 0.5 * r.h)
 }
 
+/// Draws title, symbol of the projection and legend below the title; returns the height of the legend.
+pub(crate) fn draw_head(svg: &mut Svg, title: &str, entries: Vec<Entry>) -> f64 {
+    svg.text("title", 0.0, 14.0, Anchor::Start, &fit(title, 16.0, WIDTH - 60.0));
+    first_angle(svg, WIDTH - 46.0, 9.0);
+    let legend = Legend::new(entries, f64::INFINITY, WIDTH);
+    legend.draw(svg, 0.0, TITLE + 12.0 - ROW);
+    legend.height()
+}
+
+/// Draws the symbol of first-angle projection (ISO 5456-2): a cone's frustum, and its view from the left.
+fn first_angle(svg: &mut Svg, x: f64, y: f64) {
+    svg.path("symbol", &format!("M{x},{}l18,-4v16l-18,-4z", y - 4.0));
+    svg.circle("symbol", x + 34.0, y, 8.0);
+    svg.circle("symbol", x + 34.0, y, 4.0);
+    svg.line("symbol", x - 3.0, y, x + 45.0, y);
+}
+
 /// Two columns and two rows: front and side above, top and pictorial below.
 pub(crate) struct Layout {
     /// Middle of the object, mm.
@@ -97,7 +119,7 @@ impl Layout {
         }
     }
 
-    pub(crate) fn frames(&self) -> [(Projection, Rect); 4] {
+    fn frames(&self) -> [(Projection, Rect); 4] {
         let [w1, w2] = self.widths;
         let [h1, h2] = self.heights;
         let (x2, y2) = (LEFT + w1 + GUTTER, self.top + h1 + FOOT + HEAD);
@@ -113,12 +135,31 @@ impl Layout {
         self.top + self.heights[0] + self.heights[1] + HEAD + 2.0 * FOOT
     }
 
-    pub(crate) fn map(&self, view: Projection, frame: Rect) -> Map {
+    fn map(&self, view: Projection, frame: Rect) -> Map {
         Map { view, scale: self.scale, centre: view.project(self.centre), middle: middle(frame) }
     }
 
+    /// Draws the frame of each view with its name and axes, and its content by `draw`. `pictorial` maps space to the
+    /// frame of the pictorial view.
+    pub(crate) fn draw_views(
+        &self,
+        svg: &mut Svg,
+        language: Language,
+        pictorial: impl Fn(Rect) -> Map,
+        mut draw: impl FnMut(&mut Svg, Map, Rect),
+    ) {
+        for (view, frame) in self.frames() {
+            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, &language.words(view.name()));
+            svg.rect("area", frame);
+            let map = if view == Pictorial { pictorial(frame) } else { self.map(view, frame) };
+            self.draw_axes(svg, &map, frame, language);
+            svg.rect("edge", frame);
+            draw(svg, map, frame);
+        }
+    }
+
     /// Draws grid, ticks and names of the axes of the view of `map`, in the frame `f`.
-    pub(crate) fn draw_axes(&self, svg: &mut Svg, map: &Map, f: Rect, language: Language) {
+    fn draw_axes(&self, svg: &mut Svg, map: &Map, f: Rect, language: Language) {
         let view = map.view;
         let Some((across, up, sign)) = view.axes() else { return };
         let step = TICK / self.scale;

@@ -10,7 +10,7 @@
 //! - [`ThreeViews`] draws a curve in space in first-angle projection.
 //! - [`Page`] combines figures, tables, findings and listings in one HTML file.
 //!
-//! Each drawing comes in two forms: `to_svg` for a [`Page`], which carries the styles, and `to_svg_standalone` for a
+//! Each [`Drawing`] comes in two forms: `to_svg` for a [`Page`], which carries the styles, and `to_svg_standalone` for a
 //! file of its own.
 //!
 //! # Examples
@@ -18,7 +18,7 @@
 //! Draw a speed over the path length, with its limit:
 //!
 //! ```
-//! use seamwright_report::{Axis, Chart, LimitLine, Series};
+//! use seamwright_report::{Axis, Chart, Drawing, LimitLine, Series};
 //!
 //! let chart = Chart {
 //!     title: "Speed".into(),
@@ -38,6 +38,7 @@ mod bode;
 mod chart;
 mod domain;
 mod gallery;
+mod glyph;
 mod grid;
 mod icon;
 mod layout;
@@ -77,7 +78,7 @@ pub use record::recorded_weld_page;
 pub use seamwright_message::Language;
 pub use series::{Series, Style};
 pub use sheet::sheet;
+pub use svg::Drawing;
 pub use views::{Mark, ThreeViews};
-pub use weld::{
-    CertificateFigures, PassFigures, Plots, PostFigures, SimulationCurves, TaughtPlot, WeldReport, sections,
-};
+pub use weld::{CertificateFigures, PassFigures, Plots, PostFigures, SimulationCurves, WeldReport, sections};
+pub(crate) use words::Words;

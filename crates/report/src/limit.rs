@@ -1,8 +1,9 @@
 //! Horizontal limits of a chart.
 
+use crate::Language;
 use crate::domain::{Domain, usable};
 use crate::number;
-use seamwright_message::{Language, Message};
+use seamwright_message::Message;
 
 /// A value that the data should not cross.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,7 +1,9 @@
 //! Names of values and curves in files, in the language of a page. Names without words stay as they are.
 
-use crate::words::{Words as _, value_name};
-use seamwright_message::{Language, Message};
+use crate::Language;
+use crate::Words as _;
+use crate::words::value_name;
+use seamwright_message::Message;
 use seamwright_record::figures::HEAT_INPUT;
 
 /// Returns the name of a process value without its unit, such as `Current`.

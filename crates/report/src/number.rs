@@ -1,6 +1,10 @@
 //! Numbers as text, and as arguments of messages.
 
-use seamwright_message::{Argument, Language, Message, Quantity, Unit};
+use crate::{Language, Words as _};
+use seamwright_message::{Argument, Message, Quantity, Unit};
+
+/// Placeholder for a missing value.
+pub(crate) const NONE: &str = "–";
 
 /// Writes `value` with up to `digits` significant digits, a decimal point and no trailing zeros.
 ///
@@ -47,9 +51,37 @@ pub(crate) fn fixed(value: f64, decimals: usize, language: Language) -> String {
     localized(&format_fixed(value, decimals), language)
 }
 
+/// Formats lengths, times, positions and other values in full.
+pub(crate) fn number(value: f64, language: Language) -> String {
+    significant(value, 5, language)
+}
+
+/// Formats errors and deviations, for which two digits suffice.
+pub(crate) fn small(value: f64, language: Language) -> String {
+    significant(value, 2, language)
+}
+
+/// Returns a value with its unit.
+pub(crate) fn quantity(value: f64, unit: Unit, digits: usize) -> Message {
+    Message::new("quantity").significant("value", value, unit, digits)
+}
+
+/// Returns a message about a range, whose unit stands at its end.
+pub(crate) fn range(code: &'static str, (from, to): (f64, f64), unit: Unit) -> Message {
+    Message::new(code).significant("from", from, Unit::One, 5).significant("to", to, unit, 5)
+}
+
 /// Returns a range of formatted values.
 pub(crate) fn from_to(from: impl Into<String>, to: impl Into<String>, language: Language) -> String {
     Message::new("report-range").text("from", from).text("to", to).in_language(language)
+}
+
+/// Formats an allowed range.
+pub(crate) fn allowed(window: Option<(f64, f64)>, language: Language) -> String {
+    match window {
+        Some((low, high)) => from_to(number(low, language), number(high, language), language),
+        None => language.words("report-not-limited"),
+    }
 }
 
 /// Arguments with significant digits.

@@ -1,6 +1,7 @@
-use crate::number::px;
-use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
-use seamwright_message::{Language, Message};
+use crate::glyph::{Point, closed, distance, polyline, shifted, unit};
+use crate::svg::{Anchor, Rect, Svg, WIDTH};
+use crate::{Drawing, Language};
+use seamwright_message::Message;
 
 /// Height of title and key above the drawing, px.
 const HEAD: f64 = 44.0;
@@ -41,11 +42,7 @@ pub struct OrderedLine {
     pub colour: usize,
 }
 
-type Point = (f64, f64);
-
-both_forms!(OrderDrawing);
-
-impl OrderDrawing {
+impl Drawing for OrderDrawing {
     fn label(&self) -> String {
         let message = Message::new("report-order-lines").text("title", &self.title).count("n", self.lines.len());
         message.in_language(self.language)
@@ -98,8 +95,7 @@ fn ways(svg: &mut Svg, lines: &[Vec<Point>]) {
 /// Draws a line with a dot at its start and an arrow in its middle.
 fn followed(svg: &mut Svg, points: &[Point], colour: usize) {
     let (Some(first), true) = (points.first(), points.len() > 1) else { return };
-    let corners: Vec<String> = points.iter().map(|(x, y)| format!("{},{}", px(*x), px(*y))).collect();
-    svg.path(&format!("line fat c{colour}"), &format!("M{}", corners.join(" ")));
+    svg.path(&format!("line fat c{colour}"), &polyline(points));
     let k = (points.len() / 2).clamp(1, points.len() - 1);
     let (a, b) = (points[k - 1], points[k]);
     let size = (0.2 * long(points)).clamp(3.0, 6.0);
@@ -107,15 +103,15 @@ fn followed(svg: &mut Svg, points: &[Point], colour: usize) {
     svg.circle(&format!("f{colour}"), first.0, first.1, 3.2);
 }
 
-/// Returns a triangle around a point, as path data.
-fn arrow((x, y): Point, along: Point, size: f64) -> String {
-    let length = along.0.hypot(along.1);
-    if length < 1e-9 {
+/// Returns a triangle around a point, as path data; empty without a direction.
+fn arrow(at: Point, along: Point, size: f64) -> String {
+    if along.0.hypot(along.1) < 1e-9 {
         return String::new();
     }
-    let (u, v) = (size * along.0 / length, size * along.1 / length);
-    let corners = [(x + u, y + v), (x - u - 0.8 * v, y - v + 0.8 * u), (x - u + 0.8 * v, y - v - 0.8 * u)];
-    format!("M{}Z", corners.map(|(x, y)| format!("{},{}", px(x), px(y))).join(" "))
+    let way = unit(along);
+    let foot = shifted(at, way, -size);
+    let side = |by: f64| shifted(foot, (-way.1, way.0), by * 0.8 * size);
+    closed(&[shifted(at, way, size), side(1.0), side(-1.0)])
 }
 
 /// Returns the position of a line's number: the middle of a closed line, or beside the middle of an open one.
@@ -155,10 +151,6 @@ fn numbers(svg: &mut Svg, places: impl Iterator<Item = Point>) {
 /// Returns the length of a line.
 fn long(points: &[Point]) -> f64 {
     points.windows(2).map(|w| distance(w[0], w[1])).sum()
-}
-
-fn distance(a: Point, b: Point) -> f64 {
-    (a.0 - b.0).hypot(a.1 - b.1)
 }
 
 #[cfg(test)]

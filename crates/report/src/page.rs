@@ -1,11 +1,11 @@
 //! The report as one HTML file.
 
+use crate::Words as _;
 use crate::block::{Block, Counters};
-use crate::icon;
 use crate::style::page_sheet;
-use crate::text::{escape, fit};
-use crate::words::Words as _;
-use seamwright_message::Language;
+use crate::text::{fit, printable};
+use crate::{Language, icon};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 use std::fmt::Write;
 
 /// Result of the report.
@@ -36,40 +36,40 @@ pub struct Page {
     pub blocks: Vec<Block>,
 }
 
+/// Metadata of a page, closed as in XML.
+const META: PreEscaped<&str> =
+    PreEscaped("<meta charset=\"utf-8\"/><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
+
 impl Page {
     /// Returns the HTML text, UTF-8; well-formed as XML too.
     pub fn render(&self) -> String {
-        let title = escape(&self.title);
-        let mut out = String::new();
-        let _ = write!(
-            out,
-            "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
-             <title>{title}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n<header>\n<h1>{title}</h1>\n",
-            self.language.code(),
-            page_sheet(),
-            self.paper()
-        );
-        if !self.subtitle.is_empty() {
-            let _ = writeln!(out, "<p class=\"subtitle\">{}</p>", escape(&self.subtitle));
-        }
-        if !self.meta.is_empty() {
-            out.push_str("<dl class=\"meta\">\n");
-            for (name, value) in &self.meta {
-                let _ = writeln!(out, "<div><dt>{}</dt><dd>{}</dd></div>", escape(name), escape(value));
+        let mut counters = Counters { language: self.language, ..Counters::default() };
+        let page = html! {
+            (DOCTYPE)
+            html lang=(self.language.code()) {
+                head {
+                    (META)
+                    title { (self.title) }
+                    style { (PreEscaped(page_sheet())) (PreEscaped(self.paper())) }
+                }
+                body {
+                    main {
+                        header {
+                            h1 { (self.title) }
+                            @if !self.subtitle.is_empty() { p class="subtitle" { (self.subtitle) } }
+                            @if !self.meta.is_empty() {
+                                dl class="meta" {
+                                    @for (name, value) in &self.meta { div { dt { (name) } dd { (value) } } }
+                                }
+                            }
+                            @if let Some(verdict) = &self.verdict { (verdict.render(self.language)) }
+                        }
+                        @for block in &self.blocks { (block.render(&mut counters)) }
+                    }
+                }
             }
-            out.push_str("</dl>\n");
-        }
-        if let Some(verdict) = &self.verdict {
-            verdict.render(&mut out, self.language);
-        }
-        out.push_str("</header>\n");
-        let mut counters = Counters::new(self.language);
-        for block in &self.blocks {
-            block.render(&mut out, &mut counters);
-        }
-        out.push_str("</main>\n</body>\n</html>\n");
-        out
+        };
+        printable(page.into_string())
     }
 
     /// Returns the print style: A4 with the title and page numbers at the foot.
@@ -84,14 +84,12 @@ impl Page {
 }
 
 impl Verdict {
-    fn render(&self, out: &mut String, language: Language) {
-        let (class, sign, word) = if self.ok {
-            ("verdict", icon::OK, "report-in-order")
-        } else {
-            ("verdict bad", icon::ERROR, "report-not-in-order")
+    fn render(&self, language: Language) -> Markup {
+        let (class, sign, word) = match self.ok {
+            true => ("verdict", icon::OK, "report-in-order"),
+            false => ("verdict bad", icon::ERROR, "report-not-in-order"),
         };
-        let (word, text) = (language.words(word), escape(&self.text));
-        let _ = writeln!(out, "<div class=\"{class}\">{sign}<p><strong>{word}</strong>{text}</p></div>");
+        html! { div class=(class) { (sign) p { strong { (language.words(word)) } (self.text) } } }
     }
 }
 

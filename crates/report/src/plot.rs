@@ -1,5 +1,7 @@
 //! The plot area of a chart: grid, bands, limits, curves and the labels around it.
 
+use crate::Language;
+use crate::Words as _;
 use crate::chart::{Chart, STRIP};
 use crate::domain::{Domain, usable};
 use crate::limit::{self, LimitLine};
@@ -9,8 +11,6 @@ use crate::series;
 use crate::svg::{Anchor, EDGE, Rect, Svg};
 use crate::text::{fit, minus, width};
 use crate::ticks::Ticks;
-use crate::words::Words as _;
-use seamwright_message::Language;
 
 /// Size of tick and limit labels, px.
 const SMALL: f64 = 11.0;
@@ -157,16 +157,16 @@ impl Plot<'_> {
         svg.rect("edge", f);
         self.draw_limits(svg);
         // The wider clip keeps a stroke along the edge of the frame whole.
-        svg.open_clip(Rect { x: f.x - 2.0, y: f.y - 2.0, w: f.w + 4.0, h: f.h + 4.0 });
-        for (i, s) in self.chart.series.iter().enumerate() {
-            series::draw(
-                svg,
-                &series::class(s.colour.unwrap_or(i), s.style),
-                s.style,
-                s.points.iter().map(|(x, y)| self.px(*x, *y)),
-            );
-        }
-        svg.close_clip();
+        svg.clipped(Rect { x: f.x - 2.0, y: f.y - 2.0, w: f.w + 4.0, h: f.h + 4.0 }, |svg| {
+            for (i, s) in self.chart.series.iter().enumerate() {
+                series::draw(
+                    svg,
+                    &series::class(s.colour.unwrap_or(i), s.style),
+                    s.style,
+                    s.points.iter().map(|(x, y)| self.px(*x, *y)),
+                );
+            }
+        });
         if self.chart.y_extent().is_none() {
             let (x, y) = (f.x + 0.5 * f.w, f.y + 0.5 * f.h + 4.0);
             svg.text("quiet halo", x, y, Anchor::Middle, &self.chart.language.words("report-no-data"));

@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
+use crate::glyph;
 use crate::number::px;
 use crate::svg::Svg;
 use crate::thin::thin;
+use crate::{Language, Words as _};
 
 /// Drawing style of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -16,8 +18,6 @@ pub enum Style {
     Dashed,
     /// Dots without a line.
     Points,
-    /// A line that keeps each value until the next point.
-    Steps,
 }
 
 /// A named sequence of points `(x, y)` in the units of the axes.
@@ -42,6 +42,11 @@ impl Series {
         Self { name: name.into(), points, style: Style::Line, colour: None }
     }
 
+    /// Creates a solid line with the name of a code.
+    pub(crate) fn named(language: Language, name: &'static str, points: Vec<(f64, f64)>) -> Self {
+        Self::line(language.words(name), points)
+    }
+
     /// Returns the series in the palette's colour `place`, from 0.
     #[must_use]
     pub fn coloured(mut self, place: usize) -> Self {
@@ -60,7 +65,7 @@ impl Series {
 /// Returns the class of the `index`th of several curves, which sets its colour.
 pub(crate) fn class(index: usize, style: Style) -> String {
     let kind = match style {
-        Style::Line | Style::Steps => "line",
+        Style::Line => "line",
         Style::Dashed => "line dashed",
         Style::Points => "dots",
     };
@@ -74,8 +79,7 @@ pub(crate) fn draw(svg: &mut Svg, class: &str, style: Style, points: impl Iterat
         match (style, run.as_slice()) {
             (Style::Points, run) => run.iter().for_each(|(x, y)| dot(&mut dots, *x, *y)),
             (_, [(x, y)]) => dot(&mut dots, *x, *y),
-            (Style::Steps, run) => steps(&mut curve, run),
-            (_, run) => polyline(&mut curve, run),
+            (_, run) => curve += &glyph::polyline(run),
         }
     }
     svg.path(class, &curve);
@@ -89,19 +93,4 @@ pub(crate) fn draw(svg: &mut Svg, class: &str, style: Style, points: impl Iterat
 /// Appends a stroke of zero length, which a round cap turns into a dot.
 fn dot(d: &mut String, x: f64, y: f64) {
     let _ = write!(d, "M{},{}h0", px(x), px(y));
-}
-
-fn polyline(d: &mut String, run: &[(f64, f64)]) {
-    let mut before = 'M';
-    for (x, y) in run {
-        let _ = write!(d, "{before}{},{}", px(*x), px(*y));
-        before = ' ';
-    }
-}
-
-fn steps(d: &mut String, run: &[(f64, f64)]) {
-    for (i, (x, y)) in run.iter().enumerate() {
-        let (x, y) = (px(*x), px(*y));
-        let _ = if i == 0 { write!(d, "M{x},{y}") } else { write!(d, "H{x}V{y}") };
-    }
 }

@@ -1,5 +1,5 @@
-use crate::chart::Chart;
 use crate::svg::Svg;
+use crate::{Chart, Drawing};
 
 /// Gap between two charts of a sheet, px.
 const GAP: f64 = 26.0;

@@ -1,10 +1,10 @@
 //! Writing of SVG elements.
 
 use crate::number::px;
-use crate::style;
-use crate::text::{escape, minus, width};
-use seamwright_message::{Language, Message, Unit};
-use std::fmt::Write;
+use crate::text::{minus, printable, width};
+use crate::{Language, style};
+use maud::{Markup, PreEscaped, html};
+use seamwright_message::{Message, Unit};
 
 /// Width of every drawing, px; one px is one CSS pixel at 100 %.
 pub(crate) const WIDTH: f64 = 920.0;
@@ -38,25 +38,27 @@ impl Rect {
     }
 }
 
-/// Implements both forms of a drawing (a type with `draw` and `label`).
-macro_rules! both_forms {
-    ($drawing:ty) => {
-        impl $drawing {
-            /// Returns the drawing for a [`Page`](crate::Page), which carries the styles.
-            pub fn to_svg(&self) -> String {
-                let (svg, height) = self.draw();
-                svg.inline(height, &self.label())
-            }
+/// A drawing.
+pub trait Drawing {
+    /// Returns the elements and their height, px.
+    #[doc(hidden)]
+    fn draw(&self) -> (Svg, f64);
 
-            /// Returns the drawing as a file of its own, with styles for light and dark, and a background.
-            pub fn to_svg_standalone(&self) -> String {
-                let (svg, height) = self.draw();
-                svg.standalone(height, &self.label())
-            }
-        }
-    };
+    /// Returns the title, or a name for the kind of drawing.
+    fn label(&self) -> String;
+
+    /// Returns the drawing for a [`Page`](crate::Page), which carries the styles.
+    fn to_svg(&self) -> String {
+        let (svg, height) = self.draw();
+        svg.inline(height, &self.label())
+    }
+
+    /// Returns the drawing as a file of its own, with styles for light and dark, and a background.
+    fn to_svg_standalone(&self) -> String {
+        let (svg, height) = self.draw();
+        svg.standalone(height, &self.label())
+    }
 }
-pub(crate) use both_forms;
 
 /// Position of text relative to its point.
 #[derive(Debug, Clone, Copy)]
@@ -68,54 +70,44 @@ pub(crate) enum Anchor {
 
 /// A drawing under construction.
 #[derive(Debug, Default)]
-pub(crate) struct Svg {
+pub struct Svg {
     body: String,
 }
 
 impl Svg {
+    fn add(&mut self, element: Markup) {
+        self.body += &element.0;
+        self.body.push('\n');
+    }
+
     pub(crate) fn line(&mut self, class: &str, x1: f64, y1: f64, x2: f64, y2: f64) {
         self.path(class, &format!("M{},{} {},{}", px(x1), px(y1), px(x2), px(y2)));
     }
 
     pub(crate) fn path(&mut self, class: &str, d: &str) {
         if !d.is_empty() {
-            let _ = writeln!(self.body, "<path class=\"{class}\" d=\"{d}\"/>");
+            self.add(html! { path class=(class) d=(PreEscaped(d)) {} });
         }
     }
 
     pub(crate) fn rect(&mut self, class: &str, r: Rect) {
-        let _ = writeln!(
-            self.body,
-            "<rect class=\"{class}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
-            px(r.x),
-            px(r.y),
-            px(r.w),
-            px(r.h)
-        );
+        self.add(html! { rect class=(class) x=(px(r.x)) y=(px(r.y)) width=(px(r.w)) height=(px(r.h)) {} });
     }
 
     pub(crate) fn circle(&mut self, class: &str, x: f64, y: f64, radius: f64) {
-        let _ =
-            writeln!(self.body, "<circle class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", px(x), px(y), px(radius));
+        self.add(html! { circle class=(class) cx=(px(x)) cy=(px(y)) r=(px(radius)) {} });
     }
 
-    /// Writes text on a baseline; escaped, and numbers with a true minus.
+    /// Writes text on a baseline, numbers with a true minus.
     pub(crate) fn text(&mut self, class: &str, x: f64, y: f64, anchor: Anchor, text: &str) {
-        if text.is_empty() {
-            return;
-        }
         let anchor = match anchor {
-            Anchor::Start => "",
-            Anchor::Middle => " text-anchor=\"middle\"",
-            Anchor::End => " text-anchor=\"end\"",
+            Anchor::Start => None,
+            Anchor::Middle => Some("middle"),
+            Anchor::End => Some("end"),
         };
-        let _ = writeln!(
-            self.body,
-            "<text class=\"{class}\" x=\"{}\" y=\"{}\"{anchor}>{}</text>",
-            px(x),
-            px(y),
-            escape(&minus(text))
-        );
+        if !text.is_empty() {
+            self.add(html! { text class=(class) x=(px(x)) y=(px(y)) text-anchor=[anchor] { (minus(text)) } });
+        }
     }
 
     /// Writes tick labels centred below their ticks, or as far right as the drawing goes. Omits labels that would
@@ -143,50 +135,49 @@ impl Svg {
         self.text("tick halo", x + mm * scale + 5.0, y + 3.5, Anchor::Start, &length.in_language(language));
     }
 
-    /// Clips the following elements to `r`, up to [`Svg::close_clip`].
-    pub(crate) fn open_clip(&mut self, r: Rect) {
+    /// Adds the elements that `draw` makes, clipped to `r`.
+    pub(crate) fn clipped(&mut self, r: Rect, draw: impl FnOnce(&mut Self)) {
+        let mut inside = Self::default();
+        draw(&mut inside);
         let (x, y, w, h) = (px(r.x), px(r.y), px(r.w), px(r.h));
-        let _ = writeln!(
-            self.body,
-            "<svg x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" viewBox=\"{x} {y} {w} {h}\" overflow=\"hidden\">"
-        );
-    }
-
-    pub(crate) fn close_clip(&mut self) {
-        self.body.push_str("</svg>\n");
+        let view = format!("{x} {y} {w} {h}");
+        self.add(html! {
+            svg x=(x) y=(y) width=(w) height=(h) viewBox=(view) overflow="hidden" { (PreEscaped(inside.body)) }
+        });
     }
 
     /// Inserts another drawing, moved down by `y` px.
     pub(crate) fn place(&mut self, other: &Self, y: f64) {
-        let _ = writeln!(self.body, "<g transform=\"translate(0,{})\">\n{}</g>", px(y), other.body);
+        let moved = format!("translate(0,{})", px(y));
+        self.add(html! { g transform=(moved) { (PreEscaped(&other.body)) } });
     }
 
     /// Returns the element for a page that carries the styles.
     pub(crate) fn inline(self, height: f64, label: &str) -> String {
         let (w, h) = (px(WIDTH), px(height));
-        format!(
-            "<svg class=\"plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
-             aria-label=\"{}\">\n{}</svg>\n",
-            escape(label),
-            self.body
-        )
+        let view = format!("0 0 {w} {h}");
+        let element = html! {
+            svg class="plot" viewBox=(view) width=(w) height=(h) role="img" aria-label=(label) {
+                "\n" (PreEscaped(self.body))
+            }
+        };
+        printable(element.0 + "\n")
     }
 
     /// Returns a file of its own, with styles, title and background.
     pub(crate) fn standalone(self, height: f64, label: &str) -> String {
-        let m = MARGIN;
-        let sheet = Rect { x: -m, y: -m, w: WIDTH + 2.0 * m, h: height + 2.0 * m };
+        let sheet = Rect { x: -MARGIN, y: -MARGIN, w: WIDTH + 2.0 * MARGIN, h: height + 2.0 * MARGIN };
         let mut back = Self::default();
         back.rect("back", sheet);
-        let (w, h) = (px(sheet.w), px(sheet.h));
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"{x} {x} {w} {h}\" width=\"{w}\" \
-             height=\"{h}\">\n<title>{}</title>\n<style>{}</style>\n{}{}</svg>\n",
-            escape(label),
-            style::svg_sheet(),
-            back.body,
-            self.body,
-            x = px(-m),
-        )
+        let (x, w, h) = (px(sheet.x), px(sheet.w), px(sheet.h));
+        let view = format!("{x} {x} {w} {h}");
+        let element = html! {
+            svg xmlns="http://www.w3.org/2000/svg" class="plot" viewBox=(view) width=(w) height=(h) {
+                title { (label) }
+                style { (PreEscaped(style::svg_sheet())) }
+                (PreEscaped(back.body)) (PreEscaped(self.body))
+            }
+        };
+        printable(element.0 + "\n")
     }
 }

@@ -1,21 +1,10 @@
-//! Text for markup: escaping, estimated widths, the minus sign.
+//! Text for markup: allowed characters, estimated widths, the minus sign.
 
-/// Escapes `text` for element content and for quoted attributes. Replaces characters that XML forbids with U+FFFD.
-pub(crate) fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            '\t' | '\n' | '\r' => out.push(c),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push('\u{fffd}'),
-            c => out.push(c),
-        }
-    }
-    out
+/// Replaces the characters that XML forbids with U+FFFD.
+pub(crate) fn printable(markup: String) -> String {
+    let is_forbidden =
+        |c: char| (c.is_control() && !matches!(c, '\t' | '\n' | '\r')) || matches!(c, '\u{fffe}' | '\u{ffff}');
+    if markup.contains(is_forbidden) { markup.replace(is_forbidden, "\u{fffd}") } else { markup }
 }
 
 /// Replaces each hyphen at the start of a number with a true minus.
@@ -75,8 +64,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn escapes_markup_and_forbidden_characters() {
-        assert_eq!(escape("<a href=\"x\">&'\u{0}\u{1b}\n"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;\u{fffd}\u{fffd}\n");
+    fn forbidden_characters_are_replaced() {
+        assert_eq!(printable("<a>\u{0}\u{1b}\n".to_owned()), "<a>\u{fffd}\u{fffd}\n");
+        assert_eq!(printable("ä\t".to_owned()), "ä\t");
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Round numbers along an axis.
 
+use crate::Language;
 use crate::domain::Domain;
 use crate::number::{format_fixed, format_number, localized};
-use seamwright_message::Language;
 
 /// Tick values in steps of 1, 2 or 5 times a power of ten.
 #[derive(Debug, Clone, Default)]

@@ -15,6 +15,9 @@ pub(crate) trait Words: Copy {
     /// Returns the symbol of a unit.
     fn symbol(self, unit: Unit) -> String;
 
+    /// Returns the words of the codes of names, each with its value.
+    fn named_values<const N: usize>(self, values: [(&'static str, String); N]) -> Vec<(String, String)>;
+
     /// Joins sentences: Chinese full stops include their space.
     fn sentences(self, sentences: &[String]) -> String;
 }
@@ -32,6 +35,10 @@ impl Words for Language {
 
     fn symbol(self, unit: Unit) -> String {
         Catalogue::of(self).symbol(unit)
+    }
+
+    fn named_values<const N: usize>(self, values: [(&'static str, String); N]) -> Vec<(String, String)> {
+        values.map(|(name, value)| (self.words(name), value)).into()
     }
 
     fn sentences(self, sentences: &[String]) -> String {

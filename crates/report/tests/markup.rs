@@ -6,8 +6,8 @@ use roxmltree::{Document, Node, ParsingOptions};
 use seamwright_machine::check::{Check, CheckOptions};
 use seamwright_machine::{Machine, SHIPPED};
 use seamwright_report::{
-    Axis, Band, Block, Chart, ChartGrid, Finding, Language, LimitLine, MachineDrawing, Mark, Page, Series, Severity,
-    Style, Table, ThreeViews, Tile, Verdict, check_page,
+    Axis, Band, Block, Chart, ChartGrid, Drawing as _, Finding, Language, LimitLine, MachineDrawing, Mark, Page,
+    Series, Severity, Style, Table, ThreeViews, Tile, Verdict, check_page,
 };
 
 const EVIL: &str = "</text></style><script>alert('x')</script> \"a\" & <b> ]]> \u{0}\u{7}";
@@ -58,7 +58,7 @@ fn a_million_points_stay_small_and_keep_their_peaks() {
         _ => f64::from(i % 1009 * 7919 % 1000) / 100.0,
     };
     let data: Vec<_> = (0..1_000_000).map(|i| (f64::from(i), spike(i))).collect();
-    for style in [Style::Line, Style::Dashed, Style::Points, Style::Steps] {
+    for style in [Style::Line, Style::Dashed, Style::Points] {
         let svg = check_chart(&chart(vec![Series::line("v", data.clone()).styled(style)]));
         assert!(svg.len() < 100_000, "{style:?}: {} bytes", svg.len());
         if style == Style::Line {
@@ -87,7 +87,7 @@ fn odd_data_are_drawn_without_harm() {
         vec![(0.0, 1e9), (1.0, 1e9 + 1e-6)],
         vec![(0.0, 1.0), (1.0, n), (2.0, 1.0), (3.0, n), (4.0, 2.0), (5.0, 2.0)],
     ] {
-        for style in [Style::Line, Style::Dashed, Style::Points, Style::Steps] {
+        for style in [Style::Line, Style::Dashed, Style::Points] {
             for equal_aspect in [false, true] {
                 let mut c = chart(vec![Series::line("a", data.clone()).styled(style), Series::default()]);
                 c.equal_aspect = equal_aspect;
@@ -156,8 +156,7 @@ fn views_share_scale_and_alignment() {
     let odd = [f64::NAN, 0.0, f64::INFINITY];
     let views = ThreeViews {
         title: EVIL.into(),
-        path: vec![[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [300.0, 200.0, 100.0], odd],
-        closed: true,
+        path: vec![[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [300.0, 200.0, 100.0], odd, [0.0; 3]],
         vectors: vec![([0.0; 3], odd), ([0.0; 3], [0.0, 0.0, 100.0])],
         marks: vec![Mark { label: EVIL.into(), at: [0.0; 3] }, Mark { label: "lost".into(), at: odd }],
         path_name: EVIL.into(),

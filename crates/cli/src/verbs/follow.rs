@@ -1,6 +1,6 @@
 //! Set-points along points of any number, planned as they are read.
 
-use super::positive;
+use super::{period, positive};
 use crate::args::follow::{CornerArg, FollowArgs};
 use crate::refusals::{in_file, not_allowed, unreadable};
 use crate::rows::{Cell, Rows};
@@ -31,10 +31,7 @@ const MEASURED_S: f64 = 0.01;
 
 pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     let machine = load::machine(&args.machine)?;
-    let period = match args.period_ms {
-        Some(ms) => positive("--period-ms", ms)? * 1e-3,
-        None => machine.servo_period_s,
-    };
+    let period = period(args.period_ms, &machine)?;
     let speed = args.speed_mm_s;
     if !SPEEDS.contains(&speed) {
         let plausible = Message::new("document-between").text("min", format!("{:e}", SPEEDS.start()));

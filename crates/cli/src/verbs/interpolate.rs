@@ -1,6 +1,6 @@
 mod plot;
 
-use crate::args::{CurveArg, InterpolateArgs, MethodArg, RuleArg, StepArg};
+use crate::args::{CurveArg, InterpolateArgs, MethodArg, StepArg};
 use crate::refusals::of_option;
 use crate::rows::{Cell, Rows};
 use glam::DVec2;
@@ -9,26 +9,10 @@ use seamwright_message::Message;
 use seamwright_project::files;
 use seamwright_project::failure::Failure;
 
-const POINT_COLUMNS: [&str; 7] = ["method", "t_s", "phi_deg", "x_mm", "y_mm", "z_mm", "chord_mm"];
-
-const SUMMARY_COLUMNS: [&str; 16] = [
-    "method",
-    "steps",
-    "step_mm",
-    "chord_min_mm",
-    "chord_max_mm",
-    "chord_mean_mm",
-    "chord_min_percent",
-    "chord_max_percent",
-    "chord_rms_percent",
-    "deviation_max_mm",
-    "deviation_rms_mm",
-    "chord_error_max_mm",
-    "length_mm",
-    "true_length_mm",
-    "end_error_mm",
-    "duration_s",
-];
+const POINTS: &str = "method,t_s,phi_deg,x_mm,y_mm,z_mm,chord_mm";
+const SUMMARY: &str = "method,steps,step_mm,chord_min_mm,chord_max_mm,chord_mean_mm,chord_min_percent,chord_max_percent,\
+    chord_rms_percent,deviation_max_mm,deviation_rms_mm,chord_error_max_mm,length_mm,true_length_mm,end_error_mm,\
+    duration_s";
 
 /// A request with the name it goes by.
 struct Named {
@@ -62,11 +46,11 @@ fn methods(args: &InterpolateArgs) -> Vec<(&'static str, Method)> {
         StepArg::Arc => ("exact-arc", Method::Exact(EqualStep::Arc)),
         StepArg::Chord => ("exact-chord", Method::Exact(EqualStep::Chord)),
     };
-    let rule = match args.rule {
-        RuleArg::Printed => ("eccentric-angle-printed", Method::EccentricAngle(AngleRule::Printed)),
-        RuleArg::Polar => ("eccentric-angle-polar", Method::EccentricAngle(AngleRule::Polar)),
-        RuleArg::Tangent => ("eccentric-angle-tangent", Method::EccentricAngle(AngleRule::Tangent)),
-    };
+    let rules = [
+        ("eccentric-angle-printed", Method::EccentricAngle(AngleRule::Printed)),
+        ("eccentric-angle-polar", Method::EccentricAngle(AngleRule::Polar)),
+        ("eccentric-angle-tangent", Method::EccentricAngle(AngleRule::Tangent)),
+    ];
     let pulses = [
         ("point-by-point", Method::PointByPoint),
         ("comparison-integral", Method::ComparisonIntegral),
@@ -74,20 +58,11 @@ fn methods(args: &InterpolateArgs) -> Vec<(&'static str, Method)> {
     ];
     match args.method {
         MethodArg::Exact => vec![exact],
-        MethodArg::EccentricAngle => vec![rule],
+        MethodArg::EccentricAngle => vec![rules[0]],
         MethodArg::PointByPoint => vec![pulses[0]],
         MethodArg::ComparisonIntegral => vec![pulses[1]],
         MethodArg::Dda => vec![pulses[2]],
-        MethodArg::All => {
-            let mut all = vec![
-                exact,
-                ("eccentric-angle-printed", Method::EccentricAngle(AngleRule::Printed)),
-                ("eccentric-angle-polar", Method::EccentricAngle(AngleRule::Polar)),
-                ("eccentric-angle-tangent", Method::EccentricAngle(AngleRule::Tangent)),
-            ];
-            all.extend(pulses);
-            all
-        }
+        MethodArg::All => std::iter::once(exact).chain(rules).chain(pulses).collect(),
     }
 }
 
@@ -98,7 +73,7 @@ fn request(args: &InterpolateArgs) -> Result<Request, Failure> {
             let shape = Shape::Saddle {
                 nozzle_radius_mm: args.nozzle_radius_mm,
                 shell_radius_mm: args.shell_radius_mm,
-                start_rad: args.start_deg.to_radians(),
+                start_rad: 0.0,
                 sweep_rad: args.sweep_deg.to_radians(),
             };
             (shape, 10.0, 20.0)
@@ -125,17 +100,11 @@ fn ellipse(args: &InterpolateArgs) -> Result<Shape, Failure> {
     let (a, b) = (args.a_mm, args.b_mm);
     let start_mm = point("--start-mm", &args.start_mm, DVec2::new(0.0, b))?;
     let end = point("--end-mm", &args.end_mm, DVec2::new(a, 0.0))?;
-    Ok(Shape::Ellipse {
-        a_mm: a,
-        b_mm: b,
-        start_mm,
-        end_mm: (!args.full_turn).then_some(end),
-        clockwise: !args.counter_clockwise,
-    })
+    Ok(Shape::Ellipse { a_mm: a, b_mm: b, start_mm, end_mm: (!args.full_turn).then_some(end), clockwise: true })
 }
 
 fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
-    let mut rows = Rows::new(POINT_COLUMNS.map(str::to_owned).into(), json)?;
+    let mut rows = Rows::with_header(POINTS, json)?;
     for named in requests {
         let mut last = None;
         for p in named.interpolate()? {
@@ -149,7 +118,7 @@ fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
 }
 
 fn summary(requests: &[Named], json: bool) -> Result<(), Failure> {
-    let mut rows = Rows::new(SUMMARY_COLUMNS.map(str::to_owned).into(), json)?;
+    let mut rows = Rows::with_header(SUMMARY, json)?;
     for Named { name, request } in requests {
         let s: Statistics = request.statistics().map_err(|e| Failure::Input(e.0))?;
         // Pulse methods: distances a period, since a pulse has no speed.

@@ -9,7 +9,7 @@ use seamwright_project::failure::Failure;
 use seamwright_project::load::machine;
 use std::time::{Duration, Instant};
 
-const COLUMNS: [&str; 9] = ["t_s", "device", "register", "place", "raw", "value", "unit", "age_s", "trouble"];
+const HEADER: &str = "t_s,device,register,place,raw,value,unit,age_s,trouble";
 
 pub(crate) fn run(args: &IoArgs) -> Result<(), Failure> {
     let every_s = args.every_s.map(|s| positive("--every-s", s)).transpose()?;
@@ -25,7 +25,7 @@ pub(crate) fn run(args: &IoArgs) -> Result<(), Failure> {
     for (_, inspector) in &mut devices {
         inspector.look().map_err(|e| Failure::environment(&e))?;
     }
-    let mut rows = Rows::new(COLUMNS.map(str::to_owned).to_vec(), args.json)?;
+    let mut rows = Rows::with_header(HEADER, args.json)?;
     let mut troubles: Vec<Option<ModbusError>> = devices.iter().map(|_| None).collect();
     let mut left = args.times.or(every_s.is_none().then_some(1));
     while left != Some(0) {

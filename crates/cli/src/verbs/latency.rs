@@ -1,7 +1,7 @@
 use crate::args::run::LatencyArgs;
 use crate::progress::Progress;
 use crate::refusals::{between, not_allowed};
-use crate::rows::{print_json, print_text};
+use crate::rows::print_either;
 use seamwright_executive::realtime::{Latency, Pacer, RealtimeRights};
 use seamwright_message::{Language, Message, Unit};
 use seamwright_project::failure::Failure;
@@ -25,7 +25,7 @@ pub(crate) fn run(args: &LatencyArgs) -> Result<(), Failure> {
     let measured = std::thread::scope(|scope| scope.spawn(|| measure(args, cycles, &progress)).join());
     drop(progress);
     let (footing, latency) = measured.map_err(|_| Failure::environment(Message::new("cli-cycle-ended-early")))?;
-    if args.json { json(args, &footing, &latency) } else { print_text(&text(args, &footing, &latency)) }
+    print_either(args.json, &json(args, &footing, &latency), || text(args, &footing, &latency))
 }
 
 fn measure(args: &LatencyArgs, cycles: u64, progress: &Progress) -> (RealtimeRights, Latency) {
@@ -40,10 +40,10 @@ fn measure(args: &LatencyArgs, cycles: u64, progress: &Progress) -> (RealtimeRig
     (footing, pacer.latency().clone())
 }
 
-fn json(args: &LatencyArgs, footing: &RealtimeRights, latency: &Latency) -> Result<(), Failure> {
+fn json(args: &LatencyArgs, footing: &RealtimeRights, latency: &Latency) -> serde_json::Value {
     let bins: Vec<_> =
         latency.bins().map(|(us, cycles)| serde_json::json!({ "up_to_us": us, "cycles": cycles })).collect();
-    print_json(&serde_json::json!({
+    serde_json::json!({
         "period_ms": args.period_ms,
         "cycles": latency.count(),
         "missed": latency.missed(),
@@ -51,7 +51,7 @@ fn json(args: &LatencyArgs, footing: &RealtimeRights, latency: &Latency) -> Resu
         "late_us": { "median": latency.quantile_us(0.5), "p99": latency.quantile_us(0.99),
             "p99_9": latency.quantile_us(0.999), "most": latency.most_us() },
         "histogram": bins,
-    }))
+    })
 }
 
 fn text(args: &LatencyArgs, footing: &RealtimeRights, latency: &Latency) -> String {

@@ -36,6 +36,7 @@ pub(crate) mod teach;
 mod weld_summary;
 
 use crate::refusals::not_allowed;
+use seamwright_machine::Machine;
 use seamwright_message::Message;
 use seamwright_project::failure::Failure;
 
@@ -45,4 +46,9 @@ pub(crate) fn positive(name: &str, value: f64) -> Result<f64, Failure> {
         return Ok(value);
     }
     Err(not_allowed(name, value, Message::new("document-positive-number")))
+}
+
+/// Period of the set-points, s: that of `--period-ms`, or the machine's.
+fn period(period_ms: Option<f64>, machine: &Machine) -> Result<f64, Failure> {
+    period_ms.map_or(Ok(machine.servo_period_s), |ms| Ok(positive("--period-ms", ms)? * 1e-3))
 }

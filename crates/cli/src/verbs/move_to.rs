@@ -1,4 +1,4 @@
-use super::positive;
+use super::{period, positive};
 use crate::args::move_to::MoveArgs;
 use crate::refusals::{in_file, not_allowed, refused, unit_of};
 use crate::rows::{Cell, Rows};
@@ -14,10 +14,7 @@ const MAX_SET_POINTS: f64 = 1e9;
 
 pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
     let machine = load::machine(&args.machine)?;
-    let period = match args.period_ms {
-        Some(ms) => positive("--period-ms", ms)? * 1e-3,
-        None => machine.servo_period_s,
-    };
+    let period = period(args.period_ms, &machine)?;
     let percent = positive("--override-percent", args.override_percent)?;
     if percent > 100.0 {
         let allowed = Message::new("document-more-than-up-to").value("min", 0.0, Unit::One);

@@ -5,7 +5,7 @@ use crate::args::PlanArgs;
 use crate::clock;
 use crate::planning;
 use crate::refusals::not_json;
-use crate::rows::{print_json, print_text};
+use crate::rows::{json_text, print_either};
 use seamwright_motion::WeldMotion;
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_program::Oscillation;
@@ -130,13 +130,12 @@ pub(super) fn write_report(
     welding: &Welding,
     language: Language,
 ) -> Result<(), Failure> {
-    let json = serde_json::to_string_pretty(report).map_err(not_json)?;
-    output.text("report.json", &(json + "\n"))?;
+    output.text("report.json", &json_text(report)?)?;
     output.text("report.html", &report.page(plots, welding.program.text(), &clock::now(), language))
 }
 
 /// Gives the files their names and prints the summary.
 pub(super) fn finish(output: Output, report: &WeldReport, json: bool) -> Result<(), Failure> {
     let paths = output.finish()?;
-    if json { print_json(report) } else { print_text(&summary(report, &paths)) }
+    print_either(json, report, || summary(report, &paths))
 }

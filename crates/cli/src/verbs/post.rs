@@ -1,8 +1,8 @@
 use super::positive;
 use crate::args::post::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArgs};
 use crate::planning;
-use crate::refusals::{at_least, at_most, between, not_allowed, not_json, of_option, refused};
-use crate::rows::print_text;
+use crate::refusals::{at_least, at_most, between, not_allowed, of_option, refused};
+use crate::rows::{json_text, print_text};
 use seamwright_document::Positive;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
@@ -42,8 +42,7 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     }
     let (text, proof) = proven(&loaded, &motion, &control, &options, feed)?;
     if let Some(path) = &args.proof {
-        let json = serde_json::to_string_pretty(&proof).map_err(not_json)?;
-        files::write(path, &(json + "\n"))?;
+        files::write(path, &json_text(&proof)?)?;
     }
     if args.verify {
         let mut err = io::stderr().lock();

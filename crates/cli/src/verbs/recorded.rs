@@ -1,7 +1,7 @@
 //! Destination of a weld's rows: a trace in the output folder, or a recording in the library that is copied there.
 
 use crate::args::records::RecordArgs;
-use crate::refusals::not_json;
+use crate::rows::json_text;
 use seamwright_message::Message;
 use seamwright_motion::WeldMotion;
 use seamwright_project::failure::Failure;
@@ -101,8 +101,7 @@ impl Rows {
         stopped: bool,
         output: &mut Output,
     ) -> Result<(), Failure> {
-        let json = serde_json::to_string_pretty(report).map_err(not_json)?;
-        files.push(("report.json".to_owned(), json + "\n"));
+        files.push(("report.json".to_owned(), json_text(report)?));
         let result = if stopped { WeldResult::Stopped } else { result(report) };
         self.keep("simulate", &Outcome { result, note: Message::default(), files }, happened, output)
     }

@@ -5,26 +5,7 @@ use seamwright_project::failure::Failure;
 use seamwright_project::load::load;
 use seamwright_weld::SeamPoint;
 
-const COLUMNS: [&str; 18] = [
-    "s_mm",
-    "phi_deg",
-    "x_mm",
-    "y_mm",
-    "z_mm",
-    "tx",
-    "ty",
-    "tz",
-    "n1x",
-    "n1y",
-    "n1z",
-    "n2x",
-    "n2y",
-    "n2z",
-    "bx",
-    "by",
-    "bz",
-    "dihedral_deg",
-];
+const HEADER: &str = "s_mm,phi_deg,x_mm,y_mm,z_mm,tx,ty,tz,n1x,n1y,n1z,n2x,n2y,n2z,bx,by,bz,dihedral_deg";
 
 /// Default number of points.
 const POINTS: u32 = 101;
@@ -33,7 +14,7 @@ pub(crate) fn run(args: &SeamArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     let seam = loaded.seam()?;
     let places = Places::new(&args.places, seam, POINTS)?;
-    let mut rows = Rows::new(COLUMNS.iter().map(|c| (*c).to_owned()).collect(), args.json)?;
+    let mut rows = Rows::with_header(HEADER, args.json)?;
     places.each(seam.weld_length(), |s, phi| write(&mut rows, &seam.at(s), phi))?;
     rows.finish()
 }

@@ -3,30 +3,16 @@ use crate::args::SectionArgs;
 use crate::rows::{Cell, Rows};
 use seamwright_message::Message;
 use seamwright_program::Role;
-use seamwright_project::failure::Failure;
 use seamwright_project::files;
+use seamwright_project::failure::Failure;
 use seamwright_project::load::load;
-use seamwright_report::{Language, sections};
+use seamwright_report::{Drawing as _, Language, sections};
 use seamwright_weld::Welding;
 
-const COLUMNS: [&str; 16] = [
-    "s_mm",
-    "phi_deg",
-    "dihedral_deg",
-    "groove_mm2",
-    "cap_mm2",
-    "bead",
-    "role",
-    "layer",
-    "bead_in_layer",
-    "across_mm",
-    "out_mm",
-    "work_angle_deg",
-    "area_mm2",
-    "height_mm",
-    "torch_work_angle_deg",
-    "torch_travel_angle_deg",
-];
+const HEADER: &str = "s_mm,phi_deg,dihedral_deg,groove_mm2,cap_mm2,bead,role,layer,bead_in_layer,across_mm,out_mm,\
+    work_angle_deg,area_mm2,height_mm,torch_work_angle_deg,torch_travel_angle_deg";
+/// Number of columns about a bead.
+const OF_BEAD: usize = 9;
 
 /// Default number of sections: every eighth of a seam welded all round, and its start again.
 const SECTIONS: u32 = 9;
@@ -43,7 +29,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
     };
     let seam = loaded.seam()?;
     let places = Places::new(&args.places, seam, SECTIONS)?;
-    let mut rows = Rows::new(COLUMNS.iter().map(|c| (*c).to_owned()).collect(), args.json)?;
+    let mut rows = Rows::with_header(HEADER, args.json)?;
     let mut drawn = Vec::new();
     places.each(seam.weld_length(), |s, asked| {
         if drawn.len() < DRAWN {
@@ -57,7 +43,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
         let head: Vec<Cell> = place.chain(groove).collect();
         let beads = welding.plan.as_ref().map(|plan| (plan, plan.in_order(&section, s)));
         let Some((plan, beads)) = beads else {
-            let empty = [Cell::Empty; COLUMNS.len() - 7];
+            let empty = [Cell::Empty; OF_BEAD];
             return rows.row(&[head, empty.to_vec(), torch(welding, None, (s, 0.0)).to_vec()].concat());
         };
         beads.iter().zip(1..).try_for_each(|(bead, number)| {

@@ -1,12 +1,12 @@
 //! One view of a machine: symbols, moved apart where they would overlap, then names.
 
 use super::drawing::{DrawnAxis, MachineDrawing, along};
-use super::glyph::{self, Point, Seen};
+use crate::Words as _;
+use crate::glyph::{self, Point, Seen, distance, shifted, unit};
 use crate::layout::Map;
 use crate::place::{self, Size};
 use crate::svg::{Anchor, Rect, Svg};
 use crate::text::width;
-use crate::words::Words as _;
 
 /// Minimum in-plane part of a direction; below it the symbol points towards or away from the viewer.
 const OUT_OF_PLANE: f64 = 0.35;
@@ -298,19 +298,6 @@ impl<'a> Canvas<'a> {
             self.taken.push(label);
         }
     }
-}
-
-fn distance(a: Point, b: Point) -> f64 {
-    (b.0 - a.0).hypot(b.1 - a.1)
-}
-
-fn unit(v: Point) -> Point {
-    let length = v.0.hypot(v.1).max(1e-12);
-    (v.0 / length, v.1 / length)
-}
-
-fn shifted(p: Point, way: Point, by: f64) -> Point {
-    (p.0 + by * way.0, p.1 + by * way.1)
 }
 
 /// Clips a line to a rectangle and returns which ends were cut; a line outside is unchanged.

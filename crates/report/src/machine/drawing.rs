@@ -1,15 +1,15 @@
 use super::canvas::Canvas;
 use super::outlines::outlines;
-use crate::layout::{HEAD, Layout, Map, whole};
-use crate::legend::{Entry, Legend, ROW};
+use crate::glyph;
+use crate::layout::{self, HEAD, Layout, Map, TITLE, whole};
+use crate::legend::{Entry, ROW};
 use crate::projection::Projection::Pictorial;
-use crate::svg::{Anchor, Svg, WIDTH};
-use crate::text::{fit, width};
-use crate::views::first_angle;
-use crate::words::Words as _;
+use crate::svg::{Anchor, Rect, Svg};
+use crate::text::width;
+use crate::{Drawing, Language, Words as _};
 use seamwright_machine::check::Side;
 use seamwright_machine::{AxisKind, Machine};
-use seamwright_message::{Language, Message};
+use seamwright_message::Message;
 
 /// A machine at home in its base frame, with position and positive sense of every axis. It has three views in
 /// first-angle projection and a small pictorial one.
@@ -46,8 +46,6 @@ pub(super) struct DrawnAxis {
     /// Both ends of the stroke from `at`, mm; only of linear axes.
     pub(super) stroke: (f64, f64),
 }
-
-crate::svg::both_forms!(MachineDrawing);
 
 /// Maximum ratio of drawn strokes to the size of the structure, unless the structure is small.
 const STROKES: f64 = 1.15;
@@ -99,10 +97,6 @@ impl MachineDrawing {
         }
     }
 
-    fn label(&self) -> String {
-        if self.title.is_empty() { self.language.words("report-machine") } else { self.title.clone() }
-    }
-
     fn structure(&self) -> impl Iterator<Item = [f64; 3]> {
         self.links.iter().flatten().chain(self.outlines.iter().flatten()).copied().filter(whole)
     }
@@ -148,39 +142,6 @@ impl MachineDrawing {
         [std::array::from_fn(|i| low[i] - room(i)), std::array::from_fn(|i| high[i] + room(i))]
     }
 
-    fn draw(&self) -> (Svg, f64) {
-        let mut svg = Svg::default();
-        svg.text("title", 0.0, 14.0, Anchor::Start, &fit(&self.title, 16.0, WIDTH - 60.0));
-        first_angle(&mut svg, WIDTH - 46.0, 9.0);
-        let mut top = 26.0;
-        let legend = Legend::new(self.entries(), f64::INFINITY, WIDTH);
-        legend.draw(&mut svg, 0.0, top + 12.0 - ROW);
-        top += legend.height();
-        symbols(&mut svg, top + 12.0, self.language);
-        top += ROW + 8.0 + HEAD;
-        let extent = self.extent();
-        let [low, high] = Self::with_room(extent);
-        let corners =
-            move || (0..8).map(move |k| std::array::from_fn(|i| if k >> i & 1 == 1 { high[i] } else { low[i] }));
-        let layout = Layout::new(corners(), top);
-        for (view, frame) in layout.frames() {
-            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, &self.language.words(view.name()));
-            svg.rect("area", frame);
-            let map = match view {
-                Pictorial => Map::fitting(view, self.seen_in(extent), frame.inset(52.0)),
-                _ => layout.map(view, frame),
-            };
-            if view != Pictorial {
-                layout.draw_axes(&mut svg, &map, frame, self.language);
-            }
-            svg.rect("edge", frame);
-            svg.open_clip(frame);
-            Canvas::new(&mut svg, map, frame).draw(self);
-            svg.close_clip();
-        }
-        (svg, layout.bottom())
-    }
-
     /// Returns the points of the pictorial view: structure and strokes within the extent.
     fn seen_in(&self, [low, high]: [[f64; 3]; 2]) -> impl Iterator<Item = [f64; 3]> {
         let ends = self.axes.iter().flat_map(|a| [a.stroke.0, a.stroke.1].map(|by| along(a.at, a.direction, by)));
@@ -204,6 +165,27 @@ impl MachineDrawing {
     }
 }
 
+impl Drawing for MachineDrawing {
+    fn label(&self) -> String {
+        if self.title.is_empty() { self.language.words("report-machine") } else { self.title.clone() }
+    }
+
+    fn draw(&self) -> (Svg, f64) {
+        let mut svg = Svg::default();
+        let top = TITLE + layout::draw_head(&mut svg, &self.title, self.entries());
+        symbols(&mut svg, top + 12.0, self.language);
+        let extent = self.extent();
+        let [low, high] = Self::with_room(extent);
+        let corners = (0..8).map(|k| std::array::from_fn(|i| if k >> i & 1 == 1 { high[i] } else { low[i] }));
+        let layout = Layout::new(corners, top + ROW + 8.0 + HEAD);
+        let pictorial = |frame: Rect| Map::fitting(Pictorial, self.seen_in(extent), frame.inset(52.0));
+        layout.draw_views(&mut svg, self.language, pictorial, |svg, map, frame| {
+            svg.clipped(frame, |svg| Canvas::new(svg, map, frame).draw(self));
+        });
+        (svg, layout.bottom())
+    }
+}
+
 /// Draws the legend of the symbols.
 fn symbols(svg: &mut Svg, baseline: f64, language: Language) {
     let y = baseline - 4.5;
@@ -218,11 +200,11 @@ fn symbols(svg: &mut Svg, baseline: f64, language: Language) {
     svg.circle("symbol-dot", 7.0, y, 1.8);
     let next = entry(svg, 20.0, "report-machine-towards");
     svg.circle("symbol", next + 7.0, y, 5.5);
-    svg.path("symbol", &super::glyph::cross(next + 7.0, y, 3.9));
+    svg.path("symbol", &glyph::cross(next + 7.0, y, 3.9));
     let next = entry(svg, 20.0, "report-machine-away");
     svg.line("bar symbol-bar", next, y, next + 26.0, y);
     let next = entry(svg, 34.0, "report-machine-stroke");
-    svg.path("symbol", &super::glyph::zigzag((next + 8.0, y), (1.0, 0.0)));
+    svg.path("symbol", &glyph::zigzag((next + 8.0, y), (1.0, 0.0)));
     let next = entry(svg, 20.0, "report-machine-cut");
     svg.circle("mark", next + 4.0, y, 2.8);
     entry(svg, 13.0, "report-machine-home");

@@ -2,7 +2,6 @@
 
 mod canvas;
 mod drawing;
-mod glyph;
 mod outlines;
 mod page;
 mod tables;

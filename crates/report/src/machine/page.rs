@@ -1,11 +1,10 @@
-use super::drawing::MachineDrawing;
-use super::tables::{axes, measure, reach, results, singular, small, structure};
-use crate::block::{Block, Finding, Severity, Tile};
-use crate::number::{Significant as _, significant};
-use crate::page::{Page, Verdict};
-use crate::words::Words as _;
+use super::MachineDrawing;
+use super::tables::{axes, measure, reach, results, singular, structure};
+use crate::block::{figure, paragraph, section, tile};
+use crate::number::{Significant as _, significant, small};
+use crate::{Block, Finding, Language, Page, Severity, Tile, Verdict, Words as _};
 use seamwright_machine::check::{Check, HeadCheck, Remark};
-use seamwright_message::{Language, Message, Unit};
+use seamwright_message::{Message, Unit};
 
 /// Renders the check of a machine file as one self-contained HTML page in this language; `file` is its name, `source`
 /// its text, `date` that of the page.
@@ -17,32 +16,28 @@ pub fn check_page(
     date: &str,
     language: Language,
 ) -> String {
-    let heading = |code| Block::Heading(language.words(code));
-    let mut blocks = vec![Block::Tiles(tiles(check, language))];
-    if !check.failures.is_empty() {
-        blocks.push(heading("report-check-heading-failed"));
-        blocks.push(Block::Findings(failures(check, language).into_iter().map(failure).collect()));
-    }
-    blocks.push(heading("report-heading-axes"));
-    blocks.push(Block::Figure { svg: drawing.to_svg(), caption: language.words("report-check-caption-machine") });
-    blocks.push(Block::Table(axes(check, language)));
-    blocks.push(heading("report-check-remarks"));
-    blocks.push(match check.remarks.is_empty() {
-        true => Block::Paragraph(language.words("report-check-no-remarks")),
-        false => Block::Findings(check.remarks.iter().map(|r| remark(r, file, language)).collect()),
-    });
-    blocks.push(heading("report-check-heading-kinematics"));
-    blocks.push(Block::Table(structure(check, language)));
-    blocks.push(Block::Table(results(check, language)));
-    blocks.push(heading("report-check-singular"));
+    let mut singular = Vec::new();
     for head in &check.heads {
-        blocks.extend(singular_blocks(check, head, language));
+        singular.extend(singular_blocks(check, head, language));
     }
-    blocks.push(heading("report-check-heading-reach"));
-    blocks.push(Block::Table(reach(check, language)));
-    blocks.extend(check.heads.iter().map(|h| Block::Paragraph(reach_words(h, language))));
-    blocks.push(heading("report-check-heading-file"));
-    blocks.push(Block::Code { caption: file.to_owned(), text: source.to_owned() });
+    let failed = failures(check, language).into_iter().map(failure).collect::<Vec<_>>();
+    let remarks = match check.remarks.is_empty() {
+        true => paragraph("report-check-no-remarks", language),
+        false => Block::Findings(check.remarks.iter().map(|r| remark(r, file, language)).collect()),
+    };
+    let machine = figure(drawing, "report-check-caption-machine", language);
+    let reached = check.heads.iter().map(|h| Block::Paragraph(reach_words(h, language)));
+    let sections = [
+        ("report-check-heading-failed", if failed.is_empty() { vec![] } else { vec![Block::Findings(failed)] }),
+        ("report-heading-axes", vec![machine, axes(check, language)]),
+        ("report-check-remarks", vec![remarks]),
+        ("report-check-heading-kinematics", vec![structure(check, language), results(check, language)]),
+        ("report-check-singular", singular),
+        ("report-check-heading-reach", std::iter::once(reach(check, language)).chain(reached).collect()),
+        ("report-check-heading-file", vec![Block::Code { caption: file.to_owned(), text: source.to_owned() }]),
+    ];
+    let mut blocks = vec![Block::Tiles(tiles(check, language))];
+    blocks.extend(sections.into_iter().flat_map(|(heading, content)| section(heading, content, language)));
     let made_by = Message::new("report-check-made-by")
         .text("version", env!("CARGO_PKG_VERSION"))
         .text("seed", check.seed.to_string())
@@ -51,12 +46,12 @@ pub fn check_page(
         language,
         title: check.title.clone(),
         subtitle: language.words("report-check-subtitle"),
-        meta: vec![
-            (language.words("report-meta-machine"), check.name.clone()),
-            (language.words("report-column-file"), file.to_owned()),
-            (language.words("report-column-date"), date.to_owned()),
-            (language.words("report-meta-made-by"), made_by),
-        ],
+        meta: language.named_values([
+            ("report-meta-machine", check.name.clone()),
+            ("report-column-file", file.to_owned()),
+            ("report-column-date", date.to_owned()),
+            ("report-meta-made-by", made_by),
+        ]),
         verdict: Some(Verdict { ok: check.passed, text: verdict(check, language) }),
         blocks,
     }
@@ -77,42 +72,25 @@ fn verdict(check: &Check, language: Language) -> String {
 }
 
 fn tiles(check: &Check, language: Language) -> Vec<Tile> {
-    let tile = |label, value: String, unit, note: Message| Tile {
-        label: language.words(label),
-        value,
-        unit: language.symbol(unit),
-        note: note.in_language(language),
-        ..Tile::default()
-    };
-    let worst = |f: fn(&HeadCheck) -> f64| check.heads.iter().map(f).fold(0.0, f64::max);
+    let tile =
+        |label, value: String, unit, note: Message| tile(language, label, unit, value, note.in_language(language));
+    let count = |label, count: usize, note| tile(label, count.to_string(), Unit::One, note);
+    let worst = |f: fn(&HeadCheck) -> f64| small(check.heads.iter().map(f).fold(0.0, f64::max), language);
     let rotary = check.axes.iter().filter(|a| a.kind == "rotary").count();
-    let places: usize = check.heads.iter().map(|h| h.singular.places.len()).sum();
+    let axes = Message::new("report-check-axis-count").count("rotary", rotary);
+    let axes = axes.count("linear", check.axes.len() - rotary);
     let poses = check.heads.first().map_or(0, |h| h.round_trip.poses);
-    let count = |count: usize| count.to_string();
-    let mut remarks =
-        tile("report-check-remarks", count(check.remarks.len()), Unit::One, Message::new("report-check-remarks-note"));
-    remarks.severity = (!check.remarks.is_empty()).then_some(Severity::Warning);
+    let poses = Message::new("report-check-tip-error-note").count("n", poses as usize);
+    let jacobian = Message::new("report-check-jacobian-note");
+    let places: usize = check.heads.iter().map(|h| h.singular.places.len()).sum();
+    let severity = (!check.remarks.is_empty()).then_some(Severity::Warning);
+    let remarks = count("report-check-remarks", check.remarks.len(), Message::new("report-check-remarks-note"));
     vec![
-        tile(
-            "report-heading-axes",
-            count(check.axes.len()),
-            Unit::One,
-            Message::new("report-check-axis-count").count("rotary", rotary).count("linear", check.axes.len() - rotary),
-        ),
-        tile(
-            "report-check-tip-error",
-            small(worst(|h| h.round_trip.point_mm), language),
-            Unit::Mm,
-            Message::new("report-check-tip-error-note").count("n", poses as usize),
-        ),
-        tile(
-            "report-check-jacobian",
-            small(worst(|h| h.jacobian.relative), language),
-            Unit::One,
-            Message::new("report-check-jacobian-note"),
-        ),
-        tile("report-check-singular", count(places), Unit::One, Message::new("report-check-singular-note")),
-        remarks,
+        count("report-heading-axes", check.axes.len(), axes),
+        tile("report-check-tip-error", worst(|h| h.round_trip.point_mm), Unit::Mm, poses),
+        tile("report-check-jacobian", worst(|h| h.jacobian.relative), Unit::One, jacobian),
+        count("report-check-singular", places, Message::new("report-check-singular-note")),
+        Tile { severity, ..remarks },
     ]
 }
 
@@ -154,7 +132,7 @@ fn singular_blocks(check: &Check, head: &HeadCheck, language: Language) -> Vec<B
     let fast = fast.in_language(language);
     if !s.places.is_empty() {
         let text = language.sentences(&[typical, fast]);
-        return vec![Block::Table(singular(check, head, language)), Block::Paragraph(text)];
+        return vec![singular(check, head, language), Block::Paragraph(text)];
     }
     let at = check.axes.iter().zip(&s.worst_at).map(|(a, v)| {
         let unit = Unit::from_symbol(a.unit).unwrap_or(Unit::One);
@@ -272,11 +250,7 @@ fn head_lines(check: &Check, h: &HeadCheck, lines: &mut Lines) {
     let side = |i: usize| Message::new("report-range").number("from", low[i], 0).number("to", high[i], 0);
     let sides = Message::new("report-check-text-box").message("x", side(0)).message("y", side(1)).message("z", side(2));
     lines.message("  ", "report-check-text-reach", &sides);
-    let tilt = Message::new("report-check-text-tilt").message("size", measure(h)).significant(
-        "tilt",
-        h.reach.tilt_deg,
-        Unit::Deg,
-        4,
-    );
+    let tilt = Message::new("report-check-text-tilt").message("size", measure(h));
+    let tilt = tilt.significant("tilt", h.reach.tilt_deg, Unit::Deg, 4);
     lines.message("", "", &tilt);
 }

@@ -1,19 +1,9 @@
 //! The tables of a check.
 
-use crate::block::Table;
-use crate::number::{Significant as _, fixed, from_to, significant};
-use crate::words::Words as _;
+use crate::number::{NONE, Significant as _, fixed, from_to, number, quantity, range, small};
+use crate::{Block, Language, Table, Words as _};
 use seamwright_machine::check::{AxisFigures, Check, HeadCheck, RoundTrip, SingularPlace};
-use seamwright_message::{Language, Message, Unit};
-
-fn number(value: f64, language: Language) -> String {
-    significant(value, 5, language)
-}
-
-/// Formats a measured error to two digits.
-pub(super) fn small(value: f64, language: Language) -> String {
-    significant(value, 2, language)
-}
+use seamwright_message::{Message, Unit};
 
 /// Returns the unit of the axis called `name`.
 pub(super) fn unit(check: &Check, name: &str) -> Unit {
@@ -21,118 +11,64 @@ pub(super) fn unit(check: &Check, name: &str) -> Unit {
     axis.and_then(|a| Unit::from_symbol(a.unit)).unwrap_or(Unit::One)
 }
 
-fn head<const N: usize>(codes: [&'static str; N], language: Language) -> Vec<String> {
-    codes.map(|code| language.words(code)).into()
-}
-
-pub(super) fn axes(check: &Check, language: Language) -> Table {
+pub(super) fn axes(check: &Check, language: Language) -> Block {
     let number = |value| number(value, language);
-    let row = |a: &AxisFigures| {
-        let range = a.range.map_or_else(
-            || language.words("report-check-no-end-stops"),
-            |(low, high)| {
-                let range = Message::new("report-range").significant("from", low, Unit::One, 5);
-                range.significant("to", high, unit(check, &a.name), 5).in_language(language)
-            },
-        );
-        vec![
-            a.name.clone(),
-            a.letter.map_or("–".to_owned(), String::from),
-            language.words(if a.kind == "linear" { "report-check-linear" } else { "report-check-rotary" }),
-            language.words(if a.moves == "torch" { "report-check-torch" } else { "report-check-work" }),
-            range,
-            number(a.home),
-            number(a.max_speed),
-            number(a.max_acceleration),
-            a.max_jerk.map_or("–".to_owned(), number),
-            number(a.to_speed_s),
-        ]
+    let limits = |a: &AxisFigures| match a.range {
+        Some(ends) => range("report-range", ends, unit(check, &a.name)).in_language(language),
+        None => language.words("report-check-no-end-stops"),
     };
-    let codes = [
-        "report-column-axis",
-        "report-check-column-letter",
-        "report-check-column-kind",
-        "report-check-column-moves",
-        "report-column-range",
-        "report-check-column-home",
-        "report-check-column-speed",
-        "report-check-column-acceleration",
-        "report-check-column-jerk",
-        "report-check-column-time",
-    ];
-    Table {
-        caption: language.words("report-check-caption-axes"),
-        head: head(codes, language),
-        rows: check.axes.iter().map(row).collect(),
-        numeric: vec![false, false, false, false, false, true, true, true, true, true],
-    }
+    let kind = |a: &AxisFigures| if a.kind == "linear" { "report-check-linear" } else { "report-check-rotary" };
+    let moves = |a: &AxisFigures| if a.moves == "torch" { "report-check-torch" } else { "report-check-work" };
+    Table::of(language, &check.axes)
+        .text("report-column-axis", |a| a.name.clone())
+        .text("report-check-column-letter", |a| a.letter.map_or(NONE.to_owned(), String::from))
+        .text("report-check-column-kind", |a| language.words(kind(a)))
+        .text("report-check-column-moves", |a| language.words(moves(a)))
+        .text("report-column-range", |a| limits(a))
+        .number("report-check-column-home", |a| number(a.home))
+        .number("report-check-column-speed", |a| number(a.max_speed))
+        .number("report-check-column-acceleration", |a| number(a.max_acceleration))
+        .number("report-check-column-jerk", |a| a.max_jerk.map_or(NONE.to_owned(), number))
+        .number("report-check-column-time", |a| number(a.to_speed_s))
+        .captioned("report-check-caption-axes")
 }
 
-pub(super) fn results(check: &Check, language: Language) -> Table {
-    let round = |name: String, r: &RoundTrip| {
-        let unsolved = match r.off_centre {
-            0 => r.unsolved.to_string(),
-            n => Message::new("report-check-off-centre")
-                .count("unsolved", (r.unsolved - n) as usize)
-                .count("n", n as usize)
-                .in_language(language),
-        };
-        vec![
-            name,
-            result(r.passed, language),
-            r.poses.to_string(),
-            small(r.point_mm, language),
-            small(r.direction_deg, language),
-            small(r.axes_mm_or_deg, language),
-            r.near_singular.to_string(),
-            unsolved,
-            r.branch_missed.to_string(),
-        ]
+pub(super) fn results(check: &Check, language: Language) -> Block {
+    let small = |value| small(value, language);
+    let unsolved = |r: &RoundTrip| match r.off_centre {
+        0 => r.unsolved.to_string(),
+        n => Message::new("report-check-off-centre")
+            .count("unsolved", (r.unsolved - n) as usize)
+            .count("n", n as usize)
+            .in_language(language),
     };
-    let mut rows: Vec<_> = check.heads.iter().map(|h| round(h.name.clone(), &h.round_trip)).collect();
-    rows.extend(check.pair.iter().map(|r| round(language.words("report-check-both-heads"), r)));
-    let codes = [
-        "report-column-head",
-        "report-check-column-result",
-        "report-check-column-poses",
-        "report-column-tip-mm",
-        "report-check-column-direction",
-        "report-check-column-axes",
-        "report-check-column-near-singular",
-        "report-check-column-unsolved",
-        "report-check-column-branch-missing",
-    ];
-    Table {
-        caption: language.words("report-check-caption-results"),
-        head: head(codes, language),
-        rows,
-        numeric: vec![false, false, true, true, true, true, true, true, true],
-    }
+    let heads = check.heads.iter().map(|h| (h.name.clone(), &h.round_trip));
+    let pair = check.pair.iter().map(|r| (language.words("report-check-both-heads"), r));
+    Table::of(language, heads.chain(pair))
+        .text("report-column-head", |(name, _)| name.clone())
+        .text("report-check-column-result", |(_, r)| result(r.passed, language))
+        .number("report-check-column-poses", |(_, r)| r.poses.to_string())
+        .number("report-column-tip-mm", |(_, r)| small(r.point_mm))
+        .number("report-check-column-direction", |(_, r)| small(r.direction_deg))
+        .number("report-check-column-axes", |(_, r)| small(r.axes_mm_or_deg))
+        .number("report-check-column-near-singular", |(_, r)| r.near_singular.to_string())
+        .number("report-check-column-unsolved", |(_, r)| unsolved(r))
+        .number("report-check-column-branch-missing", |(_, r)| r.branch_missed.to_string())
+        .captioned("report-check-caption-results")
 }
 
 fn result(passed: bool, language: Language) -> String {
     language.words(if passed { "report-check-result-passed" } else { "report-check-result-failed" })
 }
 
-pub(super) fn structure(check: &Check, language: Language) -> Table {
-    let row = |h: &HeadCheck| {
-        let j = &h.jacobian;
-        let structure = h.structure.in_language(language);
-        vec![h.name.clone(), structure, result(j.passed, language), small(j.relative, language), j.axis.clone()]
-    };
-    let codes = [
-        "report-column-head",
-        "report-check-column-inverse",
-        "report-check-jacobian",
-        "report-check-column-difference",
-        "report-check-column-worst-axis",
-    ];
-    Table {
-        caption: language.words("report-check-caption-structure"),
-        head: head(codes, language),
-        rows: check.heads.iter().map(row).collect(),
-        numeric: vec![false, false, false, true, false],
-    }
+pub(super) fn structure(check: &Check, language: Language) -> Block {
+    Table::of(language, &check.heads)
+        .text("report-column-head", |h| h.name.clone())
+        .text("report-check-column-inverse", |h| h.structure.in_language(language))
+        .text("report-check-jacobian", |h| result(h.jacobian.passed, language))
+        .number("report-check-column-difference", |h| small(h.jacobian.relative, language))
+        .text("report-check-column-worst-axis", |h| h.jacobian.axis.clone())
+        .captioned("report-check-caption-structure")
 }
 
 /// Describes a singular configuration with its positions.
@@ -140,47 +76,35 @@ pub(super) fn place(check: &Check, place: &SingularPlace, language: Language) ->
     place.description(|name| unit(check, name)).in_language(language)
 }
 
-pub(super) fn singular(check: &Check, of: &HeadCheck, language: Language) -> Table {
-    let row = |p: &SingularPlace| {
-        let margin = p.margin.as_ref().map_or_else(
-            || "–".to_owned(),
-            |(by, axis)| {
-                let unit = p.at.first().map_or(Unit::One, |a| unit(check, &a.0));
-                Message::new("report-check-margin")
-                    .significant("distance", *by, unit, 3)
-                    .axis("axis", axis)
-                    .in_language(language)
-            },
-        );
-        vec![place(check, p, language), margin]
+pub(super) fn singular(check: &Check, of: &HeadCheck, language: Language) -> Block {
+    let margin = |p: &SingularPlace| {
+        let (by, axis) = p.margin.as_ref()?;
+        let unit = p.at.first().map_or(Unit::One, |a| unit(check, &a.0));
+        let message = Message::new("report-check-margin").significant("distance", *by, unit, 3);
+        Some(message.axis("axis", axis).in_language(language))
     };
-    Table {
-        caption: Message::new("report-check-caption-singular").text("head", &of.name).in_language(language),
-        head: head(["report-check-column-configuration", "report-check-column-distance"], language),
-        rows: of.singular.places.iter().map(row).collect(),
-        numeric: vec![],
-    }
+    let caption = Message::new("report-check-caption-singular").text("head", &of.name).in_language(language);
+    let table = Table::of(language, &of.singular.places)
+        .text("report-check-column-configuration", |p| place(check, p, language))
+        .text("report-check-column-distance", |p| margin(p).unwrap_or_else(|| NONE.to_owned()));
+    Block::Table(table.table(caption))
 }
 
-pub(super) fn reach(check: &Check, language: Language) -> Table {
-    let mut rows = Vec::new();
-    for h in &check.heads {
-        let r = &h.reach;
-        for (what, [low, high]) in
-            [("report-check-tip-in-work", r.work_box_mm), ("report-check-tip-in-base", r.base_box_mm)]
-        {
-            let side = |i: usize| from_to(fixed(low[i], 1, language), fixed(high[i], 1, language), language);
-            rows.push(vec![h.name.clone(), language.words(what), side(0), side(1), side(2)]);
-        }
+pub(super) fn reach(check: &Check, language: Language) -> Block {
+    let boxes = check.heads.iter().flat_map(|h| {
+        let boxes =
+            [("report-check-tip-in-work", h.reach.work_box_mm), ("report-check-tip-in-base", h.reach.base_box_mm)];
+        boxes.map(|(what, ends)| (&h.name, what, ends))
+    });
+    let mut table = Table::of(language, boxes)
+        .text("report-column-head", |(name, ..)| (*name).clone())
+        .text("report-check-column-box", |(_, what, _)| language.words(what));
+    for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
+        table = table.column(axis.to_owned(), true, |(.., [low, high])| {
+            from_to(fixed(low[i], 1, language), fixed(high[i], 1, language), language)
+        });
     }
-    let mut head = head(["report-column-head", "report-check-column-box"], language);
-    head.extend(["x", "y", "z"].map(str::to_owned));
-    Table {
-        caption: language.words("report-check-caption-reach"),
-        head,
-        rows,
-        numeric: vec![false, false, true, true, true],
-    }
+    table.captioned("report-check-caption-reach")
 }
 
 /// Returns the measure of a head's reach with its standard deviation.
@@ -197,12 +121,10 @@ pub(super) fn measure(head: &HeadCheck) -> Message {
         _ => return Message::new("report-check-point"),
     };
     match deviation > 0.0 {
-        true => Message::new("report-check-size").significant("value", value, Unit::One, 4).significant(
-            "deviation",
-            deviation,
-            unit,
-            1,
-        ),
-        false => Message::new("quantity").significant("value", value, unit, 4),
+        true => {
+            let size = Message::new("report-check-size").significant("value", value, Unit::One, 4);
+            size.significant("deviation", deviation, unit, 1)
+        }
+        false => quantity(value, unit, 4),
     }
 }

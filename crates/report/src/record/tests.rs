@@ -1,7 +1,8 @@
 use super::recorded_weld_page;
-use crate::names;
-use seamwright_executive::{Alarm as Catalogue, Mode, tracking};
-use seamwright_message::{Language, Message};
+use crate::{Language, names};
+use seamwright_executive::{Alarm as Catalogue, Mode};
+use seamwright_executive::tracking;
+use seamwright_message::Message;
 use seamwright_record::Moment;
 use seamwright_record::figures::{Curve, Figures, Value};
 use seamwright_record::library::{Alarm, Event, Place, WeldDetail, WeldFile, WeldRecord, WeldResult};
@@ -76,7 +77,7 @@ fn everything_stands_on_the_page() {
         "saddle-4axis",
         "WPS 135-01",
         "A. Welder",
-        "Outside the procedure&#39;s windows: ",
+        "Outside the procedure's windows: ",
         "in pass 2, s = 12 to 14.5 mm",
         "Heat input along the seam",
         "Deviation of the torch tip from the planned path",
@@ -198,7 +199,7 @@ fn words(page: &str) -> std::collections::BTreeSet<String> {
         text += rest;
         text += " ";
     }
-    let text = text.replace("&#39;", " ").to_lowercase();
+    let text = text.to_lowercase();
     text.split(|c: char| !c.is_alphabetic()).filter(|word| word.chars().count() > 2).map(str::to_owned).collect()
 }
 

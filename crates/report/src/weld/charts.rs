@@ -1,68 +1,39 @@
-use super::certificate::{CertificateFigures, IntervalFigures};
-use super::chart_parts::{axis, chart, line, units};
-use super::curves::SimulationCurves;
+use super::certificate::IntervalFigures;
 use super::limits::binds;
-use super::procedure::ProcedurePlots;
 use super::samples::Sample;
-use super::sections::sections;
 use super::taught::{TaughtPlot, taught};
-use super::{cut, order, woven};
-use crate::chart::{Axis, Band, Chart};
-use crate::gallery::Gallery;
-use crate::grid::ChartGrid;
-use crate::limit::LimitLine;
-use crate::names;
-use crate::order::OrderDrawing;
-use crate::series::{Series, Style};
-use crate::views::{Mark, ThreeViews};
-use crate::words::Words as _;
-use seamwright_machine::Machine;
-use seamwright_message::{Language, Message, Unit};
+use super::{CertificateFigures, SimulationCurves, cut, order, procedure, sections, tracking, woven};
+use crate::block::figure;
+use crate::{
+    Axis, Band, Block, Chart, ChartGrid, Drawing, Gallery, Language, LimitLine, Mark, Series, Style, ThreeViews,
+    Words as _, names,
+};
+use seamwright_simulation::Summary;
+use seamwright_machine::{Axis as MachineAxis, Machine};
+use seamwright_message::{Message, Unit};
+use seamwright_motion::procedure::PassProcedure;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
-use seamwright_program::{Pass, Span, TorchPath, is_beyond};
+use seamwright_program::{Pass, Run, Span, TorchPath, is_beyond};
 use seamwright_weld::{SeamCurve, Welding};
 
-/// The plots of a weld.
-#[derive(Debug, Clone)]
+/// The plots of a pass.
+#[derive(Default)]
 pub struct Plots {
-    /// The seam with torch vectors in three views.
-    pub seam: ThreeViews,
-    /// Plots of the taught spans of the seam.
-    pub taught: Vec<TaughtPlot>,
-    /// Torch angles over path length, along a seam.
-    pub torch: Option<Chart>,
-    /// Process values over path length, only those that change.
-    pub process: Option<ChartGrid>,
-    /// Woven path of the torch tip, if the torch weaves.
-    pub weave: Option<Chart>,
-    /// Path of the beam on the work, if it oscillates.
-    pub oscillation: Option<Chart>,
-    /// Axis positions, speeds and accelerations against their limits.
-    pub axes: ChartGrid,
-    /// Jerk of each axis against its limit.
-    pub jerks: ChartGrid,
-    /// Torch-tip speed: planned, and actual if simulated.
-    pub speed: Chart,
-    /// Heat input and welding positions, if there is a procedure.
-    pub procedure: Option<ProcedurePlots>,
-    /// Minimum distance of the checked objects, if the machine file has shapes.
-    pub clearance: Option<Chart>,
-    /// Deviation of the actual torch-tip speed from the planned one, if simulated.
-    pub deviation: Option<Chart>,
-    /// Following error of each axis, if simulated.
-    pub following: Option<ChartGrid>,
-    /// Distance of the actual torch tip from the seam, if simulated.
-    pub path_error: Option<Chart>,
-    /// Joint and weld, if the joint may deviate from the plan.
-    pub tracking: Option<ChartGrid>,
-    /// Attitude error of the actual torch, if simulated.
-    pub attitude: Option<Chart>,
-    /// With the first pass, the cut end of the branch or nozzle, if known: an SVG at true size.
-    pub cut: Option<String>,
-    /// With the first pass, cross-sections of the joint along the seam, if the file has one.
-    pub sections: Option<Gallery>,
-    /// With the first pass of several, all passes in the order of welding.
-    pub order: Option<OrderDrawing>,
+    plots: Vec<Plot>,
+    taught: Vec<TaughtPlot>,
+}
+
+struct Plot {
+    /// Name of its file, without the ending.
+    name: &'static str,
+    caption: &'static str,
+    picture: Picture,
+}
+
+enum Picture {
+    Drawing(Box<dyn Drawing>),
+    /// Markup at true size, equal in pages and files.
+    Ready(String),
 }
 
 /// Data of a planned pass for its plots.
@@ -73,86 +44,98 @@ pub(super) struct PlottedPass<'a> {
     pub(super) clearance: Option<&'a PassClearance>,
     pub(super) samples: &'a [Sample],
     pub(super) certificate: &'a CertificateFigures,
+    pub(super) procedure: Option<(&'a PassProcedure, Option<&'a Run>)>,
+    /// The simulated pass, if it was simulated.
+    pub(super) curves: Option<&'a SimulationCurves>,
+    pub(super) summary: Option<&'a Summary>,
 }
 
 /// Number of torch vectors drawn along the seam.
 const VECTORS: u32 = 36;
 
 impl Plots {
-    pub(super) fn new(
-        machine: &Machine,
-        welding: &Welding,
-        planned: &PlottedPass<'_>,
-        curves: Option<&SimulationCurves>,
-        language: Language,
-    ) -> Self {
-        let PlottedPass { index: pass, motion, clearance, samples, certificate } = *planned;
-        let program = &welding.program.value;
-        Self {
-            seam: views(welding, pass, language),
-            procedure: None,
-            tracking: None,
-            taught: welding.seam.as_ref().map_or(Vec::new(), |seam| taught(machine, seam, motion, language)),
-            clearance: clearance.map(|clearance| clearance_chart(clearance, language)),
-            torch: torch(samples, language),
-            process: process(&program.passes[pass], language),
-            weave: welding.path(pass).along_seam().and_then(|path| woven::weave(&program.passes[pass], path, language)),
-            oscillation: woven::oscillation(&program.passes[pass], language),
-            axes: axes(machine, samples, language),
-            jerks: jerks(machine, samples, language),
-            speed: speed(motion, samples, certificate, curves, language),
-            deviation: curves.map(|c| deviation(machine, motion, c, language)),
-            following: curves.map(|c| following(machine, c, language)),
-            path_error: curves.map(|c| {
-                let errors = vec![line(language, "report-curve-normal-to-seam", c.path_error())];
-                let title = "report-chart-path-error";
-                chart(language, title, axis(language, "report-label-path-error", Unit::Mm), errors)
-            }),
-            attitude: curves.map(|c| {
-                let errors = vec![line(language, "report-label-attitude-error", c.attitude())];
-                let title = "report-chart-attitude";
-                chart(language, title, axis(language, "report-label-attitude-error", Unit::Deg), errors)
-            }),
-            cut: welding.cut.as_ref().filter(|_| pass == 0).map(|cut| cut::template(cut, language)),
-            sections: welding
-                .joint
-                .as_ref()
-                .and(welding.seam.as_ref())
-                .filter(|_| pass == 0)
-                .map(|seam| gallery(welding, seam, language)),
-            order: if pass == 0 { order::order(welding, language) } else { None },
+    pub(super) fn new(machine: &Machine, welding: &Welding, planned: &PlottedPass<'_>, language: Language) -> Self {
+        let PlottedPass { index, motion, samples, certificate, curves, .. } = *planned;
+        let pass = &welding.program.value.passes[index];
+        let first = index == 0;
+        let mut plots = Self::default();
+        plots.add("seam", "report-caption-seam", Some(views(welding, index, language)));
+        plots.add(
+            "axes",
+            "report-caption-axes",
+            Some(axes(machine, samples, &[0, 1, 2], "report-chart-axes", language)),
+        );
+        plots.add("jerk", "report-caption-jerks", Some(axes(machine, samples, &[3], "report-chart-jerks", language)));
+        let speeds = speed(motion, samples, certificate, curves, language);
+        plots.add("speed", "report-caption-speed", Some(speeds));
+        plots.add("torch", "report-caption-torch-angles", torch(samples, language));
+        plots.add("process", "report-caption-process-values", process(pass, language));
+        if let Some((held, run)) = planned.procedure {
+            plots.add("heat-input", "report-caption-heat-input", procedure::heat_input(held, language));
+            plots.add("position", "report-caption-positions", Some(procedure::positions(held, run, language)));
         }
+        let woven = welding.path(index).along_seam().and_then(|path| woven::weave(pass, path, language));
+        plots.add("weave", "report-caption-weave", woven);
+        plots.add("oscillation", "report-caption-oscillation", woven::oscillation(pass, language));
+        plots.add("clearance", "report-caption-clearance", planned.clearance.map(|c| clearance_chart(c, language)));
+        if let Some(c) = curves {
+            plots.add("speed-deviation", "report-caption-deviation", Some(deviation(machine, motion, c, language)));
+            plots.add("following", "report-caption-following", Some(following(machine, c, language)));
+            let errors = vec![Series::named(language, "report-curve-normal-to-seam", c.path_error.points())];
+            let distance = Axis::of(language, "report-label-path-error", Unit::Mm);
+            let path_error = Chart::along(language, "report-chart-path-error", distance, errors);
+            plots.add("path-error", "report-caption-path-error", Some(path_error));
+            let tracked = planned.summary.and_then(|summary| tracking::charts(c, &summary.heads, language));
+            plots.add("tracking", "report-caption-tracking", tracked);
+            let errors = vec![Series::named(language, "report-label-attitude-error", c.attitude.points())];
+            let angle = Axis::of(language, "report-label-attitude-error", Unit::Deg);
+            let attitude = Chart::along(language, "report-chart-attitude", angle, errors);
+            plots.add("attitude", "report-caption-attitude", Some(attitude));
+        }
+        plots.add("order", "report-caption-order", if first { order::order(welding, language) } else { None });
+        if let Some(cut) = welding.cut.as_ref().filter(|_| first) {
+            let picture = Picture::Ready(cut::template(cut, language));
+            plots.plots.push(Plot { name: "cut", caption: "report-caption-cut", picture });
+        }
+        let jointed = welding.joint.as_ref().and(welding.seam.as_ref()).filter(|_| first);
+        plots.add("sections", "report-caption-sections", jointed.map(|seam| gallery(welding, seam, language)));
+        plots.taught = welding.seam.as_ref().map_or(Vec::new(), |seam| taught(machine, seam, motion, language));
+        plots
+    }
+
+    fn add(&mut self, name: &'static str, caption: &'static str, drawing: Option<impl Drawing + 'static>) {
+        let picture = drawing.map(|drawing| Picture::Drawing(Box::new(drawing)));
+        self.plots.extend(picture.map(|picture| Plot { name, caption, picture }));
     }
 
     /// Returns the plots as separate files: name and SVG.
     pub fn files(&self) -> Vec<(String, String)> {
-        let mut files = vec![
-            ("seam.svg", self.seam.to_svg_standalone()),
-            ("axes.svg", self.axes.to_svg_standalone()),
-            ("jerk.svg", self.jerks.to_svg_standalone()),
-            ("speed.svg", self.speed.to_svg_standalone()),
-        ];
-        files.extend(self.torch.as_ref().map(|c| ("torch.svg", c.to_svg_standalone())));
-        files.extend(self.process.as_ref().map(|c| ("process.svg", c.to_svg_standalone())));
-        if let Some(p) = &self.procedure {
-            files.extend(p.heat_input.as_ref().map(|c| ("heat-input.svg", c.to_svg_standalone())));
-            files.push(("position.svg", p.positions.to_svg_standalone()));
-        }
-        files.extend(self.weave.as_ref().map(|c| ("weave.svg", c.to_svg_standalone())));
-        files.extend(self.oscillation.as_ref().map(|c| ("oscillation.svg", c.to_svg_standalone())));
-        files.extend(self.clearance.as_ref().map(|c| ("clearance.svg", c.to_svg_standalone())));
-        files.extend(self.deviation.as_ref().map(|c| ("speed-deviation.svg", c.to_svg_standalone())));
-        files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
-        files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
-        files.extend(self.tracking.as_ref().map(|c| ("tracking.svg", c.to_svg_standalone())));
-        files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
-        files.extend(self.order.as_ref().map(|o| ("order.svg", o.to_svg_standalone())));
-        files.extend(self.cut.clone().map(|svg| ("cut.svg", svg)));
-        files.extend(self.sections.as_ref().map(|g| ("sections.svg", g.to_svg_standalone())));
-        let mut files: Vec<_> = files.into_iter().map(|(name, svg)| (name.to_owned(), svg)).collect();
-        let taught = self.taught.iter().enumerate();
-        files.extend(taught.map(|(i, t)| (format!("taught-{}.svg", i + 1), t.charts.to_svg_standalone())));
-        files
+        let plots = self.plots.iter().map(|plot| {
+            let svg = match &plot.picture {
+                Picture::Drawing(drawing) => drawing.to_svg_standalone(),
+                Picture::Ready(svg) => svg.clone(),
+            };
+            (format!("{}.svg", plot.name), svg)
+        });
+        let taught = self.taught.iter().zip(1..);
+        plots.chain(taught.map(|(t, i)| (format!("taught-{i}.svg"), t.charts.to_svg_standalone()))).collect()
+    }
+
+    /// Returns the figures of these names, without those that the pass does not have.
+    pub(super) fn figures(&self, names: &[&str], language: Language) -> Vec<Block> {
+        let named = names.iter().filter_map(|name| self.plots.iter().find(|plot| plot.name == *name));
+        let figure = |plot: &Plot| match &plot.picture {
+            Picture::Drawing(drawing) => figure(drawing.as_ref(), plot.caption, language),
+            Picture::Ready(svg) => Block::Figure { svg: svg.clone(), caption: language.words(plot.caption) },
+        };
+        named.map(figure).collect()
+    }
+
+    /// Returns text and figure of each taught span.
+    pub(super) fn taught(&self, language: Language) -> Vec<Block> {
+        let both =
+            |t: &TaughtPlot| [Block::Paragraph(t.text.clone()), figure(&t.charts, "report-caption-taught", language)];
+        self.taught.iter().flat_map(both).collect()
     }
 }
 
@@ -192,7 +175,6 @@ fn views(welding: &Welding, pass: usize, language: Language) -> ThreeViews {
         language,
         title: language.words("report-heading-seam"),
         path: (0..=720).map(|i| at(drawn * f64::from(i) / 720.0)).collect(),
-        closed: false,
         path_name: language.words(path_name),
         vectors: vectors.collect(),
         vectors_name: language.words("report-curve-torch-axis"),
@@ -208,13 +190,13 @@ fn clearance_chart(clearance: &PassClearance, language: Language) -> Chart {
     let first = clearance.at_least.first().map(|c| (0.0, c.1));
     let proven = first.into_iter().chain(clearance.at_least.iter().copied()).collect();
     let series = vec![
-        line(language, "report-curve-clearance", clearance.found.clone()),
-        line(language, "report-curve-clearance-bound", proven).styled(Style::Dashed),
+        Series::named(language, "report-curve-clearance", clearance.found.clone()),
+        Series::named(language, "report-curve-clearance-bound", proven).styled(Style::Dashed),
     ];
     let title = Message::new("report-chart-clearance").value("limit", clearance.cutoff_mm, Unit::Mm);
     Chart {
         title: title.in_language(language),
-        ..chart(language, "", axis(language, "report-label-distance", Unit::Mm), series)
+        ..Chart::along(language, "", Axis::of(language, "report-label-distance", Unit::Mm), series)
     }
 }
 
@@ -224,11 +206,16 @@ fn torch(samples: &[Sample], language: Language) -> Option<Chart> {
     };
     samples.first()?.angles?;
     let series = vec![
-        line(language, "report-curve-work-angle", curve(|angles| angles.0)),
-        line(language, "report-curve-travel-angle", curve(|angles| angles.1)),
-        line(language, "report-curve-half-dihedral", curve(|angles| 0.5 * angles.2)),
+        Series::named(language, "report-curve-work-angle", curve(|angles| angles.0)),
+        Series::named(language, "report-curve-travel-angle", curve(|angles| angles.1)),
+        Series::named(language, "report-curve-half-dihedral", curve(|angles| 0.5 * angles.2)),
     ];
-    Some(chart(language, "report-chart-torch-angles", axis(language, "report-label-angle", Unit::Deg), series))
+    Some(Chart::along(
+        language,
+        "report-chart-torch-angles",
+        Axis::of(language, "report-label-angle", Unit::Deg),
+        series,
+    ))
 }
 
 /// Returns charts of the process values that change along the pass; `None` if all are constant.
@@ -249,7 +236,7 @@ fn process(pass: &Pass, language: Language) -> Option<ChartGrid> {
             title: name.clone(),
             y: Axis::new(name.as_str(), ""),
             series: vec![Series::line(name, curve)],
-            ..chart(language, "", Axis::default(), Vec::new())
+            ..Chart::along(language, "", Axis::default(), Vec::new())
         }
     };
     let charts: Vec<Chart> = changing.map(chart).collect();
@@ -257,54 +244,36 @@ fn process(pass: &Pass, language: Language) -> Option<ChartGrid> {
     (!charts.is_empty()).then_some(ChartGrid { title, columns: 2, charts })
 }
 
-fn axes(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid {
-    let mut charts = Vec::new();
-    for (i, axis) in machine.axes.iter().enumerate() {
-        let range = axis.range.map_or(Vec::new(), |(l, h)| vec![axis.to_file(l), axis.to_file(h)]);
-        let [unit, per_s, per_s2, _] = units(axis.unit());
-        let rows = [
-            ("report-label-position", unit, range),
-            ("report-label-speed", per_s, both_ways(axis.to_file(axis.max_speed))),
-            ("report-label-acceleration", per_s2, both_ways(axis.to_file(axis.max_acceleration))),
-        ];
-        for (order, (what, unit, limits)) in rows.into_iter().enumerate() {
-            charts.push(axis_chart(&axis.name, what, unit, curve(samples, i, order), limits, language));
-        }
+/// Plots these orders of every axis, from 0: position, speed, acceleration, jerk.
+fn axes(machine: &Machine, samples: &[Sample], orders: &[usize], title: &'static str, language: Language) -> ChartGrid {
+    let axes = machine.axes.iter().enumerate();
+    let charts = axes.flat_map(|axis| orders.iter().map(move |order| axis_chart(samples, axis, *order, language)));
+    ChartGrid { title: language.words(title), columns: 3, charts: charts.collect() }
+}
+
+/// Returns the units of position, speed, acceleration and jerk of an axis whose positions are in `unit`.
+pub(super) fn units(unit: &str) -> [Unit; 4] {
+    match unit {
+        "deg" => [Unit::Deg, Unit::DegPerS, Unit::DegPerS2, Unit::DegPerS3],
+        _ => [Unit::Mm, Unit::MmPerS, Unit::MmPerS2, Unit::MmPerS3],
     }
-    ChartGrid { title: language.words("report-chart-axes"), columns: 3, charts }
 }
 
-fn jerks(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid {
-    let charts = machine.axes.iter().enumerate().map(|(i, axis)| {
-        let ([.., per_s3], limits) = (units(axis.unit()), both_ways(axis.to_file(axis.jerk())));
-        axis_chart(&axis.name, "report-label-jerk", per_s3, curve(samples, i, 3), limits, language)
-    });
-    let title = language.words("report-chart-jerks");
-    ChartGrid { title, columns: 3, charts: charts.collect() }
-}
-
-/// Returns position (order 0), speed, acceleration or jerk of axis `i` over path length.
-fn curve(samples: &[Sample], i: usize, order: usize) -> Vec<(f64, f64)> {
-    samples.iter().map(|s| (s.s, s.axes[i][order])).collect()
-}
-
-fn both_ways(limit: f64) -> Vec<f64> {
-    vec![-limit, limit]
-}
-
-fn axis_chart(
-    name: &str,
-    what: &'static str,
-    unit: Unit,
-    points: Vec<(f64, f64)>,
-    limits: Vec<f64>,
-    language: Language,
-) -> Chart {
-    let limit = language.words("report-limit");
+fn axis_chart(samples: &[Sample], (i, axis): (usize, &MachineAxis), order: usize, language: Language) -> Chart {
+    let both_ways = |limit: f64| Some((-limit, limit));
+    let (label, limits) = match order {
+        0 => ("report-label-position", axis.range),
+        1 => ("report-label-speed", both_ways(axis.max_speed)),
+        2 => ("report-label-acceleration", both_ways(axis.max_acceleration)),
+        _ => ("report-label-jerk", both_ways(axis.jerk())),
+    };
+    let limit = |value: f64| LimitLine::new(language.words("report-limit"), axis.to_file(value));
+    let points = samples.iter().map(|s| (s.s, s.axes[i][order])).collect();
+    let y = Axis::of(language, label, units(axis.unit())[order]);
     Chart {
-        title: format!("{name} {}", language.words(what)),
-        limits: limits.into_iter().map(|v| LimitLine::new(&limit, v)).collect(),
-        ..chart(language, "", axis(language, what, unit), vec![Series::line(name, points)])
+        title: format!("{} {}", axis.name, language.words(label)),
+        limits: limits.into_iter().flat_map(|(low, high)| [limit(low), limit(high)]).collect(),
+        ..Chart::along(language, "", y, vec![Series::line(axis.name.as_str(), points)])
     }
 }
 
@@ -334,9 +303,9 @@ fn speed(
 ) -> Chart {
     let mut series = Vec::new();
     if let Some(c) = curves {
-        series.push(line(language, "report-curve-tip-simulated", c.tip_speed()));
+        series.push(Series::named(language, "report-curve-tip-simulated", c.tip_speed.points()));
     }
-    series.push(line(language, "report-curve-planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
+    series.push(Series::named(language, "report-curve-planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
     let band = |label, from, to| Band { label: language.words(label), from, to };
     let ends = |leg: &Leg| {
         [
@@ -350,7 +319,7 @@ fn speed(
     let wide = 0.01 * motion.path.length();
     Chart {
         bands: bands.into_iter().filter(|b| b.to - b.from > wide).collect(),
-        ..chart(language, "report-chart-speed", axis(language, "report-label-speed", Unit::MmPerS), series)
+        ..Chart::along(language, "report-chart-speed", Axis::of(language, "report-label-speed", Unit::MmPerS), series)
     }
 }
 
@@ -360,16 +329,21 @@ fn deviation(machine: &Machine, motion: &PassMotion, curves: &SimulationCurves, 
     let steady = |s: f64| legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);
     let planned = |s: f64| motion.profile.speed(s) * motion.path.tip_rate(machine, s);
     let percent = |(s, v): (f64, f64)| (s, 100.0 * (v / planned(s) - 1.0));
-    let points = curves.tip_speed().into_iter().filter(|p| steady(p.0)).map(percent).collect();
-    let series = vec![line(language, "report-label-deviation", points)];
-    chart(language, "report-chart-deviation", axis(language, "report-label-deviation", Unit::Percent), series)
+    let points = curves.tip_speed.points().into_iter().filter(|p| steady(p.0)).map(percent).collect();
+    let series = vec![Series::named(language, "report-label-deviation", points)];
+    Chart::along(
+        language,
+        "report-chart-deviation",
+        Axis::of(language, "report-label-deviation", Unit::Percent),
+        series,
+    )
 }
 
 fn following(machine: &Machine, curves: &SimulationCurves, language: Language) -> ChartGrid {
     let charts = machine.axes.iter().enumerate().map(|(i, of)| {
-        let y = axis(language, "report-label-following-error", units(of.unit())[0]);
-        let series = vec![Series::line(of.name.as_str(), curves.following(i))];
-        Chart { title: of.name.clone(), ..chart(language, "", y, series) }
+        let y = Axis::of(language, "report-label-following-error", units(of.unit())[0]);
+        let series = vec![Series::line(of.name.as_str(), curves.following[i].points())];
+        Chart { title: of.name.clone(), ..Chart::along(language, "", y, series) }
     });
     let title = language.words("report-chart-following");
     ChartGrid { title, columns: 2, charts: charts.collect() }

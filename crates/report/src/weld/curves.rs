@@ -1,6 +1,6 @@
-use seamwright_simulation::tracking::HeadSample;
-use seamwright_machine::Machine;
+use super::tracking::HeadCurves;
 use seamwright_simulation::Sample;
+use seamwright_machine::Machine;
 
 /// Number of buckets along the weld; each keeps its minimum and maximum, so that all peaks remain.
 const BUCKETS: usize = 1000;
@@ -42,10 +42,13 @@ impl Envelope {
 /// Curves of a simulated weld along the seam, gathered sample by sample in bounded memory; mm, deg, s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimulationCurves {
-    following: Vec<Envelope>,
-    path_error: Envelope,
-    tip_speed: Envelope,
-    attitude: Envelope,
+    /// Following error of each axis.
+    pub(super) following: Vec<Envelope>,
+    /// Distance of the actual torch tip from the seam.
+    pub(super) path_error: Envelope,
+    pub(super) tip_speed: Envelope,
+    /// Attitude error of the actual torch.
+    pub(super) attitude: Envelope,
     pub(super) heads: Vec<HeadCurves>,
     length: f64,
 }
@@ -54,9 +57,8 @@ impl SimulationCurves {
     /// Creates empty curves for a weld of `length` mm on a machine with `axes` axes.
     pub fn new(axes: usize, length: f64) -> Self {
         let empty = Envelope::new(length);
-        let following = vec![empty.clone(); axes];
         Self {
-            following,
+            following: vec![empty.clone(); axes],
             path_error: empty.clone(),
             tip_speed: empty.clone(),
             attitude: empty,
@@ -83,58 +85,6 @@ impl SimulationCurves {
                 self.heads.push(HeadCurves::new(self.length));
             }
             self.heads[i].add(s, head);
-        }
-    }
-
-    /// Returns the following error of axis `i` over path length.
-    pub(crate) fn following(&self, i: usize) -> Vec<(f64, f64)> {
-        self.following[i].points()
-    }
-
-    /// Returns the distance of the actual torch tip from the seam over path length.
-    pub(crate) fn path_error(&self) -> Vec<(f64, f64)> {
-        self.path_error.points()
-    }
-
-    /// Returns the speed of the actual torch tip over path length.
-    pub(crate) fn tip_speed(&self) -> Vec<(f64, f64)> {
-        self.tip_speed.points()
-    }
-
-    /// Returns the attitude error of the actual torch over path length.
-    pub(crate) fn attitude(&self) -> Vec<(f64, f64)> {
-        self.attitude.points()
-    }
-}
-
-/// One head's curves over path length, gathered sample by sample; mm.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct HeadCurves {
-    /// Actual position of the joint: lateral, height.
-    pub(super) seam: [Envelope; 2],
-    pub(super) miss: [Envelope; 2],
-    pub(super) sigma: Envelope,
-    /// Correction by the beam's deflection, and by the axes that carry the gun.
-    pub(super) beam: [Envelope; 2],
-}
-
-impl HeadCurves {
-    pub(super) fn new(length: f64) -> Self {
-        let empty = || Envelope::new(length);
-        Self { seam: [empty(), empty()], miss: [empty(), empty()], sigma: empty(), beam: [empty(), empty()] }
-    }
-
-    pub(super) fn add(&mut self, s: f64, head: &HeadSample) {
-        for k in 0..2 {
-            self.seam[k].add(s, head.seam[k]);
-            self.miss[k].add(s, head.miss[k]);
-        }
-        if let Some(beam) = head.beam {
-            self.beam[0].add(s, beam.deflection_mm);
-            self.beam[1].add(s, head.correction.x - beam.deflection_mm);
-        }
-        if let Some(sigma) = head.tracked.map(|tracked| tracked.sigma_mm).filter(|sigma| sigma.is_finite()) {
-            self.sigma.add(s, sigma);
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Template of a tube's cut end, unrolled at true size, to wrap around the tube.
 
-use crate::text::escape;
-use crate::words::Words as _;
-use seamwright_message::{Language, Message, Unit};
+use crate::text::printable;
+use crate::{Language, Words as _};
+use maud::{PreEscaped, html};
+use seamwright_message::{Message, Unit};
 use seamwright_weld::{Cut, Unrolled};
 use std::fmt::Write;
 
@@ -27,12 +28,15 @@ pub(crate) fn template(cut: &Cut, language: Language) -> String {
         y = draw(&mut body, Message::new(caption), side, y, language) + MARGIN_MM;
     }
     let (w, h) = (mm(width + 2.0 * MARGIN_MM), mm(y));
-    format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}mm\" height=\"{h}mm\" \
-         class=\"plot\" role=\"img\" aria-label=\"{}\">\n\
-         <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{body}</svg>\n",
-        escape(&language.words("report-chart-cut"))
-    )
+    let element = html! {
+        svg xmlns="http://www.w3.org/2000/svg" viewBox=(format!("0 0 {w} {h}")) width=(format!("{w}mm"))
+            height=(format!("{h}mm")) class="plot" role="img" aria-label=(language.words("report-chart-cut")) {
+            "\n"
+            rect width=(w) height=(h) fill="#fff" {}
+            "\n" (PreEscaped(body))
+        }
+    };
+    printable(element.0 + "\n")
 }
 
 /// Draws one side from `top` on, below its caption with its lengths; returns its lower end.
@@ -50,13 +54,14 @@ fn draw(body: &mut String, caption: Message, side: &Unrolled, top: f64, language
     let mut upright = String::new();
     for p in side.points.iter().filter(|p| is_drawn(p.phi)) {
         let _ = write!(upright, "M{} L{} ", at(p.around, edge), at(p.around, p.height));
-        let _ = writeln!(
-            body,
-            "<text x=\"{}\" y=\"{}\" style=\"font:2.6px sans-serif;fill:#000\" text-anchor=\"middle\">{:.0}\u{b0}</text>",
-            mm(left + p.around),
-            mm(head - 1.0),
-            p.phi.to_degrees()
-        );
+        let angle = format!("{:.0}\u{b0}", p.phi.to_degrees());
+        *body += &html! {
+            text x=(mm(left + p.around)) y=(mm(head - 1.0)) style="font:2.6px sans-serif;fill:#000" text-anchor="middle" {
+                (angle)
+            }
+            "\n"
+        }
+        .0;
     }
     let caption = caption
         .value("radius", side.radius, Unit::Mm)
@@ -64,16 +69,14 @@ fn draw(body: &mut String, caption: Message, side: &Unrolled, top: f64, language
         .number("from", low, 2)
         .quantity("to", high, Unit::Mm, 2)
         .quantity("edge", edge, Unit::Mm, 2);
-    let _ = writeln!(
-        body,
-        "<text x=\"{}\" y=\"{}\" style=\"font:3.2px sans-serif;fill:#000\">{}</text>\n\
-         <path d=\"{}\" fill=\"none\" stroke=\"#888\" stroke-width=\"0.1\"/>\n\
-         <path d=\"{outline} Z\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.25\"/>",
-        mm(left),
-        mm(top),
-        escape(&caption.in_language(language)),
-        upright.trim_end()
-    );
+    *body += &html! {
+        text x=(mm(left)) y=(mm(top)) style="font:3.2px sans-serif;fill:#000" { (caption.in_language(language)) }
+        "\n"
+        path d=(upright.trim_end()) fill="none" stroke="#888" stroke-width="0.1" {}
+        "\n"
+        path d={ (outline) " Z" } fill="none" stroke="#000" stroke-width="0.25" {}
+    }
+    .0;
     head + edge - low
 }
 

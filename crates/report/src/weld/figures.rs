@@ -1,17 +1,16 @@
-use super::certificate::CertificateFigures;
-use super::charts::{Plots, PlottedPass};
-use super::curves::SimulationCurves;
+use super::CertificateFigures;
+use super::charts::PlottedPass;
 use super::plan::PlanFigures;
-use super::posts::PostFigures;
-use super::procedure::{PassProcedureFigures, ProcedureFigures, ProcedurePlots};
+use super::procedure::{PassProcedureFigures, ProcedureFigures};
 use super::samples::samples;
 use super::totals::{self, TotalsFigures};
-use super::tracking;
+use super::{Plots, PostFigures, SimulationCurves};
+use crate::Language;
+use seamwright_simulation::Summary;
 use seamwright_machine::Machine;
-use seamwright_message::{Language, Message};
+use seamwright_message::Message;
 use seamwright_motion::{PassClearance, WeldMotion};
 use seamwright_program::{Finding, Pass, Role, Seam};
-use seamwright_simulation::Summary;
 use seamwright_weld::{SeamCurve, Welding};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -158,23 +157,19 @@ impl WeldReport {
             let certificate = CertificateFigures::new(machine, pass, planned);
             let summary = summaries.as_ref().and_then(|s| s.get(i)).cloned();
             findings.extend(summary.iter().flat_map(|s| s.findings(&pass.tolerance, i + 1)));
-            let curves = curves.as_ref().and_then(|c| c.get(i));
-            let around = motion.clearance[i].as_ref();
-            let figures = PlottedPass {
+            let held = motion.procedure.get(i).zip(program.procedure.as_ref());
+            let procedure = held.map(|(held, procedure)| (held, procedure.run_of(i + 1, pass)));
+            let plotted = PlottedPass {
                 index: i,
                 motion: planned,
-                clearance: around,
+                clearance: motion.clearance[i].as_ref(),
                 samples: &samples,
                 certificate: &certificate,
+                procedure,
+                curves: curves.as_ref().and_then(|c| c.get(i)),
+                summary: summary.as_ref(),
             };
-            let mut drawn = Plots::new(machine, welding, &figures, curves, language);
-            drawn.tracking = curves.zip(summary.as_ref()).and_then(|(c, s)| tracking::charts(c, &s.heads, language));
-            drawn.procedure = motion
-                .procedure
-                .get(i)
-                .zip(program.procedure.as_ref())
-                .map(|(held, procedure)| ProcedurePlots::new(held, procedure.run_of(i + 1, pass), language));
-            plots.push(drawn);
+            plots.push(Plots::new(machine, welding, &plotted, language));
             passes.push(PassFigures {
                 name: pass.name.clone(),
                 copy: program.copy_name(pass.copy).map(str::to_owned),
@@ -185,12 +180,8 @@ impl WeldReport {
                 air_before_s: motion.transfers[i].duration(),
                 plan: PlanFigures::new(machine, welding, i, planned, &samples),
                 certificate,
-                procedure: motion
-                    .procedure
-                    .get(i)
-                    .zip(program.procedure.as_ref())
-                    .map(|(held, procedure)| PassProcedureFigures::new(held, procedure.run_of(i + 1, pass))),
-                clearance: around.map(clearance),
+                procedure: procedure.map(|(held, run)| PassProcedureFigures::new(held, run)),
+                clearance: motion.clearance[i].as_ref().map(clearance),
                 simulation: summary,
             });
         }

@@ -1,13 +1,10 @@
 //! Data of the job.
 
-use super::blocks::{number, table};
 use super::figures::WeldReport;
 use super::range::Range;
-use crate::block::Block;
-use crate::names;
-use crate::number::from_to;
-use crate::words::Words as _;
-use seamwright_message::{Language, Message, Unit};
+use crate::number::{from_to, number};
+use crate::{Block, Language, Table, Words as _, names};
+use seamwright_message::{Message, Unit};
 use seamwright_program::{Sequence, Slope, WeldDirection};
 
 /// Kinds of seams that do not go around a tube.
@@ -21,16 +18,19 @@ const SLOPES: [SlopeRows; 2] = [
     ("report-row-downslope", "report-row-downslope-time", |sequence| sequence.downslope.as_ref()),
 ];
 
+/// Label, value and unit.
+type Row = [String; 3];
+
 impl WeldReport {
     /// Returns the requested values of the job.
     pub(super) fn data_table(&self, language: Language) -> Block {
         let mut rows = self.seam_rows(language);
-        let row = |label, value: f64, unit| said_row(language, label, number(value, language), unit);
+        let value_row = |label, value: f64, unit| row(language, label, number(value, language), unit);
         let several = self.passes.len() > 1;
         if !several {
             rows.extend([
-                row("report-row-acceleration-phase", self.plan.run_up_mm, Unit::Mm),
-                row("report-row-deceleration-phase", self.plan.run_down_mm, Unit::Mm),
+                value_row("report-row-acceleration-phase", self.plan.run_up_mm, Unit::Mm),
+                value_row("report-row-deceleration-phase", self.plan.run_down_mm, Unit::Mm),
             ]);
         }
         let start = &self.plan.start;
@@ -39,9 +39,9 @@ impl WeldReport {
                 WeldDirection::CounterClockwise => "report-counter-clockwise",
                 WeldDirection::Clockwise => "report-clockwise",
             };
-            rows.push(row("report-row-start-angle", start.phi_deg.get(), Unit::Deg));
-            rows.push(said_row(language, "report-row-direction", language.words(direction), Unit::One));
-            rows.push(row("report-row-overlap", start.overlap_mm.get(), Unit::Mm));
+            rows.push(value_row("report-row-start-angle", start.phi_deg.get(), Unit::Deg));
+            rows.push(row(language, "report-row-direction", language.words(direction), Unit::One));
+            rows.push(value_row("report-row-overlap", start.overlap_mm.get(), Unit::Mm));
         }
         rows.extend(self.sequence_rows(language));
         // With several passes the table of passes shows their process values.
@@ -50,22 +50,25 @@ impl WeldReport {
             let [title, unit] = names::value_parts(language, name);
             let (from, to) = value.ends();
             let [from, to] = [from, to].map(|value| number(value, language));
-            vec![title, if value.is_ramp() { from_to(from, to, language) } else { from }, unit]
+            [title, if value.is_ramp() { from_to(from, to, language) } else { from }, unit]
         }));
-        let head = ["", "report-column-value", "report-column-unit"].map(|head| language.words(head));
-        table(&language.words("report-caption-job"), &head, rows, 1..2)
+        Table::of(language, rows)
+            .text("", |row| row[0].clone())
+            .number("report-column-value", |row| row[1].clone())
+            .text("report-column-unit", |row| row[2].clone())
+            .captioned("report-caption-job")
     }
 
     /// Returns the times and slopes before and after the travel, as a range where passes differ.
-    fn sequence_rows(&self, language: Language) -> Vec<Vec<String>> {
+    fn sequence_rows(&self, language: Language) -> Vec<Row> {
         let sequences = || self.passes.iter().map(|pass| &pass.plan.sequence);
-        let row = |label, of: &dyn Fn(&Sequence) -> Option<f64>| {
+        let time_row = |label, of: &dyn Fn(&Sequence) -> Option<f64>| {
             let values = Range::of(sequences().filter_map(of));
-            values.max.is_finite().then(|| said_row(language, label, values.text(language), Unit::S))
+            values.max.is_finite().then(|| row(language, label, values.text(language), Unit::S))
         };
-        let mut rows: Vec<Vec<String>> = Vec::new();
-        rows.extend(row("report-row-preflow", &|sequence| Some(sequence.preflow_s.get())));
-        rows.extend(row("report-row-travel-delay", &|sequence| Some(sequence.travel_delay_s.get())));
+        let mut rows: Vec<Row> = Vec::new();
+        rows.extend(time_row("report-row-preflow", &|sequence| Some(sequence.preflow_s.get())));
+        rows.extend(time_row("report-row-travel-delay", &|sequence| Some(sequence.travel_delay_s.get())));
         for (what, time, slope) in SLOPES {
             let slopes = || sequences().filter_map(slope);
             let mut names: Vec<&String> = slopes().flat_map(|slope| slope.process.keys()).collect();
@@ -75,25 +78,21 @@ impl WeldReport {
                 let values = slopes().filter_map(|slope| slope.process.get(name)).map(|value| value.get());
                 let [title, unit] = names::value_parts(language, name);
                 let label = Message::new(what).text("value", title).in_language(language);
-                vec![label, Range::of(values).text(language), unit]
+                [label, Range::of(values).text(language), unit]
             }));
-            rows.extend(row(time, &|sequence| slope(sequence).map(|slope| slope.time_s.get())));
+            rows.extend(time_row(time, &|sequence| slope(sequence).map(|slope| slope.time_s.get())));
         }
-        rows.extend(row("report-row-crater", &|sequence| Some(sequence.crater_s.get())));
-        rows.extend(row("report-row-postflow", &|sequence| Some(sequence.postflow_s.get())));
+        rows.extend(time_row("report-row-crater", &|sequence| Some(sequence.crater_s.get())));
+        rows.extend(time_row("report-row-postflow", &|sequence| Some(sequence.postflow_s.get())));
         rows
     }
 
-    fn seam_rows(&self, language: Language) -> Vec<Vec<String>> {
+    fn seam_rows(&self, language: Language) -> Vec<Row> {
         let Some(s) = &self.seam else { return Vec::new() };
-        let row = |label, value: f64, unit| said_row(language, label, number(value, language), unit);
+        let row = |label, value: f64, unit| row(language, label, number(value, language), unit);
+        let kind = language.named("seam", s.kind).unwrap_or_else(|| s.kind.to_owned());
         vec![
-            said_row(
-                language,
-                "report-row-seam",
-                language.named("seam", s.kind).unwrap_or_else(|| s.kind.to_owned()),
-                Unit::One,
-            ),
+            [language.words("report-row-seam"), kind, String::new()],
             row("report-row-seam-length", s.length_mm, Unit::Mm),
             row("report-tile-weld-length", s.weld_length_mm, Unit::Mm),
             row("report-row-dihedral-min", s.dihedral_min_deg, Unit::Deg),
@@ -102,6 +101,6 @@ impl WeldReport {
     }
 }
 
-fn said_row(language: Language, label: &'static str, value: String, unit: Unit) -> Vec<String> {
-    vec![language.words(label), value, language.symbol(unit)]
+fn row(language: Language, label: &'static str, value: String, unit: Unit) -> Row {
+    [language.words(label), value, language.symbol(unit)]
 }

@@ -1,8 +1,6 @@
 //! The report of one weld: its numbers ([`WeldReport`], which is also `report.json`), its plots and its page.
 
-mod blocks;
 mod certificate;
-mod chart_parts;
 mod charts;
 mod curves;
 mod cut;
@@ -26,11 +24,9 @@ mod totals;
 mod tracking;
 mod woven;
 
-pub(crate) use blocks::table;
 pub use certificate::CertificateFigures;
 pub use charts::Plots;
 pub use curves::SimulationCurves;
 pub use figures::{PassFigures, WeldReport};
 pub use posts::PostFigures;
 pub use sections::sections;
-pub use taught::TaughtPlot;

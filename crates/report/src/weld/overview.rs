@@ -1,16 +1,14 @@
 //! Overview of a plan, at the top of its page.
 
-use super::blocks::{number, small};
 use super::figures::{PassFigures, WeldReport};
 use super::plan::PlanFigures;
 use super::range::Range;
-use crate::block::{Severity, Tile};
-use crate::number::{Significant as _, significant};
-use crate::page::Verdict;
-use crate::words::Words as _;
-use seamwright_message::{Argument, Language, Message, Unit};
-use seamwright_program::group_findings;
+use crate::block::tile;
+use crate::number::{NONE, Significant as _, number, range, significant, small};
+use crate::{Language, Severity, Tile, Verdict, Words as _};
 use seamwright_simulation::Summary;
+use seamwright_message::{Argument, Message, Unit};
+use seamwright_program::group_findings;
 
 impl WeldReport {
     /// Describes the checks that were made and their limits.
@@ -52,39 +50,31 @@ impl WeldReport {
     /// Returns the key figures of the weld; with several passes sums, and the extremes of all passes.
     pub(super) fn tiles(&self, language: Language) -> Vec<Tile> {
         let totals = &self.totals;
-        let tile = |label, value: f64, unit, note| tile(language, label, unit, number(value, language), note);
+        let tile = |label, value: f64, unit, note: Message| {
+            tile(language, label, unit, number(value, language), note.in_language(language))
+        };
         let mut of = match &self.seam {
             Some(seam) => Message::new("report-seam-length").significant("length", seam.length_mm, Unit::Mm, 5),
             None => Message::new("report-through-points"),
         };
         let mut travel = Message::new("report-travel");
         if totals.passes > 1 {
-            of = Message::new("report-length-of-passes").message("of", of).count("n", totals.passes).significant(
-                "length",
-                totals.length_mm,
-                Unit::Mm,
-                5,
-            );
+            of = Message::new("report-length-of-passes").message("of", of).count("n", totals.passes);
+            of = of.significant("length", totals.length_mm, Unit::Mm, 5);
             travel = Message::new("report-travel-of-passes").count("n", totals.passes);
         }
         let length = self.seam.as_ref().map_or(totals.length_mm, |seam| seam.weld_length_mm);
-        let cycle = Message::new("report-cycle").significant("total", totals.total_s, Unit::S, 5).significant(
-            "transfer",
-            totals.air_s,
-            Unit::S,
-            5,
-        );
+        let cycle = Message::new("report-cycle").significant("total", totals.total_s, Unit::S, 5);
+        let cycle = cycle.significant("transfer", totals.air_s, Unit::S, 5);
         let plans = || self.passes.iter().map(|pass| &pass.plan);
         let asked = Range::of(plans().flat_map(|plan| [plan.asked_speed_mm_s.0, plan.asked_speed_mm_s.1]));
         let planned = Range::of(plans().flat_map(|plan| [plan.least_speed_mm_s, plan.greatest_speed_mm_s]));
-        let speeds = Message::new("report-speed-requested")
-            .text("requested", asked.text(language))
-            .significant("max", planned.max, Unit::One, 5)
-            .in_language(language);
+        let speeds = Message::new("report-speed-requested").text("requested", asked.text(language));
+        let speeds = speeds.significant("max", planned.max, Unit::One, 5);
         let mut tiles = vec![
-            tile("report-tile-weld-length", length, Unit::Mm, of.in_language(language)),
-            tile("report-tile-weld-time", totals.weld_s, Unit::S, travel.in_language(language)),
-            tile("report-tile-arc-on", totals.arc_on_s, Unit::S, cycle.in_language(language)),
+            tile("report-tile-weld-length", length, Unit::Mm, of),
+            tile("report-tile-weld-time", totals.weld_s, Unit::S, travel),
+            tile("report-tile-arc-on", totals.arc_on_s, Unit::S, cycle),
             tile("report-tile-speed", planned.min, Unit::MmPerS, speeds),
         ];
         tiles.extend(self.worst_simulated().iter().flat_map(|(_, s)| simulated_tiles(s, language)));
@@ -92,27 +82,20 @@ impl WeldReport {
         tiles.extend(worst.map(|plan| plan.attitude_tile(language)));
         let energies = plans().filter_map(|plan| plan.arc_energy_kj_mm).flat_map(|(least, greatest)| [least, greatest]);
         tiles.extend(energy_tile(Range::of(energies), language));
-        let wire = |metres: f64| tile("report-tile-wire", metres, Unit::M, language.words("report-wire-with-arc"));
+        let wire = |metres: f64| tile("report-tile-wire", metres, Unit::M, Message::new("report-wire-with-arc"));
         tiles.extend(totals.wire_m.filter(|metres| *metres > 0.0).map(wire));
         tiles
     }
-}
-
-fn tile(language: Language, label: &'static str, unit: Unit, value: String, note: String) -> Tile {
-    Tile { label: language.words(label), value, unit: language.symbol(unit), note, ..Tile::default() }
 }
 
 /// Returns the key figures of the simulated pass.
 fn simulated_tiles(s: &Summary, language: Language) -> [Tile; 2] {
     let (ripple, note) = match (&s.tip_speed_mm_s, s.speed_ripple) {
         (Some(v), Some(ripple)) => {
-            let note = Message::new("report-speed-range")
-                .significant("from", v.min, Unit::One, 5)
-                .significant("to", v.max, Unit::MmPerS, 5)
-                .significant("rms", v.rms, Unit::MmPerS, 2);
-            (small(100.0 * ripple, language), note)
+            let note = range("report-speed-range", (v.min, v.max), Unit::MmPerS);
+            (small(100.0 * ripple, language), note.significant("rms", v.rms, Unit::MmPerS, 2))
         }
-        _ => ("–".to_owned(), Message::new("report-too-short")),
+        _ => (NONE.to_owned(), Message::new("report-too-short")),
     };
     let error = Message::new("report-path-error-rms").significant("rms", s.path_error_mm.rms, Unit::Mm, 2);
     let path_error = small(s.path_error_mm.max, language);
@@ -126,21 +109,12 @@ impl PlanFigures {
     /// Describes the result of the simulated pass.
     fn simulated(&self, s: &Summary) -> Message {
         let code = if s.speed_ripple.is_some() { "report-verdict-simulated" } else { "report-verdict-simulated-short" };
-        let message = Message::new(code).significant("error", s.path_error_mm.max, Unit::Mm, 2).significant(
-            "allowed",
-            self.tolerance.path_mm.get(),
-            Unit::Mm,
-            5,
-        );
-        match s.speed_ripple {
-            Some(ripple) => message.significant("ripple", 100.0 * ripple, Unit::Percent, 2).significant(
-                "ripple_allowed",
-                self.tolerance.speed_percent.get(),
-                Unit::Percent,
-                5,
-            ),
-            None => message,
-        }
+        let (path, speed) = (self.tolerance.path_mm.get(), self.tolerance.speed_percent.get());
+        let message = Message::new(code).significant("error", s.path_error_mm.max, Unit::Mm, 2);
+        let message = message.significant("allowed", path, Unit::Mm, 5);
+        let Some(ripple) = s.speed_ripple else { return message };
+        let message = message.significant("ripple", 100.0 * ripple, Unit::Percent, 2);
+        message.significant("ripple_allowed", speed, Unit::Percent, 5)
     }
 
     fn attitude_tile(&self, language: Language) -> Tile {

@@ -1,67 +1,59 @@
 //! Page of a weld of several passes: tables by pass, and the curves of one pass of each kind. The curves of all passes
 //! would fill a book with repetitions.
 
-use super::blocks::{figure, number, paragraph, small, table};
+use super::Plots;
 use super::certificate::UseFigures;
-use super::charts::Plots;
 use super::figures::{PassFigures, WeldReport};
 use super::limits::{axes_table, speed_text, uses_table};
-use super::page::seam;
+use super::page::SEAM;
 use super::plan::AxisFigures;
 use super::range::Range;
 use super::simulated::simulation_text;
 use super::tracking;
-use crate::block::{Block, Table};
-use crate::chart::Chart;
-use crate::grid::ChartGrid;
-use crate::names;
-use crate::number::{Significant as _, from_to, significant};
-use crate::words::Words as _;
-use seamwright_message::{Language, Message, Unit};
+use crate::block::{paragraph, section};
+use crate::number::{NONE, Significant as _, from_to, number, significant, small};
+use crate::{Block, Language, Table, Words as _, names};
+use seamwright_simulation::Summary;
 use seamwright_simulation::tracking::HeadSummary;
+use seamwright_message::{Message, Unit};
 
-/// A column of a table by pass: its heading and its cell for a pass.
-type Column<'a> = (String, Box<dyn Fn(&PassFigures) -> String + 'a>);
-
-/// Placeholder for a missing value.
-const NONE: &str = "–";
+/// Drawings of one pass of several, after those of its seam.
+const CURVES: [&str; 9] =
+    ["heat-input", "position", "clearance", "speed", "speed-deviation", "tracking", "path-error", "following", "axes"];
 
 impl WeldReport {
     /// Returns the sections about all passes, before the job.
     pub(super) fn all_passes(&self, plots: &[Plots], language: Language) -> Vec<Block> {
-        let heading = |text| Block::Heading(language.words(text));
-        let mut blocks = vec![heading("report-heading-passes"), self.passes_table(language)];
-        let first = plots.first();
-        blocks.push(heading("report-heading-order"));
-        blocks.extend(first.and_then(|plots| plots.order.as_ref()).map(|order| {
-            let caption = "report-caption-order";
-            figure(order.to_svg(), caption, language)
-        }));
-        blocks.push(self.order_table(language));
-        if let Some(sections) = first.and_then(|plots| plots.sections.as_ref()) {
-            blocks.push(heading("report-heading-joint"));
-            blocks.push(figure(sections.to_svg(), super::page::SECTIONS, language));
-        }
-        blocks.extend(self.procedure_of_all(language));
-        blocks.push(heading("report-heading-checks"));
-        blocks.push(self.checks_table(language));
-        blocks.push(axes_table(&self.axes_of_all(), language));
-        blocks.push(uses_table(&self.uses_of_all(), language));
-        blocks.extend(self.simulated_of_all(language));
-        blocks
+        let first = |name| plots.first().map_or(Vec::new(), |plots| plots.figures(&[name], language));
+        let mut order = first("order");
+        order.push(self.order_table(language));
+        let axes = axes_table(&self.axes_of_all(), language);
+        let uses = uses_table(&self.uses_of_all(), language);
+        let sections = [
+            ("report-heading-passes", vec![self.passes_table(language)]),
+            ("report-heading-order", order),
+            ("report-heading-joint", first("sections")),
+            ("report-heading-procedure", self.procedure_of_all(language)),
+            ("report-heading-checks", vec![self.checks_table(language), axes, uses]),
+            ("report-heading-simulated", self.simulated_of_all(language)),
+            ("report-heading-tracking", self.tracked_of_all(language)),
+        ];
+        sections.into_iter().flat_map(|(heading, content)| section(heading, content, language)).collect()
     }
 
     /// Returns the curves of one pass of each kind.
     pub(super) fn curves(&self, plots: &[Plots], language: Language) -> Vec<Block> {
-        let mut blocks =
-            vec![Block::Heading(language.words("report-heading-curves")), paragraph("report-about-curves", language)];
+        let mut blocks = vec![paragraph("report-about-curves", language)];
         for i in self.typical_passes() {
             let (pass, Some(plots)) = (&self.passes[i], plots.get(i)) else { continue };
             let heading = Message::new("report-heading-pass-curves").pass("pass", i + 1).text("name", &pass.name);
             blocks.push(Block::Heading(heading.in_language(language)));
-            blocks.extend(pass_curves(pass, plots, language));
+            blocks.push(Block::Paragraph(speed_text(&pass.certificate, language)));
+            blocks.extend(plots.figures(&SEAM, language));
+            blocks.extend(plots.taught(language));
+            blocks.extend(plots.figures(&CURVES, language));
         }
-        blocks
+        section("report-heading-curves", blocks, language)
     }
 
     /// Returns one pass of each kind, in the order of welding: one with a finding against it, or else the longest. A
@@ -87,77 +79,52 @@ impl WeldReport {
     /// Returns process values and results of each pass, with equal passes in one row. Times of arc and gas are in the
     /// table of the order, because the table would be wider than a page.
     fn passes_table(&self, language: Language) -> Block {
-        let say = |code: &'static str| language.words(code);
+        let any = |has: fn(&PassFigures) -> bool| self.passes.iter().any(has);
+        let short = |of: Option<(f64, f64)>| optional(of.map(|range| Range::from(range).short_text(language)));
         let mut names: Vec<&String> = self.passes.iter().flat_map(|pass| pass.process_range.keys()).collect();
         names.sort_unstable();
         names.dedup();
-        let mut columns: Vec<Column<'_>> = Vec::new();
+        let mut table = Table::of(language, &self.passes);
         for name in names {
-            let value = move |pass: &PassFigures| {
-                optional(pass.process_range.get(name).map(|r| Range::from(*r).text(language)))
-            };
-            columns.push((names::value(language, name), Box::new(value)));
+            let value = |pass: &&PassFigures| pass.process_range.get(name).map(|r| Range::from(*r).text(language));
+            table = table.column(names::value(language, name), true, |pass| optional(value(pass)));
         }
-        let speed = |pass: &PassFigures| {
-            let range = Range { min: pass.plan.least_speed_mm_s, max: pass.plan.greatest_speed_mm_s };
-            range.short_text(language)
-        };
-        columns.push((say("report-column-speed-mm-s"), Box::new(speed)));
-        if self.passes.iter().any(|pass| pass.plan.arc_energy_kj_mm.is_some()) {
-            let energy =
-                |pass: &PassFigures| optional(pass.plan.arc_energy_kj_mm.map(|e| Range::from(e).short_text(language)));
-            columns.push((say("report-column-arc-energy"), Box::new(energy)));
+        table = table.number("report-column-speed-mm-s", |pass| {
+            short(Some((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s)))
+        });
+        if any(|pass| pass.plan.arc_energy_kj_mm.is_some()) {
+            table = table.number("report-column-arc-energy", |pass| short(pass.plan.arc_energy_kj_mm));
         }
-        if self.passes.iter().any(|pass| pass.heat_input_kj_mm().is_some()) {
-            let heat =
-                |pass: &PassFigures| optional(pass.heat_input_kj_mm().map(|h| Range::from(h).short_text(language)));
-            columns.push((say("report-column-heat-input"), Box::new(heat)));
+        if any(|pass| pass.heat_input_kj_mm().is_some()) {
+            table = table.number("report-column-heat-input", |pass| short(pass.heat_input_kj_mm()));
         }
-        columns.push((say("report-column-length-mm"), Box::new(|pass| number(pass.plan.length_mm, language))));
-        columns.push((say("report-column-travel-s"), Box::new(|pass| number(pass.plan.weld_s, language))));
-        if self.totals.wire_m.is_some_and(|wire| wire > 0.0) {
-            columns.push((
-                say("report-column-wire-m"),
-                Box::new(|pass| optional(pass.wire_m.map(|m| significant(m, 3, language)))),
-            ));
-        }
-        let caption = language.words("report-caption-passes");
-        let mut by_pass = by_pass(&self.passes, &columns, &caption, language);
-        by_pass.rows.push(self.sums(&by_pass, columns.len(), language));
-        Block::Table(by_pass)
-    }
-
-    /// Returns the last row of the table of passes: sums of the columns that have one.
-    fn sums(&self, table: &Table, columns: usize, language: Language) -> Vec<String> {
         let totals = &self.totals;
-        let sums = [
-            ("report-column-length-mm", Some(totals.length_mm)),
-            ("report-column-travel-s", Some(totals.weld_s)),
-            ("report-column-wire-m", totals.wire_m),
-        ];
-        let sum = |head: &String| {
-            let found = sums.iter().find(|(name, _)| language.words(name) == *head);
-            found.and_then(|(_, value)| *value).map_or_else(String::new, |value| number(value, language))
-        };
-        let all = [String::new(), language.words("report-all-passes")];
-        all.into_iter().chain(table.head[2..columns + 2].iter().map(sum)).collect()
+        table = table
+            .number("report-column-length-mm", |pass| number(pass.plan.length_mm, language))
+            .number("report-column-travel-s", |pass| number(pass.plan.weld_s, language));
+        let mut sums = vec![number(totals.length_mm, language), number(totals.weld_s, language)];
+        if let Some(wire) = totals.wire_m.filter(|wire| *wire > 0.0) {
+            let metres = |pass: &&PassFigures| optional(pass.wire_m.map(|m| significant(m, 3, language)));
+            table = table.number("report-column-wire-m", metres);
+            sums.push(number(wire, language));
+        }
+        let mut table = self.by_pass(table.table(language.words("report-caption-passes")), language);
+        // Sums are below the last columns.
+        let mut row = vec![String::new(), language.words("report-all-passes")];
+        row.resize(table.head.len() - sums.len(), String::new());
+        table.rows.push([row, sums].concat());
+        Block::Table(table)
     }
 
     /// Returns the checks of each pass.
     fn checks_table(&self, language: Language) -> Block {
-        let say = |code: &'static str| language.words(code);
-        let mut columns: Vec<Column<'_>> = vec![
-            (
-                say("report-column-at-requested-speed"),
-                Box::new(|pass: &PassFigures| significant(pass.certificate.at_asked_percent, 3, language)),
-            ),
-            (
-                say("report-column-attitude-error"),
-                Box::new(|pass: &PassFigures| small(pass.plan.attitude_error_deg, language)),
-            ),
-        ];
+        let mut table = Table::of(language, &self.passes)
+            .number("report-column-at-requested-speed", |pass| {
+                significant(pass.certificate.at_asked_percent, 3, language)
+            })
+            .number("report-column-attitude-error", |pass| small(pass.plan.attitude_error_deg, language));
         if self.passes.iter().any(|pass| pass.clearance.is_some()) {
-            let nearest = |pass: &PassFigures| match &pass.clearance {
+            let nearest = |pass: &&PassFigures| match &pass.clearance {
                 Some(c) if c.between.is_some() => number(c.nearest_mm, language),
                 Some(c) => {
                     let message = Message::new("report-more-than").significant("value", c.nearest_mm, Unit::One, 5);
@@ -165,15 +132,11 @@ impl WeldReport {
                 }
                 None => NONE.to_owned(),
             };
-            columns.push((say("report-column-clearance"), Box::new(nearest)));
-            let between = |pass: &PassFigures| optional(pass.clearance.as_ref().and_then(|c| c.between_text(language)));
-            columns.push((say("report-column-between"), Box::new(between)));
+            table = table.number("report-column-clearance", nearest).text("report-column-between", |pass| {
+                optional(pass.clearance.as_ref().and_then(|c| c.between_text(language)))
+            });
         }
-        let mut by_pass = by_pass(&self.passes, &columns, &language.words("report-caption-checks"), language);
-        if let Some(last) = by_pass.numeric.get_mut(5) {
-            *last = false;
-        }
-        Block::Table(by_pass)
+        Block::Table(self.by_pass(table.table(language.words("report-caption-checks")), language))
     }
 
     /// Returns the extremes of the axes over all passes.
@@ -205,37 +168,25 @@ impl WeldReport {
     /// Returns the results of the simulated passes, if they were simulated.
     fn simulated_of_all(&self, language: Language) -> Vec<Block> {
         let Some((_, worst)) = self.worst_simulated() else { return Vec::new() };
-        let heading = |text| Block::Heading(language.words(text));
-        let say = |code: &'static str| language.words(code);
-        let simulated =
-            |of: fn(&seamwright_simulation::Summary) -> Option<f64>| -> Box<dyn Fn(&PassFigures) -> String> {
-                Box::new(move |pass| {
-                    optional(pass.simulation.as_ref().and_then(of).map(|value| small(value, language)))
-                })
-            };
-        let columns: [Column<'_>; 3] = [
-            (say("report-column-path-error-mm"), simulated(|s| s.welded.then_some(s.path_error_mm.max))),
-            (say("report-column-rms-mm"), simulated(|s| s.welded.then_some(s.path_error_mm.rms))),
-            (say("report-column-speed-ripple"), simulated(|s| s.speed_ripple.map(|ripple| 100.0 * ripple))),
-        ];
-        let caption = language.words("report-caption-simulated-passes");
-        let mut blocks = vec![
-            heading("report-heading-simulated"),
-            Block::Paragraph(simulation_text(worst, &self.machine.assumed_drives, language)),
-            Block::Table(by_pass(&self.passes, &columns, &caption, language)),
-        ];
-        let heads = |pass: &PassFigures| pass.simulation.as_ref().map_or(0, |s| s.heads.len());
-        if self.passes.iter().any(|pass| heads(pass) > 0) {
-            blocks.push(heading("report-heading-tracking"));
-            blocks.extend(self.tracked_of_all(language));
-        }
-        blocks
+        let simulated = |pass: &PassFigures, of: fn(&Summary) -> Option<f64>| {
+            optional(pass.simulation.as_ref().and_then(of).map(|value| small(value, language)))
+        };
+        let table = Table::of(language, &self.passes)
+            .number("report-column-path-error-mm", |p| simulated(p, |s| s.welded.then_some(s.path_error_mm.max)))
+            .number("report-column-rms-mm", |p| simulated(p, |s| s.welded.then_some(s.path_error_mm.rms)))
+            .number("report-column-speed-ripple", |p| simulated(p, |s| s.speed_ripple.map(|ripple| 100.0 * ripple)))
+            .table(language.words("report-caption-simulated-passes"));
+        let text = simulation_text(worst, &self.machine.assumed_drives, language);
+        vec![Block::Paragraph(text), Block::Table(self.by_pass(table, language))]
     }
 
-    /// Returns the deviation of each pass from the joint, and the corrections of beams.
+    /// Returns the deviation of each pass from the joint, and the corrections of beams, if any pass was tracked.
     fn tracked_of_all(&self, language: Language) -> Vec<Block> {
         let heads = |pass: &PassFigures| pass.simulation.as_ref().map_or_else(Vec::new, |s| s.heads.clone());
         let all: Vec<HeadSummary> = self.passes.iter().flat_map(heads).collect();
+        if all.is_empty() {
+            return Vec::new();
+        }
         let tables: [HeadTable; 2] = [
             |heads, language| Some(tracking::table(heads, language)),
             |heads, language| tracking::beam_table(heads, language),
@@ -249,6 +200,35 @@ impl WeldReport {
             blocks.extend(joined(of_passes, language).map(Block::Table));
         }
         blocks
+    }
+
+    /// Joins rows of consecutive passes with equal cells, and adds the numbers and names of their passes in front.
+    fn by_pass(&self, table: Table, language: Language) -> Table {
+        let mut joined: Vec<(usize, usize, Vec<String>)> = Vec::new();
+        for (i, cells) in table.rows.into_iter().enumerate() {
+            match joined.last_mut() {
+                Some((_, last, same)) if *same == cells => *last = i,
+                _ => joined.push((i, i, cells)),
+            }
+        }
+        let rows = joined.into_iter().map(|(first, last, cells)| {
+            let (number, name) = ((first + 1).to_string(), self.passes[first].name.clone());
+            let front = match first == last {
+                true => vec![number, name],
+                false => {
+                    let numbers = from_to(number, (last + 1).to_string(), language);
+                    vec![numbers, format!("{name} … {}", self.passes[last].name)]
+                }
+            };
+            [front, cells].concat()
+        });
+        let front = ["report-column-pass", "report-column-name"].map(|head| language.words(head));
+        Table {
+            rows: rows.collect(),
+            head: [front.to_vec(), table.head].concat(),
+            numeric: [vec![false; 2], table.numeric].concat(),
+            caption: table.caption,
+        }
     }
 }
 
@@ -270,102 +250,6 @@ fn joined(tables: impl Iterator<Item = (usize, Table)>, language: Language) -> O
     Some(all)
 }
 
-/// Creates a table with a row per pass; consecutive passes with equal columns share one.
-fn by_pass(passes: &[PassFigures], columns: &[Column<'_>], caption: &str, language: Language) -> Table {
-    let mut rows: Vec<(usize, usize, Vec<String>)> = Vec::new();
-    for (i, pass) in passes.iter().enumerate() {
-        let cells: Vec<String> = columns.iter().map(|(_, of)| of(pass)).collect();
-        match rows.last_mut() {
-            Some((_, last, same)) if *same == cells => *last = i,
-            _ => rows.push((i, i, cells)),
-        }
-    }
-    let row = |(first, last, cells): (usize, usize, Vec<String>)| {
-        let (numbers, names) = match first == last {
-            true => ((first + 1).to_string(), passes[first].name.clone()),
-            false => (
-                from_to((first + 1).to_string(), (last + 1).to_string(), language),
-                format!("{} … {}", passes[first].name, passes[last].name),
-            ),
-        };
-        [numbers, names].into_iter().chain(cells).collect()
-    };
-    let head = [language.words("report-column-pass"), language.words("report-column-name")];
-    Table {
-        caption: caption.to_owned(),
-        numeric: (0..columns.len() + 2).map(|column| column > 1).collect(),
-        head: head.into_iter().chain(columns.iter().map(|(head, _)| head.clone())).collect(),
-        rows: rows.into_iter().map(row).collect(),
-    }
-}
-
 fn optional(text: Option<String>) -> String {
     text.unwrap_or_else(|| NONE.to_owned())
-}
-
-/// Returns the drawings of one pass.
-fn pass_curves(pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
-    let mut blocks = seam(plots, language);
-    for taught in &plots.taught {
-        blocks.push(Block::Paragraph(taught.text.clone()));
-        blocks.push(figure(taught.charts.to_svg(), super::page::TAUGHT, language));
-    }
-    let procedure = plots.procedure.as_ref();
-    let drawn = [
-        (procedure.and_then(|p| p.heat_input.as_ref()).map(Chart::to_svg), super::page::HEAT_INPUT),
-        (procedure.map(|p| p.positions.to_svg()), super::page::POSITIONS),
-        (plots.clearance.as_ref().map(Chart::to_svg), super::page::CLEARANCE),
-        (Some(plots.speed.to_svg()), super::page::SPEED),
-        (plots.deviation.as_ref().map(Chart::to_svg), super::page::DEVIATION),
-        (plots.tracking.as_ref().map(ChartGrid::to_svg), super::page::TRACKED),
-        (plots.path_error.as_ref().map(Chart::to_svg), super::page::PATH_ERROR),
-        (plots.following.as_ref().map(ChartGrid::to_svg), super::page::FOLLOWING),
-        (Some(plots.axes.to_svg()), super::page::AXES),
-    ];
-    blocks.extend(drawn.into_iter().filter_map(|(svg, caption)| Some(figure(svg?, caption, language))));
-    blocks.insert(0, Block::Paragraph(speed_text(&pass.certificate, language)));
-    blocks
-}
-
-impl WeldReport {
-    /// Returns the passes in the order of welding with their times.
-    pub(super) fn order_table(&self, language: Language) -> Block {
-        let mut begun = 0.0;
-        let rows = self.passes.iter().enumerate().map(|(i, pass)| {
-            let p = &pass.plan;
-            begun += pass.air_before_s;
-            let row = vec![
-                (i + 1).to_string(),
-                pass.name.clone(),
-                number(pass.air_before_s, language),
-                number(begun, language),
-                number(p.weld_s, language),
-                number(p.arc_on_s, language),
-                number(p.total_s, language),
-            ];
-            begun += p.total_s;
-            row
-        });
-        let mut rows: Vec<Vec<String>> = rows.collect();
-        let sum = |f: fn(&super::figures::PassFigures) -> f64| number(self.passes.iter().map(f).sum(), language);
-        rows.push(vec![
-            String::new(),
-            language.words("report-all-from-home"),
-            number(self.air_s, language),
-            String::new(),
-            sum(|p| p.plan.weld_s),
-            sum(|p| p.plan.arc_on_s),
-            number(self.total_s, language),
-        ]);
-        let head = [
-            "",
-            "report-column-pass",
-            "report-column-transfer-before-s",
-            "report-column-start-s",
-            "report-column-travel-s",
-            "report-column-arc-on-s",
-            "report-column-total-s",
-        ];
-        table(&language.words("report-caption-order-table"), &head.map(|head| language.words(head)), rows, 2..7)
-    }
 }

@@ -1,11 +1,8 @@
 //! Verification of each part program written with the plan.
 
-use super::blocks::{number, table};
-use crate::block::Block;
-use crate::names;
-use crate::number::{Significant as _, fixed};
-use crate::words::Words as _;
-use seamwright_message::{Language, Message, Unit};
+use crate::number::{NONE, Significant as _, fixed, number};
+use crate::{Block, Language, Table, Words as _, names};
+use seamwright_message::{Message, Unit};
 use seamwright_post::{Dialect, Verification};
 use serde::Serialize;
 
@@ -36,38 +33,38 @@ impl PostFigures {
             .count("n", self.proof.moves)
             .significant("tolerance", self.tolerance_mm, Unit::Mm, 5)
             .in_language(language);
+        let caption = Message::new("report-caption-program").text("file", &self.file).in_language(language);
         let worst = |worst: &Option<(f64, String)>, unit| match worst {
             Some((off, name)) => format!("{name} {}", quantity(*off, unit, 5).in_language(language)),
-            None => "–".to_owned(),
+            None => NONE.to_owned(),
         };
         let process = |(off, name): &(f64, String)| (*off, names::value_title(language, name));
         let rows = self.proof.passes.iter().map(|pass| {
+            let arc = number(pass.arc_s, language);
             if pass.as_it_stands {
                 let none = || language.words("report-as-in-program");
-                return vec![pass.name.clone(), none(), none(), none(), none(), number(pass.arc_s, language), none()];
+                return [pass.name.clone(), none(), none(), none(), none(), arc, none()];
             }
-            vec![
+            let speed = pass.speed_percent.max(pass.speed_inside_percent);
+            [
                 pass.name.clone(),
                 fixed(pass.tip_mm, 5, language),
                 worst(&pass.linear, Unit::Mm),
                 worst(&pass.rotary, Unit::Deg),
-                quantity(pass.speed_percent.max(pass.speed_inside_percent), Unit::Percent, 2).in_language(language),
-                format!("{} ({})", number(pass.arc_s, language), signed_percent(pass.time_percent, language)),
+                quantity(speed, Unit::Percent, 2).in_language(language),
+                format!("{arc} ({})", signed_percent(pass.time_percent, language)),
                 worst(&pass.process.as_ref().map(process), Unit::Percent),
             ]
         });
-        let head = [
-            "report-column-pass",
-            "report-column-tip-mm",
-            "report-column-linear-axis",
-            "report-column-rotary-axis",
-            "report-column-tip-speed",
-            "report-column-arc-on-s",
-            "report-column-process-value",
-        ];
-        let caption = Message::new("report-caption-program").text("file", &self.file).in_language(language);
-        let table = table(&caption, &head.map(|head| language.words(head)), rows.collect(), 1..7);
-        [Block::Paragraph(text), table]
+        let table = Table::of(language, rows)
+            .text("report-column-pass", |row| row[0].clone())
+            .number("report-column-tip-mm", |row| row[1].clone())
+            .number("report-column-linear-axis", |row| row[2].clone())
+            .number("report-column-rotary-axis", |row| row[3].clone())
+            .number("report-column-tip-speed", |row| row[4].clone())
+            .number("report-column-arc-on-s", |row| row[5].clone())
+            .number("report-column-process-value", |row| row[6].clone());
+        [Block::Paragraph(text), Block::Table(table.table(caption))]
     }
 }
 

@@ -1,16 +1,12 @@
 //! Comparison of a pass with its welding procedure: figures, charts and tables.
 
-use super::blocks::{number, table};
-use super::chart_parts::{axis, chart, line};
-use crate::block::Block;
-use crate::chart::{Band, Chart, Stretch};
-use crate::limit::LimitLine;
-use crate::names;
-use crate::number::{Significant as _, fixed, from_to};
-use crate::words::Words as _;
-use seamwright_message::{Language, Message, Unit};
+use super::range::Range;
+use crate::number::{NONE, Significant as _, allowed, fixed, from_to, number, range};
+use crate::{Axis, Band, Block, Chart, Language, LimitLine, Series, Stretch, Table, Words as _, names};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::procedure::PassProcedure;
-use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};
+use seamwright_program::{FilletOrButt, Inclination, Outside, Procedure, Run, WeldingPosition, Window};
+use seamwright_record::figures::HEAT_INPUT;
 use serde::Serialize;
 
 /// The procedure of a weld.
@@ -123,51 +119,37 @@ impl PassProcedureFigures {
     }
 }
 
-/// Charts of a pass against its procedure.
-#[derive(Debug, Clone)]
-pub struct ProcedurePlots {
-    /// Heat input over path length, if the pass gives its power.
-    pub heat_input: Option<Chart>,
-    /// Slope and rotation over path length, with the positions above.
-    pub positions: Chart,
-}
-
 /// Maximum ratio of shown to allowed heat input: near a stop it has no bound.
 const SHOWN: f64 = 2.5;
 
-impl ProcedurePlots {
-    pub(super) fn new(held: &PassProcedure, run: Option<&Run>, language: Language) -> Self {
-        let strip = held.positions.iter().map(|p| Stretch {
-            label: p.position.to_string(),
-            from: p.from_mm,
-            to: p.to_mm,
-            colour: p.position as usize,
-            fault: !allows(run, p.position),
-        });
-        let curve = |of: fn(&seamwright_program::Inclination) -> f64| {
-            held.inclinations.iter().map(|(s, at)| (*s, of(at).to_degrees())).collect()
-        };
-        let lie = vec![
-            line(language, "report-curve-slope", curve(|at| at.slope)),
-            line(language, "report-curve-rotation", curve(|at| at.rotation)),
-        ];
-        Self {
-            heat_input: (!held.heat_input.is_empty()).then(|| heat_input(held, language)),
-            positions: Chart {
-                strip: strip.collect(),
-                ..chart(language, "report-chart-positions", axis(language, "report-label-angle", Unit::Deg), lie)
-            },
-        }
-    }
+/// Plots slope and rotation over path length, with the positions above.
+pub(super) fn positions(held: &PassProcedure, run: Option<&Run>, language: Language) -> Chart {
+    let strip = held.positions.iter().map(|p| Stretch {
+        label: p.position.to_string(),
+        from: p.from_mm,
+        to: p.to_mm,
+        colour: p.position as usize,
+        fault: !allows(run, p.position),
+    });
+    let curve = |name, of: fn(&Inclination) -> f64| {
+        let points = held.inclinations.iter().map(|(s, at)| (*s, of(at).to_degrees()));
+        Series::named(language, name, points.collect())
+    };
+    let lie = vec![curve("report-curve-slope", |at| at.slope), curve("report-curve-rotation", |at| at.rotation)];
+    let angle = Axis::of(language, "report-label-angle", Unit::Deg);
+    Chart { strip: strip.collect(), ..Chart::along(language, "report-chart-positions", angle, lie) }
 }
 
-fn heat_input(held: &PassProcedure, language: Language) -> Chart {
-    let quantity = held.quantities.iter().find(|q| q.key == "heat_input_kj_mm");
+/// Plots heat input over path length, if the pass gives its power.
+pub(super) fn heat_input(held: &PassProcedure, language: Language) -> Option<Chart> {
+    if held.heat_input.is_empty() {
+        return None;
+    }
+    let quantity = held.quantities.iter().find(|q| q.key == HEAT_INPUT);
     let window = quantity.and_then(|q| q.allowed).map(Window::ends);
-    let values = || held.heat_input.iter().map(|p| p.1).filter(|v| v.is_finite());
-    let (least, greatest) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
+    let Range { min, max } = Range::of(held.heat_input.iter().map(|p| p.1).filter(|v| v.is_finite()));
     let y_range = window.map(|(low, high)| {
-        let (low, high) = (low.min(least), high.max(greatest.min(SHOWN * high)));
+        let (low, high) = (low.min(min), high.max(max.max(0.0).min(SHOWN * high)));
         let room = 0.12 * (high - low).max(0.01 * high);
         ((low - room).max(0.0), high + room)
     });
@@ -180,19 +162,15 @@ fn heat_input(held: &PassProcedure, language: Language) -> Chart {
     let limit = |label, value| LimitLine::new(language.words(label), value);
     let limits =
         window.into_iter().flat_map(|(low, high)| [limit("report-limit-min", low), limit("report-limit-max", high)]);
-    let series = vec![line(language, "report-label-heat-input", held.heat_input.clone())];
-    Chart {
+    let series = vec![Series::named(language, "report-label-heat-input", held.heat_input.clone())];
+    let heat = Axis::of(language, "report-label-heat-input", Unit::KiloJPerMm);
+    Some(Chart {
         limits: limits.collect(),
         bands: bands.collect(),
         y_range,
         height: Some(170.0),
-        ..chart(
-            language,
-            "report-chart-heat-input",
-            axis(language, "report-label-heat-input", Unit::KiloJPerMm),
-            series,
-        )
-    }
+        ..Chart::along(language, "report-chart-heat-input", heat, series)
+    })
 }
 
 /// Describes procedure, run and calculation of heat input.
@@ -218,28 +196,20 @@ pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureF
         .in_language(language)
 }
 
-/// Returns the planned values against the allowed ones.
-pub(super) fn windows_table(figures: &PassProcedureFigures, language: Language) -> Block {
-    let rows = figures.quantities.iter().map(|q| window_row(q, verdict(q, language), language));
-    windows(&language.words("report-caption-plan-values"), rows.collect(), language)
-}
-
-pub(super) fn windows(caption: &str, rows: Vec<Vec<String>>, language: Language) -> Block {
-    let head = ["report-column-value", "report-column-min", "report-column-max", "report-column-allowed", ""]
-        .map(|head| language.words(head));
-    table(caption, &head, rows, 1..3)
-}
-
-pub(super) fn window_row(q: &QuantityFigures, verdict: String, language: Language) -> Vec<String> {
-    let (least, greatest) = match q.found {
-        Some((least, greatest)) => (value(least, language), value(greatest, language)),
-        None => ("–".to_owned(), "–".to_owned()),
-    };
-    let allowed = match q.allowed {
-        Some((least, greatest)) => from_to(number(least, language), number(greatest, language), language),
-        None => language.words("report-not-limited"),
-    };
-    vec![names::value(language, &q.key), least, greatest, allowed, verdict]
+/// Returns the planned values, each with its verdict, against the allowed ones.
+pub(super) fn windows_table(
+    caption: String,
+    rows: impl Iterator<Item = (QuantityFigures, String)>,
+    language: Language,
+) -> Block {
+    let end = |end: Option<f64>| end.map_or_else(|| NONE.to_owned(), |v| value(v, language));
+    let table = Table::of(language, rows)
+        .text("report-column-value", |(q, _)| names::value(language, &q.key))
+        .number("report-column-min", |(q, _)| end(q.found.map(|found| found.0)))
+        .number("report-column-max", |(q, _)| end(q.found.map(|found| found.1)))
+        .text("report-column-allowed", |(q, _)| allowed(q.allowed, language))
+        .text("", |(_, verdict)| verdict.clone());
+    Block::Table(table.table(caption))
 }
 
 /// Formats a value; rounding noise becomes zero.
@@ -252,9 +222,7 @@ fn value(v: f64, language: Language) -> String {
 }
 
 pub(super) fn verdict(q: &QuantityFigures, language: Language) -> String {
-    let at = |code, o: &Outside| {
-        Message::new(code).significant("from", o.from_mm, Unit::One, 5).significant("to", o.to_mm, Unit::Mm, 5)
-    };
+    let at = |code, o: &Outside| range(code, (o.from_mm, o.to_mm), Unit::Mm);
     let message = match (q.found, q.allowed, q.outside.as_slice()) {
         (None, Some(_), _) if ["preheat_c", "interpass_c"].contains(&q.key.as_str()) => {
             Message::new("report-to-be-measured")
@@ -270,26 +238,14 @@ pub(super) fn verdict(q: &QuantityFigures, language: Language) -> String {
 
 /// Returns the positions in order along the pass.
 pub(super) fn positions_table(figures: &PassProcedureFigures, language: Language) -> Block {
-    let rows = figures.positions.iter().map(|p| {
-        vec![
-            p.position.to_string(),
-            number(p.from_mm, language),
-            number(p.to_mm, language),
-            degrees(p.slope_deg, language),
-            degrees(p.rotation_deg, language),
-            language.words(if p.allowed { "report-allowed" } else { "report-not-allowed" }),
-        ]
-    });
-    let head = [
-        "report-column-position",
-        "report-column-from",
-        "report-column-to",
-        "report-column-slope",
-        "report-column-rotation",
-        "",
-    ]
-    .map(|head| language.words(head));
-    table(&positions_caption(figures, language), &head, rows.collect(), 1..5)
+    let table = Table::of(language, &figures.positions)
+        .text("report-column-position", |p| p.position.to_string())
+        .number("report-column-from", |p| number(p.from_mm, language))
+        .number("report-column-to", |p| number(p.to_mm, language))
+        .number("report-column-slope", |p| degrees(p.slope_deg, language))
+        .number("report-column-rotation", |p| degrees(p.rotation_deg, language))
+        .text("", |p| language.words(if p.allowed { "report-allowed" } else { "report-not-allowed" }));
+    Block::Table(table.table(positions_caption(figures, language)))
 }
 
 pub(super) fn positions_caption(figures: &PassProcedureFigures, language: Language) -> String {
@@ -305,5 +261,5 @@ pub(super) fn positions_caption(figures: &PassProcedureFigures, language: Langua
 
 pub(super) fn degrees(ends: Option<(f64, f64)>, language: Language) -> String {
     let range = |(least, greatest)| from_to(fixed(least, 1, language), fixed(greatest, 1, language), language);
-    ends.map_or_else(|| "–".to_owned(), range)
+    ends.map_or_else(|| NONE.to_owned(), range)
 }

@@ -1,8 +1,7 @@
 //! Ranges of figures, and their texts.
 
-use super::blocks::number;
-use crate::number::{from_to, significant};
-use seamwright_message::Language;
+use crate::Language;
+use crate::number::{from_to, number, significant};
 
 /// Minimum and maximum of a figure.
 #[derive(Debug, Clone, Copy)]

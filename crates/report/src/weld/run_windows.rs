@@ -1,14 +1,12 @@
 //! Values of the passes of each run of the procedure against its limits.
 
-use super::blocks::{number, table};
 use super::figures::WeldReport;
 use super::procedure::{
-    PassProcedureFigures, QuantityFigures, degrees, positions_caption, procedure_text, verdict, window_row, windows,
+    PassProcedureFigures, QuantityFigures, degrees, positions_caption, procedure_text, verdict, windows_table,
 };
-use crate::block::Block;
-use crate::number::from_to;
-use crate::words::Words as _;
-use seamwright_message::{Language, Message};
+use crate::number::{from_to, number};
+use crate::{Block, Language, Table, Words as _};
+use seamwright_message::Message;
 use seamwright_program::WeldingPosition;
 
 /// The passes of one run.
@@ -40,13 +38,11 @@ impl WeldReport {
                 None => runs.push(RunPasses { passes: vec![pass] }),
             }
         }
-        let mut blocks = vec![Block::Heading(language.words("report-heading-procedure"))];
-        for run in &runs {
-            blocks.push(Block::Paragraph(procedure_text(procedure, run.first(), language)));
-            blocks.push(run.windows_table(language));
-            blocks.push(run.positions_table(language));
-        }
-        blocks
+        let blocks = runs.iter().flat_map(|run| {
+            let text = Block::Paragraph(procedure_text(procedure, run.first(), language));
+            [text, run.windows_table(language), run.positions_table(language)]
+        });
+        blocks.collect()
     }
 }
 
@@ -65,11 +61,11 @@ impl<'a> RunPasses<'a> {
                     Message::new("report-outside-pass").text("passes", passes).in_language(language)
                 }
             };
-            window_row(&all, verdict, language)
+            (all, verdict)
         });
         let passes: Vec<usize> = self.passes.iter().map(|(number, _)| *number).collect();
         let caption = Message::new("report-caption-plan-values-of").text("passes", numbers(&passes, language));
-        windows(&caption.in_language(language), rows.collect(), language)
+        windows_table(caption.in_language(language), rows, language)
     }
 
     /// Returns the quantity with the extremes of all passes, and the passes in which it is outside.
@@ -87,26 +83,14 @@ impl<'a> RunPasses<'a> {
     }
 
     fn positions_table(&self, language: Language) -> Block {
-        let rows = self.positions().into_iter().map(|sum| {
-            vec![
-                sum.position.to_string(),
-                numbers(&sum.passes, language),
-                number(sum.length_mm, language),
-                degrees(sum.slope_deg, language),
-                degrees(sum.rotation_deg, language),
-                language.words(if sum.allowed { "report-allowed" } else { "report-not-allowed" }),
-            ]
-        });
-        let head = [
-            "report-column-position",
-            "report-column-pass",
-            "report-column-length-mm",
-            "report-column-slope",
-            "report-column-rotation",
-            "",
-        ]
-        .map(|head| language.words(head));
-        table(&positions_caption(self.first(), language), &head, rows.collect(), 2..5)
+        let table = Table::of(language, self.positions())
+            .text("report-column-position", |sum| sum.position.to_string())
+            .text("report-column-pass", |sum| numbers(&sum.passes, language))
+            .number("report-column-length-mm", |sum| number(sum.length_mm, language))
+            .number("report-column-slope", |sum| degrees(sum.slope_deg, language))
+            .number("report-column-rotation", |sum| degrees(sum.rotation_deg, language))
+            .text("", |sum| language.words(if sum.allowed { "report-allowed" } else { "report-not-allowed" }));
+        Block::Table(table.table(positions_caption(self.first(), language)))
     }
 
     fn positions(&self) -> Vec<PositionSum> {

@@ -1,7 +1,7 @@
-use crate::gallery::{Gallery, SectionDrawing};
 use crate::number::Significant as _;
+use crate::{Gallery, Language, SectionDrawing};
 use glam::DVec2;
-use seamwright_message::{Language, Message, Unit};
+use seamwright_message::{Message, Unit};
 use seamwright_program::Role;
 use seamwright_weld::{BeadAt, BeadPlan, Section, Welding};
 

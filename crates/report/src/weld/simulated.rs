@@ -1,24 +1,18 @@
 //! Results of a simulated pass in words and numbers.
 
-use super::blocks::{small, table};
-use super::chart_parts::units;
+use super::charts::units;
 use super::figures::ClearanceFigures;
-use crate::block::Block;
-use crate::number::{Significant as _, significant};
-use crate::words::Words as _;
-use seamwright_message::{Language, Message, Unit};
+use crate::number::{Significant as _, significant, small};
+use crate::{Block, Language, Table, Words as _};
 use seamwright_simulation::Summary;
+use seamwright_message::{Message, Unit};
 
 /// Describes the simulation and its result.
 pub(super) fn simulation_text(s: &Summary, assumed: &[String], language: Language) -> String {
     let mut text = vec![Message::new("report-simulation").text("seed", s.seed.to_string())];
     text.extend(s.axes.iter().max_by(|a, b| a.current.total_cmp(&b.current)).map(|a| {
-        Message::new("report-highest-load").axis("axis", &a.axis).significant(
-            "load",
-            100.0 * a.current,
-            Unit::Percent,
-            3,
-        )
+        let message = Message::new("report-highest-load").axis("axis", &a.axis);
+        message.significant("load", 100.0 * a.current, Unit::Percent, 3)
     }));
     if !assumed.is_empty() {
         text.push(Message::new("report-assumed-drives").text("axes", assumed.join(", ")));
@@ -28,27 +22,14 @@ pub(super) fn simulation_text(s: &Summary, assumed: &[String], language: Languag
 }
 
 pub(super) fn following_table(summary: &Summary, language: Language) -> Block {
-    let rows = summary.axes.iter().map(|a| {
-        let e = &a.following_error;
-        vec![
-            a.axis.clone(),
-            language.symbol(units(a.unit)[0]),
-            small(e.min, language),
-            small(e.max, language),
-            small(e.rms, language),
-            significant(100.0 * a.current, 3, language),
-        ]
-    });
-    let head = [
-        "report-column-axis",
-        "report-column-unit",
-        "report-column-min",
-        "report-column-max",
-        "report-column-rms",
-        "report-column-peak-load",
-    ];
-    let head = head.map(|head| language.words(head));
-    table(&language.words("report-caption-following-table"), &head, rows.collect(), 2..6)
+    Table::of(language, &summary.axes)
+        .text("report-column-axis", |a| a.axis.clone())
+        .text("report-column-unit", |a| language.symbol(units(a.unit)[0]))
+        .number("report-column-min", |a| small(a.following_error.min, language))
+        .number("report-column-max", |a| small(a.following_error.max, language))
+        .number("report-column-rms", |a| small(a.following_error.rms, language))
+        .number("report-column-peak-load", |a| significant(100.0 * a.current, 3, language))
+        .captioned("report-caption-following-table")
 }
 
 impl ClearanceFigures {

@@ -1,13 +1,9 @@
 //! Charts of the taught spans of a seam.
 
-use super::chart_parts::{axis, chart, line};
-use crate::chart::{Band, Chart};
-use crate::grid::ChartGrid;
-use crate::number::Significant as _;
-use crate::series::{Series, Style};
-use crate::words::Words as _;
+use crate::number::{Significant as _, range};
+use crate::{Axis, Band, Chart, ChartGrid, Language, Series, Style, Words as _};
 use seamwright_machine::Machine;
-use seamwright_message::{Language, Message, Unit};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::PassMotion;
 use seamwright_weld::{SeamCurve, TaughtSpan};
 
@@ -17,16 +13,15 @@ const PLACES: u32 = 600;
 const BESIDE: f64 = 0.2;
 
 /// Plots of one span: its deviation from the nominal seam, and the torch motion along it.
-#[derive(Debug, Clone)]
-pub struct TaughtPlot {
+pub(super) struct TaughtPlot {
     /// Description of the plots.
-    pub text: String,
+    pub(super) text: String,
     /// Distance, direction, curvature and speed over path length.
-    pub charts: ChartGrid,
+    pub(super) charts: ChartGrid,
 }
 
 /// Plots all taught spans of `seam` in one pass.
-pub(crate) fn taught(machine: &Machine, seam: &SeamCurve, motion: &PassMotion, language: Language) -> Vec<TaughtPlot> {
+pub(super) fn taught(machine: &Machine, seam: &SeamCurve, motion: &PassMotion, language: Language) -> Vec<TaughtPlot> {
     let spans = seam.taught().iter().enumerate();
     spans.map(|(i, span)| Shown { seam, span, number: i + 1, language }.plot(machine, motion)).collect()
 }
@@ -51,45 +46,27 @@ impl Shown<'_> {
         let bend = |s: f64| 1e3 * self.seam.curvature(s).length();
         let nominal_bend = |s: f64| 1e3 * self.seam.nominal().curvature(self.nominal_s(s)).length();
         let points = self.span.points.iter().map(|s| (*s, distance(*s))).collect();
-        let chart = |title, y, series: Vec<Series>| Chart {
+        let chart = |title, (label, unit), series: Vec<Series>| Chart {
             bands: vec![Band { label: language.words("report-taught"), from, to }],
             height: Some(96.0),
-            ..chart(language, title, y, series)
+            ..Chart::along(language, title, Axis::of(language, label, unit), series)
         };
-        let line = |name, points| line(language, name, points);
+        let line = |name, points| Series::named(language, name, points);
+        let welded = |f: &dyn Fn(f64) -> f64| line("report-curve-as-welded", curve(f));
+        let nominal = |f: &dyn Fn(f64) -> f64| line("report-curve-nominal", curve(f)).styled(Style::Dashed);
+        let taught = line("report-curve-taught-points", points).styled(Style::Points);
         let speeds = curve(&speed);
         let fastest = speeds.iter().fold(0.0, |m: f64, p| m.max(p.1));
+        let speeds = vec![line("report-curve-planned", speeds)];
+        let off = vec![welded(&distance), nominal(&|_| 0.0), taught];
+        let bends = vec![welded(&bend), nominal(&nominal_bend)];
+        let angle = ("report-label-angle", Unit::Deg);
+        let speed = chart("report-chart-tip-speed", ("report-label-speed", Unit::MmPerS), speeds);
         let charts = vec![
-            chart(
-                "report-chart-off-nominal",
-                axis(language, "report-label-distance", Unit::Mm),
-                vec![
-                    line("report-curve-as-welded", curve(&distance)),
-                    line("report-curve-nominal", curve(&|_| 0.0)).styled(Style::Dashed),
-                    line("report-curve-taught-points", points).styled(Style::Points),
-                ],
-            ),
-            chart(
-                "report-chart-direction-off-nominal",
-                axis(language, "report-label-angle", Unit::Deg),
-                vec![line("report-curve-as-welded", curve(&turn))],
-            ),
-            chart(
-                "report-chart-curvature",
-                axis(language, "report-label-curvature", Unit::PerM),
-                vec![
-                    line("report-curve-as-welded", curve(&bend)),
-                    line("report-curve-nominal", curve(&nominal_bend)).styled(Style::Dashed),
-                ],
-            ),
-            Chart {
-                y_range: Some((0.0, 1.2 * fastest)),
-                ..chart(
-                    "report-chart-tip-speed",
-                    axis(language, "report-label-speed", Unit::MmPerS),
-                    vec![line("report-curve-planned", speeds)],
-                )
-            },
+            chart("report-chart-off-nominal", ("report-label-distance", Unit::Mm), off),
+            chart("report-chart-direction-off-nominal", angle, vec![welded(&turn)]),
+            chart("report-chart-curvature", ("report-label-curvature", Unit::PerM), bends),
+            Chart { y_range: Some((0.0, 1.2 * fastest)), ..speed },
         ];
         let title = Message::new("report-chart-taught").pass("number", self.number).in_language(language);
         TaughtPlot { text: self.text(&places), charts: ChartGrid { title, columns: 1, charts } }
@@ -124,10 +101,8 @@ impl Shown<'_> {
         let off = inside.map(|s| self.seam.off_nominal(self.span, *s));
         let (away, turn) = off.fold((0.0, 0.0), |(a, t): (f64, f64), o| (a.max(o.0), t.max(o.1)));
         let longer = (to - from) - (self.span.nominal.1 - self.span.nominal.0);
-        Message::new("report-taught-span")
+        range("report-taught-span", (from, to), Unit::Mm)
             .pass("number", self.number)
-            .significant("from", from, Unit::One, 5)
-            .significant("to", to, Unit::Mm, 5)
             .significant("length", longer.abs(), Unit::Mm, 3)
             .message("change", Message::new(if longer < 0.0 { "report-shorter" } else { "report-longer" }))
             .count("n", self.span.points.len())

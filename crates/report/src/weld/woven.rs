@@ -1,9 +1,6 @@
-use super::chart_parts::{axis, line};
-use crate::chart::Chart;
-use crate::limit::LimitLine;
 use crate::number::Significant as _;
-use crate::words::Words as _;
-use seamwright_message::{Language, Message, Unit};
+use crate::{Axis, Chart, Language, LimitLine, Series, Words as _};
+use seamwright_message::{Message, Unit};
 use seamwright_program::Pass;
 use seamwright_weld::PassPath;
 
@@ -30,18 +27,26 @@ pub(super) fn weave(pass: &Pass, path: &PassPath, language: Language) -> Option<
         (s + along, across)
     };
     let (wide, _) = weave.reach();
+    let title = Message::new("report-chart-weave").significant("length", drawn, Unit::Mm, 3);
+    let points = (0..=places as u32).map(place).collect();
+    let limits = [("report-first-part", wide), ("report-second-part", -wide)];
     Some(Chart {
+        limits: limits.map(|(name, y)| LimitLine::new(language.words(name), y)).to_vec(),
+        ..flat(&title, Series::named(language, "report-curve-tip", points), language)
+    })
+}
+
+/// Plots a path across and along the seam, at equal scales.
+fn flat(title: &Message, path: Series, language: Language) -> Chart {
+    Chart {
         language,
-        title: Message::new("report-chart-weave").significant("length", drawn, Unit::Mm, 3).in_language(language),
-        x: axis(language, "report-label-along-seam", Unit::Mm),
-        y: axis(language, "report-label-across", Unit::Mm),
-        series: vec![line(language, "report-curve-tip", (0..=places as u32).map(place).collect())],
-        limits: [("report-first-part", wide), ("report-second-part", -wide)]
-            .map(|(name, y)| LimitLine::new(language.words(name), y))
-            .to_vec(),
+        title: title.in_language(language),
+        x: Axis::of(language, "report-label-along-seam", Unit::Mm),
+        y: Axis::of(language, "report-label-across", Unit::Mm),
+        series: vec![path],
         equal_aspect: true,
         ..Chart::default()
-    })
+    }
 }
 
 /// Draws the beam's path on the work over several periods at the pass' first speed, at equal scales; `None` without an
@@ -54,17 +59,9 @@ pub(super) fn oscillation(pass: &Pass, language: Language) -> Option<Chart> {
         let (across, along) = oscillation.on_work(f64::from(TURNS) * f64::from(i) / f64::from(places), speed);
         (along, across)
     };
-    Some(Chart {
-        language,
-        title: Message::new("report-chart-oscillation")
-            .count("n", TURNS as usize)
-            .significant("advance", oscillation.advance(speed), Unit::Mm, 4)
-            .significant("speed", speed, Unit::MmPerS, 4)
-            .in_language(language),
-        x: axis(language, "report-label-along-seam", Unit::Mm),
-        y: axis(language, "report-label-across", Unit::Mm),
-        series: vec![line(language, "report-curve-beam", (0..=places).map(place).collect())],
-        equal_aspect: true,
-        ..Chart::default()
-    })
+    let title = Message::new("report-chart-oscillation")
+        .count("n", TURNS as usize)
+        .significant("advance", oscillation.advance(speed), Unit::Mm, 4)
+        .significant("speed", speed, Unit::MmPerS, 4);
+    Some(flat(&title, Series::named(language, "report-curve-beam", (0..=places).map(place).collect()), language))
 }

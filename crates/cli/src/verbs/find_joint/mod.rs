@@ -34,9 +34,9 @@ pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
         files::write_with(path, |out| Ok(out.write_all(&png)?))?;
     }
     if args.json {
-        print(joint)?;
+        print(joint)?
     } else {
-        rows(joint)?;
+        rows(joint)?
     }
     // Errors are ignored: standard error may be closed.
     let mut err = io::stderr();
@@ -136,8 +136,7 @@ fn shortest(value: f32) -> f64 {
 }
 
 fn rows(joint: &Joint) -> Result<(), Failure> {
-    let columns = ["x_px", "y_px", "confidence", "width_px", "state"];
-    let mut rows = Rows::new(columns.map(str::to_owned).to_vec(), false)?;
+    let mut rows = Rows::with_header("x_px,y_px,confidence,width_px,state", false)?;
     for row in &joint.rows {
         let [x, y, confidence, width] = [row.x, row.y, row.confidence, row.width].map(|v| Cell::Number(shortest(v)));
         rows.row(&[x, y, confidence, width, Cell::Text(state(row.state))])?;

@@ -2,13 +2,13 @@ use crate::args::machine::CheckMachineArgs;
 use crate::clock;
 use crate::labels::labelled;
 use crate::progress::Progress;
-use crate::refusals::{between, not_allowed, not_json};
-use crate::rows::{print_json, print_text};
+use crate::refusals::{between, not_allowed};
+use crate::rows::{json_text, print_either};
 use seamwright_machine::check::{Check, CheckOptions};
 use seamwright_project::failure::Failure;
 use seamwright_project::files::Output;
 use seamwright_project::load::machine_and_file;
-use seamwright_report::{Language, MachineDrawing, check_page, check_text};
+use seamwright_report::{Drawing as _, Language, MachineDrawing, check_page, check_text};
 
 /// Maximum number of positions of a round trip: ten million take minutes.
 const MAX_POSES: u32 = 10_000_000;
@@ -27,18 +27,13 @@ pub(crate) fn run(args: &CheckMachineArgs) -> Result<(), Failure> {
     let mut text = check_text(&check, language);
     if let Some(mut output) = output.take() {
         let drawing = MachineDrawing::new(&machine, language);
-        let json = serde_json::to_string_pretty(&check).map_err(not_json)?;
         output.text("check.html", &check_page(&check, &drawing, file.file(), file.text(), &clock::now(), language))?;
-        output.text("check.json", &(json + "\n"))?;
+        output.text("check.json", &json_text(&check)?)?;
         output.text("machine.svg", &drawing.to_svg_standalone())?;
         for path in output.finish()? {
             labelled(&mut text, "cli-label-wrote", path.display());
         }
     }
-    if args.json {
-        print_json(&check)?;
-    } else {
-        print_text(&text)?;
-    }
+    print_either(args.json, &check, || text)?;
     if check.passed { Ok(()) } else { Err(Failure::Printed) }
 }

@@ -2,7 +2,7 @@ use super::placed::{Axis, Fitted, Placed};
 use super::touched::{Touched, Wanted, read};
 use crate::args::machine::{PlaceArgs, PlaceMethod};
 use crate::refusals::{between, in_file, not_allowed, refused, signed};
-use crate::rows::{print_json, print_text};
+use crate::rows::print_either;
 use crate::verbs::positive;
 use glam::{DAffine3, DQuat, DVec3};
 use seamwright_document::Transform;
@@ -33,11 +33,7 @@ pub(crate) fn run(args: &PlaceArgs) -> Result<(), Failure> {
     if let (Some(path), true) = (&args.output, placed.accepted) {
         write_job(args, path, &transform)?;
     }
-    if args.json {
-        print_json(&placed)?;
-    } else {
-        print_text(&placed.text(args.output.as_deref()))?;
-    }
+    print_either(args.json, &placed, || placed.text(args.output.as_deref()))?;
     if placed.accepted { Ok(()) } else { Err(Failure::Printed) }
 }
 

@@ -4,6 +4,7 @@ use super::touched::Touched;
 use crate::args::machine::{PlaceArgs, PlaceMethod};
 use crate::labels::{columns, padded};
 use crate::refusals::signed;
+use crate::rows::in_english;
 use clap::ValueEnum;
 use glam::{DAffine3, DVec3};
 use seamwright_document::Transform;
@@ -228,11 +229,6 @@ fn cure(args: &PlaceArgs, three: bool) -> Message {
         _ => "cli-place-touch-again-features",
     };
     Message::new(code).value("max", args.largest_mm, Unit::Mm)
-}
-
-/// Writes a message in English.
-fn in_english<S: Serializer>(message: &Option<Message>, out: S) -> Result<S::Ok, S::Error> {
-    message.as_ref().map(|message| message.in_language(Language::English)).serialize(out)
 }
 
 /// Writes messages in English.

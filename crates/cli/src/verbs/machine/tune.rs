@@ -3,12 +3,13 @@ use crate::args::machine::TuneArgs;
 use crate::labels::labelled;
 use crate::progress::Progress;
 use crate::refusals::refused;
-use crate::rows::{print_json, print_text};
+use crate::rows::print_either;
 use seamwright_machine::{Axis, Machine};
 use seamwright_message::Message;
 use seamwright_project::failure::Failure;
 use seamwright_project::files::{Output, written_text};
 use seamwright_project::load::machine_and_file;
+use seamwright_report::Drawing as _;
 use seamwright_simulation::tune_axis;
 
 pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {
@@ -34,11 +35,7 @@ pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {
             labelled(&mut text, "cli-label-wrote", line);
         }
     }
-    if args.json {
-        print_json(&tunings)?;
-    } else {
-        print_text(&text)?;
-    }
+    print_either(args.json, &tunings, || text)?;
     if tunings.iter().all(|t| t.tuned.is_some()) { Ok(()) } else { Err(Failure::Printed) }
 }
 

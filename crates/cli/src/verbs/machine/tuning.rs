@@ -2,12 +2,13 @@
 
 use crate::labels::{columns, labelled, padded};
 use crate::refusals::unit_of;
+use crate::rows::in_english;
 use seamwright_executive::Error;
 use seamwright_machine::{Axis, AxisKind};
 use seamwright_message::{Language, Message, Unit};
 use seamwright_report::{Bode, format_number};
 use seamwright_servo::{Tuned, decibels, unwrapped};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use std::fmt::Write;
 
 /// Columns of the table.
@@ -99,11 +100,6 @@ impl AxisTuning {
             phase_margin: (t.phase_margin_deg, t.gain_crossover_hz),
         })
     }
-}
-
-/// Writes a reason in English.
-fn in_english<S: Serializer>(reason: &Option<Message>, out: S) -> Result<S::Ok, S::Error> {
-    reason.as_ref().map(|reason| reason.in_language(Language::English)).serialize(out)
 }
 
 /// Frequency, decibels and degrees.

@@ -5,12 +5,13 @@ mod run;
 mod table;
 mod two_level;
 
-use super::positive;
 use super::process::ArcClock;
-use crate::args::MotionArgs;
+use crate::args::{ExportArg, MotionArgs};
+use super::{period, positive};
 use crate::planning;
 use crate::progress::Progress;
-use crate::refusals::{not_json, refused};
+use crate::refusals::refused;
+use crate::rows::json_text;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::{SetPoint, WeldMotion};
 use seamwright_project::failure::Failure;
@@ -19,15 +20,12 @@ use seamwright_project::load::{Loaded, load};
 use seamwright_report::CertificateFigures;
 use serde::Serialize;
 use std::path::Path;
-use table::{Along, Row, Table};
+use table::{Along, More, Row, Table};
 use two_level::TwoLevel;
 
 pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let period = match args.period_ms {
-        Some(ms) => positive("--period-ms", ms)? * 1e-3,
-        None => loaded.machine.servo_period_s,
-    };
+    let period = period(args.period_ms, &loaded.machine)?;
     let commands = args.commands.as_deref().map(commands::read).transpose()?;
     if commands.is_some() {
         run::check_period(period)?;
@@ -45,12 +43,13 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
     let mut progress = Progress::new("cli-progress-set-points", motion.count(coarse, args.air));
     let mut arc = ArcClock::new(&motion);
     let speed = |pass, set: &SetPoint| motion.tip_speed(&loaded.machine, pass, set);
-    let mut table = Table::new(&loaded, args.export, args.json)?;
+    let more = if args.export == Some(ExportArg::Pvt) { More::Speeds } else { More::None };
+    let mut table = Table::new(&loaded, more, args.json)?;
     if parts.is_none() && args.export.is_none() {
         motion.play(period, args.air, |pass, p, _| {
             progress.step();
             let along = Along::new(pass, &p, speed(pass, &p), arc.at(pass, &p));
-            table.row(&Row { t: p.t, along, q: p.q, speeds: None })
+            table.row(&Row { t: p.t, along, q: p.q, speeds: None, phase: None })
         })?;
     } else {
         let mut level = TwoLevel::new(table, period, parts.unwrap_or(1), args.export);
@@ -81,8 +80,7 @@ fn write_certificate(path: &Path, loaded: &Loaded, motion: &WeldMotion) -> Resul
         machine: &machine.name,
         passes: passes.map(|(pass, planned)| CertificateFigures::new(machine, pass, planned)).collect(),
     };
-    let json = serde_json::to_string_pretty(&certificates).map_err(not_json)?;
-    files::write(path, &(json + "\n"))
+    files::write(path, &json_text(&certificates)?)
 }
 
 /// Fine periods in a coarse one.

@@ -1,10 +1,9 @@
 //! The motion as it runs under an operator's commands.
 
 use super::commands::{Command, MIN_OVERRIDE, Timed};
+use super::table::{Along, More, Row, Table};
 use crate::args::MotionArgs;
 use crate::refusals::{between, refused};
-use crate::rows::{Cell, Rows};
-use crate::verbs::process::ProcessColumns;
 use seamwright_machine::Joints;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::feed_override::{
@@ -37,14 +36,8 @@ pub(super) fn run(
                 for k in 0..air.count(period) {
                     let Some((leg, t)) = air.leg(k as f64 * period) else { break };
                     player.wait_in_air();
-                    player.row(&Point {
-                        pass: 0,
-                        s: f64::NAN,
-                        speed: f64::NAN,
-                        q: leg.at_time(t),
-                        phase: None,
-                        arc: None,
-                    })?;
+                    let along = Along { pass: 0, s: f64::NAN, speed: f64::NAN, arc: None };
+                    player.row(along, leg.at_time(t), "air")?;
                 }
             }
         }
@@ -52,7 +45,7 @@ pub(super) fn run(
             break;
         }
     }
-    player.rows.finish()
+    player.table.finish()
 }
 
 /// Refuses periods that no control runs at.
@@ -62,19 +55,6 @@ pub(super) fn check_period(period: f64) -> Result<(), Failure> {
         return Err(refused("--period-ms", period * 1e3, fault, between(0.25, 4.0)));
     }
     Ok(())
-}
-
-/// A set-point to write.
-struct Point {
-    /// Counted from 1; 0 in the air.
-    pass: usize,
-    s: f64,
-    speed: f64,
-    q: Joints,
-    /// `None` in a transfer move.
-    phase: Option<RunPhase>,
-    /// `None` while the arc is off.
-    arc: Option<ArcTime>,
 }
 
 struct Player<'a> {
@@ -92,18 +72,11 @@ struct Player<'a> {
     over: bool,
     /// Time since the arc went on, s.
     burning: f64,
-    process: ProcessColumns<'a>,
-    rows: Rows,
+    table: Table<'a>,
 }
 
 impl<'a> Player<'a> {
     fn new(loaded: &'a Loaded, commands: &'a [Timed], period: f64, json: bool) -> Result<Self, Failure> {
-        let process = ProcessColumns::new(&loaded.welding.program.value);
-        let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
-        columns.extend(loaded.machine.axes.iter().map(|a| a.name.clone()));
-        columns.extend(["speed_mm_s", "arc", "phase"].map(str::to_owned));
-        columns.extend_from_slice(process.names());
-        let rows = Rows::new(columns, json)?;
         Ok(Self {
             loaded,
             commands,
@@ -113,8 +86,7 @@ impl<'a> Player<'a> {
             first: Some(Command::Resume),
             over: false,
             burning: 0.0,
-            process,
-            rows,
+            table: Table::new(loaded, More::Phase, json)?,
         })
     }
 
@@ -218,20 +190,13 @@ impl<'a> Player<'a> {
         let arc = now.phase.arc().then_some(ArcTime { since_on_s: self.burning, until_off_s });
         self.burning = arc.map_or(0.0, |arc| arc.since_on_s + self.period);
         let speed = r.tip.v * motion.path.tip_rate(&self.loaded.machine, r.tip.s);
-        self.row(&Point { pass, s: r.tip.s, speed, q: r.q, phase: Some(now.phase), arc })
+        self.row(Along { pass, s: r.tip.s, speed, arc }, r.q, now.phase.name())
     }
 
-    fn row(&mut self, point: &Point) -> Result<(), Failure> {
-        let number = |v: f64| if v.is_finite() { Cell::Number(v) } else { Cell::Empty };
+    fn row(&mut self, along: Along, q: Joints, phase: &'static str) -> Result<(), Failure> {
         let t = self.count as f64 * self.period;
         self.count += 1;
-        let mut cells = vec![Cell::Number(t), Cell::Count(point.pass as u64), number(point.s)];
-        let axes = self.loaded.machine.axes.iter().zip(&point.q);
-        cells.extend(axes.map(|(axis, value)| Cell::Number(axis.to_file(*value))));
-        let phase = point.phase.map_or("air", RunPhase::name);
-        cells.extend([number(point.speed), Cell::Count(u64::from(point.arc.is_some())), Cell::Text(phase)]);
-        cells.extend(self.process.values(point.pass, point.s, point.arc).map(Cell::Number));
-        self.rows.row(&cells)
+        self.table.row(&Row { t, along, q, speeds: None, phase: Some(phase) })
     }
 }
 

@@ -1,4 +1,3 @@
-use crate::args::ExportArg;
 use crate::rows::{Cell, Rows};
 use crate::verbs::process::ProcessColumns;
 use seamwright_machine::Joints;
@@ -34,6 +33,16 @@ pub(super) struct Row {
     pub(super) q: Joints,
     /// Speeds of the axes, with positions for moves by position, velocity and time.
     pub(super) speeds: Option<Joints>,
+    /// Phase of a run under commands.
+    pub(super) phase: Option<&'static str>,
+}
+
+/// Columns beside those of every table of set-points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum More {
+    None,
+    Speeds,
+    Phase,
 }
 
 /// Set-points as rows on standard output.
@@ -46,15 +55,16 @@ pub(super) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    pub(super) fn new(loaded: &'a Loaded, export: Option<ExportArg>, json: bool) -> Result<Self, Failure> {
+    pub(super) fn new(loaded: &'a Loaded, more: More, json: bool) -> Result<Self, Failure> {
         let axes = &loaded.machine.axes;
         let process = ProcessColumns::new(&loaded.welding.program.value);
         let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
         columns.extend(axes.iter().map(|a| a.name.clone()));
-        if export == Some(ExportArg::Pvt) {
+        if more == More::Speeds {
             columns.extend(axes.iter().map(|a| format!("{}_{}_s", a.name, a.unit())));
         }
         columns.extend(["speed_mm_s".to_owned(), "arc".to_owned()]);
+        columns.extend((more == More::Phase).then(|| "phase".to_owned()));
         columns.extend_from_slice(process.names());
         Ok(Self { loaded, process, rows: Rows::new(columns, json)?, cells: Vec::new() })
     }
@@ -70,6 +80,7 @@ impl<'a> Table<'a> {
             cells.extend(axes.iter().zip(values).map(|(axis, value)| Cell::Number(axis.to_file(*value))));
         }
         cells.extend([number(speed), Cell::Count(u64::from(arc.is_some()))]);
+        cells.extend(row.phase.map(Cell::Text));
         cells.extend(self.process.values(pass, s, arc).map(Cell::Number));
         self.rows.row(cells)
     }

@@ -54,7 +54,7 @@ impl<'a> TwoLevel<'a> {
             self.knot(&knot)?;
         }
         if let (Some((along, knot)), None) = (self.before, self.export) {
-            self.table.row(&Row { t: self.time(self.next - 1, 0), along, q: knot.q, speeds: None })?;
+            self.table.row(&Row { t: self.time(self.next - 1, 0), along, q: knot.q, speeds: None, phase: None })?;
         }
         Ok(self.table)
     }
@@ -73,7 +73,7 @@ impl<'a> TwoLevel<'a> {
         let Some(along) = self.waiting.pop_front() else { return Ok(()) };
         let k = self.next;
         self.next += 1;
-        let row = |q, speeds| Row { t: k as f64 * self.period, along, q, speeds };
+        let row = |q, speeds| Row { t: k as f64 * self.period, along, q, speeds, phase: None };
         match self.export {
             Some(ExportArg::Spline1) => self.table.row(&row(knot.control_point(self.period), None)),
             Some(ExportArg::Pvt) => self.table.row(&row(knot.q, Some(knot.v))),
@@ -88,7 +88,8 @@ impl<'a> TwoLevel<'a> {
         for j in 0..self.parts {
             let part = f64::from(j) / f64::from(self.parts);
             let along = between(&from, &along, self.period, part);
-            self.table.row(&Row { t: self.time(k - 1, j), along, q: segment.at(part).q, speeds: None })?;
+            let t = self.time(k - 1, j);
+            self.table.row(&Row { t, along, q: segment.at(part).q, speeds: None, phase: None })?;
         }
         Ok(())
     }

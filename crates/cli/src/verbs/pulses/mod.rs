@@ -80,8 +80,7 @@ fn print_note(remark: &Message) {
 
 /// Pulses and changes of direction as rows on standard output.
 fn csv(play: &mut Play, stepped: &[Stepped]) -> Result<(), Failure> {
-    let columns = ["t_s", "axis", "event", "direction", "steps"].map(str::to_owned);
-    let mut rows = Rows::new(columns.into(), false)?;
+    let mut rows = Rows::with_header("t_s,axis,event,direction,steps", false)?;
     let clock = play.clock;
     let mut state: Vec<(f64, f64)> = Vec::new();
     play.pulses(stepped, |_, lines, event| {

@@ -1,10 +1,11 @@
 use super::check::Checked;
 use super::stepped::{Clock, Stepped};
 use crate::refusals::unit_of;
-use seamwright_message::{Language, Message, Unit};
+use crate::rows::in_english;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::pulses::Bound;
 use seamwright_project::load::Loaded;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// Summary of the pulses.
 #[derive(Debug, Serialize)]
@@ -160,9 +161,4 @@ fn bound(decided_by: &str) -> &'static str {
         "driver" => "cli-pulses-by-driver",
         _ => "cli-pulses-by-frequency",
     }
-}
-
-/// Writes a message in English.
-fn in_english<S: Serializer>(message: &Option<Message>, out: S) -> Result<S::Ok, S::Error> {
-    message.as_ref().map(|message| message.in_language(Language::English)).serialize(out)
 }

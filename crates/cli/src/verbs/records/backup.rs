@@ -1,6 +1,6 @@
 use super::data::{folder, open};
 use crate::args::records::{BackupArgs, RestoreArgs};
-use crate::rows::{print_json, print_text};
+use crate::rows::print_either;
 use seamwright_message::Message;
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
@@ -10,23 +10,14 @@ pub(super) fn backup(args: &BackupArgs) -> Result<(), Failure> {
     let data = open(args.data.data.as_deref())?;
     files::write_with(&args.output, |out| Ok(data.back_up(out)?))?;
     let bytes = std::fs::metadata(&args.output).map_or(0, |m| m.len());
-    match args.data.json {
-        true => print_json(&json!({ "file": args.output, "bytes": bytes })),
-        false => {
-            let written = Message::new("cli-record-backup").text("file", args.output.display().to_string());
-            print_text(&format!("{}\n", written.number("size", bytes as f64 / 1e6, 1)))
-        }
-    }
+    let written = Message::new("cli-record-backup").text("file", args.output.display().to_string());
+    let written = written.number("size", bytes as f64 / 1e6, 1);
+    print_either(args.data.json, &json!({ "file": args.output, "bytes": bytes }), || format!("{written}\n"))
 }
 
 pub(super) fn restore(args: &RestoreArgs) -> Result<(), Failure> {
     let to = folder(args.data.data.as_deref())?;
     seamwright_record::restore(&args.archive, &to)?;
-    match args.data.json {
-        true => print_json(&json!({ "folder": to })),
-        false => {
-            let restored = Message::new("cli-record-restored").text("folder", to.display().to_string());
-            print_text(&format!("{restored}\n"))
-        }
-    }
+    let restored = Message::new("cli-record-restored").text("folder", to.display().to_string());
+    print_either(args.data.json, &json!({ "folder": to }), || format!("{restored}\n"))
 }

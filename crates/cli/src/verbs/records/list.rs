@@ -4,20 +4,8 @@ use crate::rows::{Cell, Rows};
 use seamwright_project::failure::Failure;
 use seamwright_record::library::Query;
 
-const COLUMNS: [&str; 12] = [
-    "id",
-    "part",
-    "begun",
-    "ended",
-    "result",
-    "simulated",
-    "title",
-    "machine",
-    "procedure",
-    "welder",
-    "heat_input_mean_kj_mm",
-    "worst_deviation_mm",
-];
+const HEADER: &str =
+    "id,part,begun,ended,result,simulated,title,machine,procedure,welder,heat_input_mean_kj_mm,worst_deviation_mm";
 
 pub(super) fn run(args: &ListArgs) -> Result<(), Failure> {
     let data = open(args.data.data.as_deref())?;
@@ -33,7 +21,7 @@ pub(super) fn run(args: &ListArgs) -> Result<(), Failure> {
         limit: None,
     };
     let welds = data.library().find(&query)?;
-    let mut rows = Rows::new(COLUMNS.map(str::to_owned).into(), args.data.json)?;
+    let mut rows = Rows::with_header(HEADER, args.data.json)?;
     for weld in &welds {
         let (begun, ended) = (weld.begun.to_string(), weld.ended.map(|m| m.to_string()));
         let number = |value: Option<f64>| value.map_or(Cell::Empty, Cell::Number);

@@ -1,7 +1,7 @@
 use super::data::{open, result};
 use crate::args::records::ShowArgs;
 use crate::labels::{padded, width_of};
-use crate::rows::{print_json, print_text};
+use crate::rows::print_either;
 use seamwright_message::{Message, Unit};
 use seamwright_project::failure::Failure;
 use seamwright_record::figures::Value;
@@ -33,7 +33,7 @@ const LABELS: [&str; 15] = [
 
 pub(super) fn run(args: &ShowArgs) -> Result<(), Failure> {
     let detail = open(args.data.data.as_deref())?.library().detail(args.id)?;
-    if args.data.json { print_json(&detail) } else { print_text(&text(&detail)) }
+    print_either(args.data.json, &detail, || text(&detail))
 }
 
 fn text(detail: &WeldDetail) -> String {

@@ -201,10 +201,11 @@ impl Place<'_> {
     }
 
     fn rows(&self, found: Option<&Features>) -> Result<(), Failure> {
-        let places: &[&str] = if self.image.is_some() { &["x_px", "y_px"] } else { &["y_mm", "z_mm"] };
-        let more: &[&str] = if self.image.is_some() { &["value", "unit", "y_mm", "z_mm"] } else { &["value", "unit"] };
-        let columns = [&["feature"], places, &["confidence"], more].concat();
-        let mut rows = Rows::new(columns.into_iter().map(str::to_owned).collect(), false)?;
+        let header = match self.image.is_some() {
+            true => "feature,x_px,y_px,confidence,value,unit,y_mm,z_mm",
+            false => "feature,y_mm,z_mm,confidence,value,unit",
+        };
+        let mut rows = Rows::with_header(header, false)?;
         let Some(f) = found else { return rows.finish() };
         let mut row = |name: &str, at: DVec2, value: Option<(f64, &'static str)>| {
             let (px, mm) = self.both(at);

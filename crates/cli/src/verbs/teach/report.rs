@@ -1,6 +1,5 @@
 use crate::args::teach::TeachArgs;
-use crate::refusals::not_json;
-use crate::rows::print_json;
+use crate::rows::{json_text, print_json};
 use seamwright_machine::Machine;
 use seamwright_message::{Language, Message, Unit};
 use seamwright_project::failure::Failure;
@@ -91,8 +90,7 @@ impl<'a> Report<'a> {
     }
 
     pub(super) fn to_json(&self) -> Result<String, Failure> {
-        let text = serde_json::to_string_pretty(&self.value()).map_err(not_json)?;
-        Ok(text + "\n")
+        json_text(&self.value())
     }
 
     /// To standard output: the report, or a summary.

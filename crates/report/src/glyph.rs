@@ -3,55 +3,65 @@
 use crate::number::px;
 use std::fmt::Write;
 
-pub(super) type Point = (f64, f64);
+pub(crate) type Point = (f64, f64);
 
-pub(super) fn polyline(points: &[Point]) -> String {
+/// Returns a line through the points; empty without any.
+pub(crate) fn polyline(points: &[Point]) -> String {
     let mut d = String::new();
     for (i, (x, y)) in points.iter().enumerate() {
+        // Writing to a String cannot fail.
         let _ = write!(d, "{}{},{}", if i == 0 { 'M' } else { ' ' }, px(*x), px(*y));
     }
     d
 }
 
+/// Returns the outline of an area; empty without any point.
+pub(crate) fn closed(points: &[Point]) -> String {
+    if points.is_empty() { String::new() } else { polyline(points) + "Z" }
+}
+
+pub(crate) fn distance(a: Point, b: Point) -> f64 {
+    (b.0 - a.0).hypot(b.1 - a.1)
+}
+
+pub(crate) fn unit(v: Point) -> Point {
+    let length = v.0.hypot(v.1).max(1e-12);
+    (v.0 / length, v.1 / length)
+}
+
+pub(crate) fn shifted(p: Point, way: Point, by: f64) -> Point {
+    (p.0 + by * way.0, p.1 + by * way.1)
+}
+
 /// Returns a filled arrow head with its tip at `tip`, pointing along the unit vector `way`.
-pub(super) fn arrow_head(tip: Point, way: Point, length: f64) -> String {
-    let across = (-way.1, way.0);
-    let half = 0.42 * length;
-    let foot = (tip.0 - length * way.0, tip.1 - length * way.1);
-    let side = |s: f64| (foot.0 + s * half * across.0, foot.1 + s * half * across.1);
+pub(crate) fn arrow_head(tip: Point, way: Point, length: f64) -> String {
+    let foot = shifted(tip, way, -length);
+    let side = |by: f64| shifted(foot, (-way.1, way.0), by * 0.42 * length);
     polyline(&[tip, side(1.0), side(-1.0)]) + "z"
 }
 
 /// Returns a diagonal cross.
-pub(super) fn cross(x: f64, y: f64, half: f64) -> String {
+pub(crate) fn cross(x: f64, y: f64, half: f64) -> String {
     let half = half * std::f64::consts::FRAC_1_SQRT_2;
     polyline(&[(x - half, y - half), (x + half, y + half)]) + &polyline(&[(x - half, y + half), (x + half, y - half)])
 }
 
 /// Returns two strokes across a line along `way`: the symbol for a continued line.
-pub(super) fn zigzag(at: Point, way: Point) -> String {
-    let across = (-way.1, way.0);
-    let stroke = |by: f64| {
-        let p = |s: f64| {
-            (
-                at.0 + by * way.0 + s * (6.0 * across.0 + 2.5 * way.0),
-                at.1 + by * way.1 + s * (6.0 * across.1 + 2.5 * way.1),
-            )
-        };
-        polyline(&[p(-1.0), p(1.0)])
-    };
+pub(crate) fn zigzag(at: Point, way: Point) -> String {
+    let slanted = (2.5 * way.0 - 6.0 * way.1, 2.5 * way.1 + 6.0 * way.0);
+    let stroke = |by: f64| polyline(&[-1.0, 1.0].map(|side| shifted(shifted(at, way, by), slanted, side)));
     stroke(-2.0) + &stroke(2.0)
 }
 
 /// Direction of an axis for a viewer: right, up, towards the viewer.
-pub(super) type Seen = (f64, f64, f64);
+pub(crate) type Seen = (f64, f64, f64);
 
 /// Minimum component towards the viewer with which a rotation is drawn, so that its ring does not collapse to a line.
 const MIN_TOWARDS: f64 = 0.36;
 
 /// Returns three quarters of a turn by the right-hand rule about an axis through `centre`, its open quarter behind the
 /// axis. Points in px, y down.
-pub(super) fn turn(centre: Point, axis: Seen, radius: f64) -> Vec<Point> {
+pub(crate) fn turn(centre: Point, axis: Seen, radius: f64) -> Vec<Point> {
     let (mut u, mut v, mut w) = axis;
     let flat = u.hypot(v);
     if w.abs() < MIN_TOWARDS {
