@@ -29,7 +29,7 @@ mod users;
 
 pub(crate) use answer::Refused;
 #[cfg(test)]
-pub(crate) use assets::names;
+pub(crate) use assets::panel_files;
 #[cfg(test)]
 pub(crate) use client::hears;
 pub(crate) use guard::cookie;
