@@ -1,5 +1,12 @@
-//! Builds the panel into `OUT_DIR/web`, which is then embedded.
+//! Builds the panel into `OUT_DIR/web`, and writes `OUT_DIR/panel.rs`, the table of its files that is then embedded.
+//!
+//! Without Node.js the panel comes from `panel.tar.gz`, if that was built from the same sources.
 
+use flate2::Compression;
+use flate2::read::GzDecoder;
+use flate2::write::GzEncoder;
+use std::hash::{DefaultHasher, Hasher as _};
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
@@ -17,6 +24,12 @@ const SOURCES: [&str; 9] = [
     "svelte.config.js",
 ];
 
+/// The panel as it was last packed: the test `packed_panel_is_current` writes it.
+const PACKED: &str = "panel.tar.gz";
+
+/// File in it with the hash of its sources.
+const SOURCES_HASH: &str = "sources.txt";
+
 fn main() {
     println!("cargo:rerun-if-env-changed=SEAMWRIGHT_WEB");
     println!("cargo:rerun-if-changed=build.rs");
@@ -26,16 +39,87 @@ fn main() {
     for source in SOURCES {
         println!("cargo:rerun-if-changed={}", web.join(source).display());
     }
-    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo gives a build script OUT_DIR")).join("web");
-    fs::create_dir_all(&out).expect("OUT_DIR can be written");
-    let skipped = env::var("SEAMWRIGHT_WEB").is_ok_and(|v| v == "skip");
-    let made = if skipped { Err("it was built with SEAMWRIGHT_WEB=skip".to_owned()) } else { build(&web, &out) };
+    let sources = sources(&web).expect("the sources of the panel can be read");
+    println!("cargo:rustc-env=SEAMWRIGHT_PANEL_SOURCES={sources}");
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo gives a build script OUT_DIR"));
+    let panel = out.join("web");
+    fs::create_dir_all(&panel).expect("OUT_DIR can be written");
+    let made = match env::var("SEAMWRIGHT_WEB").as_deref() {
+        Ok("skip") => Err("it was built with SEAMWRIGHT_WEB=skip".to_owned()),
+        Ok("packed") => unpack(&Path::new(&here).join(PACKED), &sources, &panel),
+        _ => build(&web, &panel).or_else(|why| {
+            unpack(&Path::new(&here).join(PACKED), &sources, &panel).map_err(|also| format!("{why}; {also}"))
+        }),
+    };
     if let Err(why) = made {
-        if !skipped {
-            println!("cargo:warning=the panel was not built: {why}");
-        }
-        fs::write(out.join("index.html"), page(&why)).expect("OUT_DIR can be written");
+        println!("cargo:warning=the panel was not built: {why}");
+        fs::write(panel.join("index.html"), page(&why)).expect("OUT_DIR can be written");
     }
+    let mut files = Vec::new();
+    list(&panel, "", &mut files).expect("OUT_DIR can be read");
+    files.sort();
+    let rows: String = files.iter().map(|name| row(&out, &panel, name).expect("OUT_DIR can be written")).collect();
+    fs::write(out.join("panel.rs"), format!("&[\n{rows}]\n")).expect("OUT_DIR can be written");
+}
+
+/// Returns a hash of all files that the panel is built from.
+fn sources(web: &Path) -> io::Result<String> {
+    let mut hasher = DefaultHasher::new();
+    for source in SOURCES {
+        let path = web.join(source);
+        let mut files = Vec::new();
+        if path.is_dir() {
+            list(&path, "", &mut files)?;
+            files.sort();
+        } else if path.is_file() {
+            files.push(String::new());
+        }
+        for name in files {
+            let file = if name.is_empty() { path.clone() } else { path.join(&name) };
+            hasher.write(format!("{source}/{name}\n").as_bytes());
+            hasher.write(&fs::read(file)?);
+        }
+    }
+    Ok(format!("{:016x}", hasher.finish()))
+}
+
+/// Unpacks the panel that is kept beside this file, if it was built from these sources.
+fn unpack(packed: &Path, sources: &str, out: &Path) -> Result<(), String> {
+    println!("cargo:rerun-if-changed={}", packed.display());
+    let file = fs::File::open(packed).map_err(|_| "there is no packed panel".to_owned())?;
+    tar::Archive::new(GzDecoder::new(file)).unpack(out).map_err(|e| format!("the packed panel cannot be read: {e}"))?;
+    let of = fs::read_to_string(out.join(SOURCES_HASH)).unwrap_or_default();
+    if of == sources { Ok(()) } else { Err("the packed panel is of other sources".to_owned()) }
+}
+
+/// Adds the names of all files in a folder, relative to the panel's.
+fn list(folder: &Path, before: &str, files: &mut Vec<String>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = format!("{before}{}", entry.file_name().to_string_lossy());
+        if entry.file_type()?.is_dir() {
+            list(&entry.path(), &format!("{name}/"), files)?;
+        } else {
+            files.push(name);
+        }
+    }
+    Ok(())
+}
+
+/// Compresses a file, and returns its row in the table of files.
+fn row(out: &Path, panel: &Path, name: &str) -> io::Result<String> {
+    let plain = panel.join(name);
+    let bytes = fs::read(&plain)?;
+    let mut hasher = DefaultHasher::new();
+    hasher.write(&bytes);
+    let zipped = out.join(format!("{}.gz", name.replace('/', "-")));
+    let mut encoder = GzEncoder::new(fs::File::create(&zipped)?, Compression::best());
+    encoder.write_all(&bytes)?;
+    encoder.finish()?;
+    Ok(format!(
+        "    File {{ name: {name:?}, hash: \"{:016x}\", plain: include_bytes!({plain:?}), zipped: include_bytes!({zipped:?}) }},\n",
+        hasher.finish()
+    ))
 }
 
 fn build(web: &Path, out: &Path) -> Result<(), String> {

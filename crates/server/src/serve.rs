@@ -151,7 +151,7 @@ impl Lives<'_> {
         let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0))?;
         let names = names(settings, &accounts)?;
         let tls = match &settings.tls {
-            Some(tls) => Some(tls::config(tls, &settings.data, &names).await?),
+            Some(tls) => Some(tls::encryption(tls, &settings.data, &names).await?),
             None => None,
         };
         let listener = self.listen()?;

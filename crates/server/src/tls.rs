@@ -2,17 +2,20 @@
 
 use crate::log;
 use crate::serve::Error;
-use axum_server::tls_rustls::RustlsConfig;
 use rcgen::{
     BasicConstraints, CertificateParams, DistinguishedName, DnType, ExtendedKeyUsagePurpose, IsCa, Issuer, KeyPair,
     KeyUsagePurpose,
 };
+use rustls::ServerConfig;
+use rustls::crypto::ring;
+use rustls::pki_types::pem::PemObject as _;
+use rustls::pki_types::{CertificateDer, PrivateKeyDer};
 use seamwright_message::Message;
 use seamwright_project::failure::with_allowed;
 use seamwright_project::files;
 use seamwright_record::Moment;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError, RwLock};
 use std::time::Duration;
 use time::OffsetDateTime;
 
@@ -43,37 +46,70 @@ fn wrong(e: &impl std::fmt::Display) -> Error {
     Error::System(Message::new("server-certificate-failed").message("why", Message::outside(e)))
 }
 
+/// Configuration of new encrypted connections; it is replaced when the certificate is renewed.
+#[derive(Clone)]
+pub(crate) struct Encryption(Arc<RwLock<Arc<ServerConfig>>>);
+
+impl Encryption {
+    pub(crate) fn current(&self) -> Arc<ServerConfig> {
+        Arc::clone(&self.0.read().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    fn replace(&self, config: ServerConfig) {
+        *self.0.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(config);
+    }
+}
+
 /// Returns the TLS configuration; `names` are the names of the panel.
-pub(crate) async fn config(tls: &Tls, data: &Path, names: &[String]) -> Result<RustlsConfig, Error> {
-    // Installing the same provider twice has no effect.
-    drop(rustls::crypto::ring::default_provider().install_default());
-    let config = match tls {
-        Tls::Files { cert, key } => RustlsConfig::from_pem_file(cert, key).await.map_err(|e| {
+pub(crate) async fn encryption(tls: &Tls, data: &Path, names: &[String]) -> Result<Encryption, Error> {
+    let config = config(tls, data, names).await?;
+    Ok(Encryption(Arc::new(RwLock::new(Arc::new(config)))))
+}
+
+async fn config(tls: &Tls, data: &Path, names: &[String]) -> Result<ServerConfig, Error> {
+    // Keys and files take time; a blocking thread keeps stops from waiting for them.
+    let (tls, data, names) = (tls.clone(), data.to_owned(), names.to_vec());
+    let made = tokio::task::spawn_blocking(move || match &tls {
+        Tls::Files { cert, key } => of_files(cert, key).map_err(|why| {
             let options = format!("--cert {} --key {}", cert.display(), key.display());
             let message = Message::new("server-certificate-files").text("options", options);
-            let message = message.message("why", Message::outside(&e));
+            let message = message.message("why", Message::verbatim(why));
             Error::Settings(with_allowed(message, Message::new("server-pem-files")))
-        })?,
+        }),
         Tls::Own => {
-            // Keys and files take time; a blocking thread keeps stops from waiting for them.
-            let (data, names) = (data.to_owned(), names.to_vec());
-            let made = tokio::task::spawn_blocking(move || own(&data, &names)).await;
-            let (cert, key) = made.map_err(|e| wrong(&e))??;
-            RustlsConfig::from_pem(cert.into_bytes(), key.into_bytes()).await.map_err(|e| wrong(&e))?
+            let (cert, key) = own(&data, &names)?;
+            of_pem(cert.as_bytes(), key.as_bytes()).map_err(|why| wrong(&why))
         }
-    };
+    });
+    made.await.map_err(|e| wrong(&e))?
+}
+
+/// Reads the configuration from PEM files of the user. The error says why it is not possible, in the words of the
+/// system or the library.
+fn of_files(cert: &Path, key: &Path) -> Result<ServerConfig, String> {
+    let read = |path: &Path| std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()));
+    of_pem(&read(cert)?, &read(key)?)
+}
+
+/// Returns the configuration for a chain of certificates and its key, both PEM.
+fn of_pem(cert: &[u8], key: &[u8]) -> Result<ServerConfig, String> {
+    let chain: Result<Vec<_>, _> = CertificateDer::pem_slice_iter(cert).collect();
+    let chain = chain.map_err(|e| format!("certificate: {e}"))?;
+    let key = PrivateKeyDer::from_pem_slice(key).map_err(|e| format!("key: {e}"))?;
+    let builder = ServerConfig::builder_with_provider(Arc::new(ring::default_provider()));
+    let builder = builder.with_safe_default_protocol_versions().map_err(|e| e.to_string())?;
+    let mut config = builder.with_no_client_auth().with_single_cert(chain, key).map_err(|e| e.to_string())?;
     // Browsers use HTTP/2 if it is offered. Then they send no `host` header and do not upgrade to a WebSocket.
-    let mut offered = (*config.get_inner()).clone();
-    offered.alpn_protocols = vec![b"http/1.1".to_vec()];
-    Ok(RustlsConfig::from_config(Arc::new(offered)))
+    config.alpn_protocols = vec![b"http/1.1".to_vec()];
+    Ok(config)
 }
 
 /// Renews the cell's own certificate for new connections, until the task is aborted.
-pub(crate) async fn renew(current: RustlsConfig, data: PathBuf, names: Vec<String>) {
+pub(crate) async fn renew(current: Encryption, data: PathBuf, names: Vec<String>) {
     loop {
         tokio::time::sleep(ANEW).await;
         match config(&Tls::Own, &data, &names).await {
-            Ok(new) => current.reload_from_config(new.get_inner()),
+            Ok(new) => current.replace(new),
             Err(e) => log::warning(&format!("the certificate is not renewed: {e}")),
         }
     }
@@ -150,7 +186,7 @@ mod tests {
     async fn the_cell_is_its_own_authority() {
         let folder = tempfile::tempdir().unwrap();
         let names = ["127.0.0.1".to_owned(), "cell.shop".to_owned()];
-        let offered = config(&Tls::Own, folder.path(), &names).await.unwrap().get_inner();
+        let offered = config(&Tls::Own, folder.path(), &names).await.unwrap();
         assert_eq!(offered.alpn_protocols, [b"http/1.1"]);
         let authority = std::fs::read_to_string(folder.path().join("tls/ca.pem")).unwrap();
         let (first, _) = own(folder.path(), &names).unwrap();
@@ -171,8 +207,7 @@ mod tests {
 
     /// Returns the end of validity of a certificate from its DER: the second of two times (UTCTime, X.690 8.26).
     fn ends(pem: &str) -> String {
-        use rustls::pki_types::pem::PemObject as _;
-        let der = rustls::pki_types::CertificateDer::from_pem_slice(pem.as_bytes()).unwrap();
+        let der = CertificateDer::from_pem_slice(pem.as_bytes()).unwrap();
         let times: Vec<&[u8]> = der.windows(15).filter(|w| w[0] == 0x17 && w[1] == 13 && w[14] == b'Z').collect();
         assert_eq!(times.len(), 2);
         let digits = std::str::from_utf8(&times[1][2..8]).unwrap();

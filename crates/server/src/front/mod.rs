@@ -12,6 +12,7 @@ mod room;
 mod stream;
 
 use crate::http::{Panel, Refused, URGENT, app, cookie, urgent_app};
+use crate::tls::Encryption;
 use crate::users::Session;
 use answers::Answers;
 use axum::Router;
@@ -19,8 +20,6 @@ use axum::body::Body;
 use axum::extract::ConnectInfo;
 use axum::http::{HeaderValue, Request, Response, StatusCode, header};
 use axum::response::IntoResponse as _;
-use axum_server::accept::Accept;
-use axum_server::tls_rustls::{RustlsAcceptor, RustlsConfig};
 use bodies::Bodies;
 use hyper::body::Incoming;
 use hyper::server::conn::http1;
@@ -28,6 +27,7 @@ use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use places::{Place, Places};
 use rates::{Asker, Rates};
+use rustls::ServerConfig;
 use seamwright_message::Message;
 use std::convert::Infallible;
 use std::net::SocketAddr;
@@ -38,6 +38,7 @@ use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::net::TcpListener;
 use tokio::runtime::Handle;
 use tokio::task::JoinHandle;
+use tokio_rustls::TlsAcceptor;
 use tower::ServiceExt as _;
 
 /// Time limits of clients.
@@ -79,7 +80,7 @@ const STREAMED: &str = "/api/restore";
 
 /// Serves HTTP/1.1 until dropped; handlers run on `work`. Later versions name the host differently and need limits of
 /// their own.
-pub(crate) async fn answer(listener: TcpListener, tls: Option<RustlsConfig>, panel: Arc<Panel>, work: Handle) {
+pub(crate) async fn answer(listener: TcpListener, tls: Option<Encryption>, panel: Arc<Panel>, work: Handle) {
     let rest = app(&panel);
     Front::new(panel, rest, work, PATIENCE).accept(listener, tls).await;
 }
@@ -121,8 +122,7 @@ impl Front {
         Arc::new(Self { panel, urgent, rest, work, places, rates, bodies, answers: Answers::default(), patience })
     }
 
-    async fn accept(self: &Arc<Self>, listener: TcpListener, tls: Option<RustlsConfig>) {
-        let tls = tls.map(|config| RustlsAcceptor::new(config).handshake_timeout(self.patience.head));
+    async fn accept(self: &Arc<Self>, listener: TcpListener, tls: Option<Encryption>) {
         loop {
             let Ok((stream, from)) = listener.accept().await else {
                 // Possibly too many open files: wait until others close.
@@ -136,7 +136,8 @@ impl Front {
             let place = self.places.enter(from.ip());
             let deadline = Deadline::default();
             let held = Held::new(stream, place.clone(), self.patience.read, deadline.clone());
-            let (front, tls, connection) = (Arc::clone(self), tls.clone(), Connection { from, place, deadline });
+            let (front, tls, connection) =
+                (Arc::clone(self), tls.as_ref().map(Encryption::current), Connection { from, place, deadline });
             tokio::spawn(async move {
                 let ends = connection.place.clone();
                 tokio::select! {
@@ -147,11 +148,12 @@ impl Front {
         }
     }
 
-    async fn greet(self: Arc<Self>, held: Held, tls: Option<RustlsAcceptor>, connection: Connection) {
+    async fn greet(self: Arc<Self>, held: Held, tls: Option<Arc<ServerConfig>>, connection: Connection) {
         match tls {
             None => self.speak(held, connection).await,
             Some(tls) => {
-                if let Ok((stream, ())) = tls.accept(held, ()).await {
+                let handshake = TlsAcceptor::from(tls).accept(held);
+                if let Ok(Ok(stream)) = tokio::time::timeout(self.patience.head, handshake).await {
                     self.speak(stream, connection).await;
                 }
             }

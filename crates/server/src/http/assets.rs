@@ -1,50 +1,53 @@
-//! The panel's files, compressed once and identified by their contents.
+//! The panel's files, compressed and identified by their contents when the program is built.
 
 use super::answer::Refused;
-use super::panel::Panel;
 use axum::body::Body;
-use axum::extract::State;
 use axum::http::{HeaderMap, Method, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
-use rust_embed::{EmbeddedFile, RustEmbed};
-use std::sync::Arc;
 
-/// The panel as built.
-#[derive(RustEmbed)]
-#[folder = "$OUT_DIR/web"]
-struct Web;
+/// A file of the panel.
+struct File {
+    /// Its path, `assets/index-1a2b.js`.
+    name: &'static str,
+    /// Hash of its contents.
+    hash: &'static str,
+    plain: &'static [u8],
+    /// Its contents, compressed by gzip.
+    zipped: &'static [u8],
+}
+
+/// The panel as built, sorted by name.
+static FILES: &[File] = include!(concat!(env!("OUT_DIR"), "/panel.rs"));
 
 /// Minimum size for compression, bytes; smaller files do not gain from it.
 const MIN_COMPRESSED: usize = 256;
 
 /// Serves a file of the panel.
-pub(super) async fn serve(State(panel): State<Arc<Panel>>, method: Method, uri: Uri, headers: HeaderMap) -> Response {
+pub(super) async fn serve(method: Method, uri: Uri, headers: HeaderMap) -> Response {
     let path = uri.path().trim_start_matches('/');
     if !matches!(method, Method::GET | Method::HEAD) || path.starts_with("api/") {
         return Refused::not_found(format!("there is no {method} {}", uri.path())).into_response();
     }
     let name = if path.is_empty() { "index.html" } else { path };
-    match Web::get(name) {
-        None => Refused::not_found(format!("there is no {}", uri.path())).into_response(),
-        Some(file) => sent(&panel, name, file, &headers).await.into_response(),
+    match FILES.binary_search_by_key(&name, |file| file.name) {
+        Err(_) => Refused::not_found(format!("there is no {}", uri.path())).into_response(),
+        Ok(at) => sent(&FILES[at], &headers).into_response(),
     }
 }
 
-async fn sent(panel: &Arc<Panel>, name: &str, file: EmbeddedFile, headers: &HeaderMap) -> Result<Response, Refused> {
-    let (kind, is_text) = kind(name);
-    let hash: String = file.metadata.sha256_hash().iter().take(16).map(|byte| format!("{byte:02x}")).collect();
-    let compresses = is_text && file.data.len() >= MIN_COMPRESSED;
+fn sent(file: &'static File, headers: &HeaderMap) -> Result<Response, Refused> {
+    let (kind, is_text) = kind(file.name);
+    let compresses = is_text && file.plain.len() >= MIN_COMPRESSED;
     let zipped = compresses && accepts_gzip(headers);
-    let tag = if zipped { format!("\"{hash}-gz\"") } else { format!("\"{hash}\"") };
+    let tag = if zipped { format!("\"{}-gz\"", file.hash) } else { format!("\"{}\"", file.hash) };
     // Names of built files contain a hash of their contents.
-    let cache = if name.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };
+    let cache = if file.name.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };
     let mut response = if is_known(headers, &tag) {
         StatusCode::NOT_MODIFIED.into_response()
     } else if zipped {
-        let compressed = panel.compressed.of(&tag, file.data).await?;
-        ([(header::CONTENT_ENCODING, "gzip")], Body::from(compressed)).into_response()
+        ([(header::CONTENT_ENCODING, "gzip")], Body::from(file.zipped)).into_response()
     } else {
-        Body::from(file.data).into_response()
+        Body::from(file.plain).into_response()
     };
     let set = response.headers_mut();
     set.insert(header::CONTENT_TYPE, header::HeaderValue::from_static(kind));
@@ -85,8 +88,8 @@ fn kind(name: &str) -> (&'static str, bool) {
     }
 }
 
-/// Names of all files.
+/// Names and contents of all files.
 #[cfg(test)]
-pub(crate) fn names() -> Vec<String> {
-    Web::iter().map(std::borrow::Cow::into_owned).collect()
+pub(crate) fn panel_files() -> impl Iterator<Item = (&'static str, &'static [u8])> {
+    FILES.iter().map(|file| (file.name, file.plain))
 }

@@ -6,7 +6,6 @@ mod audit;
 mod cell_views;
 mod choices;
 mod client;
-mod compression;
 mod edit;
 mod guard;
 mod hand;
@@ -32,7 +31,7 @@ mod users;
 
 pub(crate) use answer::Refused;
 #[cfg(test)]
-pub(crate) use assets::names;
+pub(crate) use assets::panel_files;
 #[cfg(test)]
 pub(crate) use client::hears;
 pub(crate) use guard::cookie;

@@ -1,4 +1,3 @@
-use super::compression::Compressed;
 use super::turns::{Turn, Turns};
 use crate::cell::Cell;
 use crate::planner::Planner;
@@ -73,8 +72,6 @@ pub(crate) struct Panel {
     pub(crate) restores: watch::Sender<Restores>,
     /// Maximum size of an archive that is restored, bytes.
     pub(crate) most_archive: u64,
-    /// Files of the panel, compressed for sending.
-    pub(crate) compressed: Compressed,
     pub(crate) teaching: Teaching,
     /// Addresses allowed as source of camera frames.
     pub(crate) cameras: Cameras,
@@ -105,7 +102,6 @@ impl Panel {
             saving: Turns::new(1, 16),
             restores: watch::Sender::new(None),
             most_archive: MAX_ARCHIVE_BYTES,
-            compressed: Compressed::default(),
             teaching: Teaching::default(),
             cameras: Cameras::default(),
             plans: AtomicU64::new(0),
