@@ -59,11 +59,8 @@ mod tests {
     #[test]
     fn solves_what_a_dense_elimination_solves() {
         let (n, w) = (12, 4);
-        let mut seed = 1u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (seed >> 33) as f64 / f64::from(1u32 << 31) - 0.5
-        };
+        let mut numbers = seamwright_testkit::Random::new(1);
+        let mut random = || numbers.within(-0.5, 0.5);
         for _ in 0..200 {
             let mut banded = Banded::new(n, w);
             let (mut dense, mut right) = (vec![vec![0.0; n]; n], vec![0.0; n]);

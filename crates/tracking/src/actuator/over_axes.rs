@@ -230,11 +230,8 @@ mod tests {
     /// For random positive matrices of every size the product with the solution is the right side.
     #[test]
     fn factors_solve() {
-        let mut state = 3u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-        };
+        let mut numbers = seamwright_testkit::Random::new(3);
+        let mut random = || numbers.within(-1.0, 1.0);
         for axes in (1..=MAX_AXES).cycle().take(200) {
             let root: [[f64; MAX_AXES]; MAX_AXES] = std::array::from_fn(|_| std::array::from_fn(|_| random()));
             let entry = |i: usize, k: usize| {

@@ -1,0 +1,34 @@
+//! Cost of the speed profile along the reference splines: with limits of jerk, on automatic cells and on 1000 even ones
+//! (aim: 30 ms for 7 axes), and without them over 1000 cells (aim: 0.3 ms).
+
+#[path = "../../tests/it/speed_profile/curves.rs"]
+#[allow(dead_code, unreachable_pub, reason = "it has more kinds of paths")]
+mod curves;
+
+use criterion::{Criterion, criterion_group};
+use curves::{Finely, Spline};
+use seamwright_motion::speed_profile::{Channels, SpeedProfile};
+use std::hint::black_box;
+
+fn profiles(c: &mut Criterion) {
+    for (name, jerk) in [("without jerk", f64::INFINITY), ("with jerk", 10.0)] {
+        for (i, (spline, _)) in Spline::reference(jerk).iter().enumerate() {
+            let axes = spline.limits().len();
+            c.bench_function(&format!("profile {name}, path {i} of {axes} axes"), |b| {
+                b.iter(|| black_box(SpeedProfile::new(black_box(spline)).map(|profile| profile.duration())));
+            });
+        }
+    }
+}
+
+fn finely(c: &mut Criterion) {
+    for (i, (spline, _)) in Spline::reference(10.0).into_iter().enumerate() {
+        let axes = spline.limits().len();
+        let path = Finely::new(spline, 1000);
+        c.bench_function(&format!("profile with jerk, 1000 cells, path {i} of {axes} axes"), |b| {
+            b.iter(|| black_box(SpeedProfile::new(black_box(&path)).map(|profile| profile.duration())));
+        });
+    }
+}
+
+criterion_group!(group, profiles, finely);
