@@ -6,7 +6,7 @@
 
 #![allow(clippy::print_stdout, clippy::unwrap_used, reason = "a program for a script")]
 
-#[path = "../tests/speed_profile/curves.rs"]
+#[path = "../tests/it/speed_profile/curves.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it has more kinds of paths")]
 mod curves;
 

@@ -329,10 +329,9 @@ mod tests {
         data.back_up(File::create(&archive).unwrap()).unwrap();
         let bytes = fs::read(&archive).unwrap();
         let altered = scratch.path().join("altered.tar");
-        let (mut state, mut taken) = (7u64, 0);
+        let (mut random, mut taken) = (seamwright_testkit::Random::new(7), 0);
         for _ in 0..150 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            let (at, bit) = ((state >> 20) as usize % bytes.len(), (state >> 60) as u8 & 7);
+            let (at, bit) = (random.below(bytes.len()), random.below(8));
             let mut changed = bytes.clone();
             changed[at] ^= 1 << bit;
             fs::write(&altered, &changed).unwrap();

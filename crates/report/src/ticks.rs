@@ -113,21 +113,15 @@ mod tests {
         assert_eq!(ticks(9.9e8, 1.01e9, 3).labels(), ["990000000", "1e9", "1.01e9"]);
     }
 
-    /// 64-bit linear congruential generator (Knuth, MMIX): uniform in 0..1.
-    fn random(state: &mut u64) -> f64 {
-        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (*state >> 11) as f64 / (1u64 << 53) as f64
-    }
-
     #[test]
     fn every_range_gets_three_to_ten_distinct_ticks_inside() {
-        let mut state = 20_261_120;
+        let mut random = seamwright_testkit::Random::new(20);
         for _ in 0..200_000 {
-            let span = 10f64.powf(24.0 * random(&mut state) - 12.0);
+            let span = 10f64.powf(random.within(-12.0, 12.0));
             // Offsets for which the range is still wider than rounding noise.
-            let lo = span * (random(&mut state) - 0.5) * 10f64.powf(5.5 * random(&mut state));
+            let lo = span * random.within(-0.5, 0.5) * 10f64.powf(random.within(0.0, 5.5));
             let hi = lo + span;
-            let target = 3 + (random(&mut state) * 7.0) as usize;
+            let target = 3 + random.below(7);
             let t = ticks(lo, hi, target);
             assert!((3..=10).contains(&t.values.len()), "{lo:e}..{hi:e}: {t:?}");
             assert!(t.values.iter().all(|v| (lo..=hi).contains(v)), "{lo:e}..{hi:e}: {t:?}");

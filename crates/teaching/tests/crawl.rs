@@ -1,9 +1,8 @@
 //! The crawl with a simulated camera on a known joint: exact except for noise, tacks and the frame's edge.
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_message::Message;
+use seamwright_testkit::Random;
 use seamwright_teaching::{
     Answer, CameraPose, Command, Crawl, End, Event, FrameEnd, Patch, Row, Seen, Settings, Shape, View, smoothed,
 };
@@ -50,7 +49,7 @@ struct World {
     closed: bool,
     hidden: Vec<(f64, f64)>,
     noise: f64,
-    random: Pcg64Mcg,
+    random: Random,
 }
 
 impl World {
@@ -63,7 +62,7 @@ impl World {
                 points.push(w[1]);
             }
         }
-        Self { points, closed, hidden: Vec::new(), noise: 0.2, random: Pcg64Mcg::seed_from_u64(11) }
+        Self { points, closed, hidden: Vec::new(), noise: 0.2, random: Random::new(11) }
     }
 
     fn at(&self, i: i64) -> Option<DVec3> {
@@ -120,14 +119,11 @@ impl World {
             if dark > 100 {
                 return (rows, FrameEnd::Lost);
             }
-            let noise = DVec2::new(self.uniform(), self.uniform()) * self.noise * 3f64.sqrt();
+            let noise =
+                DVec2::new(self.random.within(-1.0, 1.0), self.random.within(-1.0, 1.0)) * self.noise * 3f64.sqrt();
             rows.push(Row { px: at + noise, confidence: if seen { 0.9 } else { 0.0 }, seen });
         }
         unreachable!()
-    }
-
-    fn uniform(&mut self) -> f64 {
-        2.0 * (self.random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 - 1.0
     }
 }
 
@@ -170,7 +166,7 @@ fn crawl<'a>(
             }
             Command::Look => {
                 // Focus measures the height of the work to 0.02 mm.
-                let height = height(truth, &camera) + 0.02 * world.uniform();
+                let height = height(truth, &camera) + 0.02 * world.random.within(-1.0, 1.0);
                 let view = View { camera, height: Some(height) };
                 let aim = crawl.aim(&view).unwrap();
                 let (rows, end) = world.midline(table, &camera, aim.start, aim.direction);

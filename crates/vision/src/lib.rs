@@ -35,8 +35,6 @@ mod frame;
 pub mod joint;
 pub mod region_growing;
 pub mod stripe;
-#[cfg(test)]
-mod testing;
 mod wide;
 
 pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};

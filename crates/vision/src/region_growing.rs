@@ -141,19 +141,18 @@ fn grey(frame: &Frame, [x, y]: [f32; 2]) -> Option<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rand_pcg::Pcg64Mcg;
-    use rand_pcg::rand_core::{Rng, SeedableRng};
+    use seamwright_testkit::Random;
 
     const SIZE: usize = 200;
 
     /// Metal of 160 with uniform noise of up to `noise`, and a joint 60 darker and 7 pixels wide. `joint` gives a
     /// point's distance from its midline.
     fn scene(noise: f32, joint: impl Fn(f32, f32) -> f32) -> Vec<u8> {
-        let mut random = Pcg64Mcg::seed_from_u64(7);
+        let mut random = Random::new(7);
         let mut pixels = Vec::new();
         for y in 0..SIZE {
             for x in 0..SIZE {
-                let even = (random.next_u64() % 2001) as f32 / 1000.0 - 1.0;
+                let even = random.within(-1.0, 1.0) as f32;
                 let dark = if joint(x as f32, y as f32).abs() <= 3.5 { 60.0 } else { 0.0 };
                 pixels.push((160.0 - dark + noise * even) as u8);
             }

@@ -1,8 +1,9 @@
 //! Bounds along motions against dense sampling.
 
-use crate::common::{KINDS, Uniform, cases, shape, solid};
+use crate::common::{KINDS, pose, shape, solid};
 use glam::{DAffine3, DQuat, DVec3};
 use seamwright_clearance::{ClearanceError, Group, Limits, Motion, Scene, Shape, Solid, Watch};
+use seamwright_testkit::{Random, cases};
 
 /// Group 0 turns at a constant rate about an axis through `about` while that moves straight; the others stand.
 struct Screw {
@@ -47,9 +48,9 @@ const LIMITS: Limits = Limits { cutoff_mm: 100.0, precision_mm: 0.1, smallest: 0
 fn a_thin_plate_between_two_stations_is_found() {
     let tip = solid(Shape::Capsule { radius: 0.5, length: 20.0 }, DAffine3::IDENTITY);
     let plate = Shape::Box { size: DVec3::new(0.2, 40.0, 40.0) };
-    let mut random = Uniform::new(11);
+    let mut random = Random::new(11);
     for _ in 0..cases(100) {
-        let x = random.in_range(50.0, 950.0);
+        let x = random.within(50.0, 950.0);
         let plate = Solid::new("plate", plate.clone(), DAffine3::from_translation(DVec3::X * x)).unwrap();
         let watch = Watch::Apart { a: 0, b: 1, least_mm: 1.0 };
         let scene =
@@ -85,29 +86,28 @@ fn just_clear_and_just_not() {
 
 #[test]
 fn cell_bounds_hold_between_all_places() {
-    let mut random = Uniform::new(12);
+    let mut random = Random::new(12);
     for case in 0..cases(150) {
-        let solids = |count: usize, size: f64, random: &mut Uniform| -> Vec<Solid> {
-            let kinds: Vec<usize> =
-                (0..count).map(|_| [0, 1, 2, 3, 4, 5, 7][random.in_range(0.0, 7.0) as usize]).collect();
-            kinds.into_iter().map(|k| solid(shape(k, random), random.pose(size))).collect()
+        let solids = |count: usize, size: f64, random: &mut Random| -> Vec<Solid> {
+            let kinds: Vec<usize> = (0..count).map(|_| [0, 1, 2, 3, 4, 5, 7][random.below(7)]).collect();
+            kinds.into_iter().map(|k| solid(shape(k, random), pose(random, size))).collect()
         };
         let (moving, mut standing) = (solids(2, 20.0, &mut random), solids(4, 120.0, &mut random));
         if case % 3 == 0 {
             standing.push(solid(shape(6 % KINDS, &mut random), DAffine3::from_translation(DVec3::Z * -100.0)));
         }
-        let start = random.pose(10.0);
+        let start = pose(&mut random, 10.0);
         // No solid is larger than 60 mm from its origin, itself within 35 of the group's, that within 18 of the axis.
         let motion = Screw {
-            axis: random.unit(),
-            rate: random.in_range(-0.05, 0.05),
+            axis: random.direction(),
+            rate: random.within(-0.05, 0.05),
             about: random.vector(100.0),
-            velocity: random.unit() * random.in_range(0.2, 1.5),
+            velocity: random.direction() * random.within(0.2, 1.5),
             reach: 60.0 + 35.0 + 18.0,
-            length: random.in_range(50.0, 300.0),
+            length: random.within(50.0, 300.0),
             start,
         };
-        let least_mm = random.in_range(1.0, 20.0);
+        let least_mm = random.within(1.0, 20.0);
         let watches =
             vec![Watch::Apart { a: if case % 2 == 0 { 0 } else { 1 }, b: if case % 2 == 0 { 1 } else { 0 }, least_mm }];
         let scene = Scene::new(vec![group("a", moving), group("b", standing)], watches).unwrap();

@@ -1,25 +1,25 @@
 //! Distances of bodies that are degenerate, tiny, huge, touching, concentric or closer than rounding: always a number,
 //! at most the distance of their centres, and never a panic.
 
-use crate::common::{Uniform, cases};
 use glam::{DAffine3, DQuat, DVec3};
 use seamwright_clearance::{Mesh, Shape, Solid, nearest};
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// A random number from values that are difficult for floating-point arithmetic.
-fn hard(random: &mut Uniform) -> f64 {
+fn hard(random: &mut Random) -> f64 {
     let all = [0.0, -0.0, 5e-324, 1e-308, 1e-200, 1e-160, 1e-100, 1e-30, 1e-16, 1e-9, 1e-3, 1.0, 10.0, 800.0, 1e6, 9e6];
-    let value = all[random.in_range(0.0, all.len() as f64) as usize];
-    match random.in_range(0.0, 6.0) as u32 {
+    let value = all[random.below(all.len())];
+    match random.below(6) {
         0 => -value,
-        1 => value * random.in_range(0.5, 1.5),
-        2 => value + 1e-13 * random.in_range(-1.0, 1.0),
+        1 => value * random.within(0.5, 1.5),
+        2 => value + 1e-13 * random.within(-1.0, 1.0),
         _ => value,
     }
 }
 
-fn size(random: &mut Uniform) -> f64 {
+fn size(random: &mut Random) -> f64 {
     loop {
         let size = hard(random).abs();
         if size > 0.0 && size <= 1e7 {
@@ -28,8 +28,8 @@ fn size(random: &mut Uniform) -> f64 {
     }
 }
 
-fn shape(random: &mut Uniform) -> Shape {
-    match random.in_range(0.0, 8.0) as u32 {
+fn shape(random: &mut Random) -> Shape {
+    match random.below(8) {
         0 => Shape::Box { size: DVec3::from_array([0; 3].map(|_| size(random))) },
         1 => Shape::Sphere { radius: size(random) },
         2 => Shape::Cylinder { radius: size(random), length: size(random) },
@@ -45,18 +45,18 @@ fn shape(random: &mut Uniform) -> Shape {
 }
 
 /// A mesh of four triangles, thin or tiny; a ball if they form no valid mesh.
-fn tetrahedron(random: &mut Uniform) -> Shape {
+fn tetrahedron(random: &mut Random) -> Shape {
     let p = [0; 4].map(|_| DVec3::from_array([0; 3].map(|_| hard(random).clamp(-1e6, 1e6))));
     let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map(|f| f.map(|i| p[i]));
     Mesh::new(&faces).map_or(Shape::Sphere { radius: 1.0 }, |mesh| Shape::Mesh(Arc::new(mesh)))
 }
 
-fn pose(random: &mut Uniform) -> DAffine3 {
-    let turn = match random.in_range(0.0, 5.0) as u32 {
+fn pose(random: &mut Random) -> DAffine3 {
+    let turn = match random.below(5) {
         0 | 1 => DQuat::IDENTITY,
-        2 => DQuat::from_axis_angle(DVec3::X, FRAC_PI_2 * f64::from(random.in_range(0.0, 4.0) as u32)),
+        2 => DQuat::from_axis_angle(DVec3::X, FRAC_PI_2 * random.below(4) as f64),
         3 => DQuat::from_axis_angle(DVec3::Y, hard(random).min(10.0)).normalize(),
-        _ => DQuat::from_axis_angle(random.unit(), random.in_range(0.0, 6.0)),
+        _ => DQuat::from_axis_angle(random.direction(), random.within(0.0, 6.0)),
     };
     let at = DVec3::from_array([0; 3].map(|_| hard(random).clamp(-1e6, 1e6)));
     DAffine3::from_rotation_translation(turn, at)
@@ -64,7 +64,7 @@ fn pose(random: &mut Uniform) -> DAffine3 {
 
 #[test]
 fn any_two_bodies_have_a_distance() {
-    let mut random = Uniform::new(41);
+    let mut random = Random::new(41);
     let mut apart = 0;
     for case in 0..cases(100_000) {
         let solids = [0; 2].map(|_| Solid::new("body", shape(&mut random), pose(&mut random)));

@@ -1,8 +1,9 @@
 //! Distances of all pairs of shapes against independent methods.
 
-use crate::common::{self, KINDS, Uniform, brute_force, bumpy_torus, cases, shape, solid};
+use crate::common::{self, KINDS, brute_force, bumpy_torus, pose, shape, solid};
 use glam::{DAffine3, DQuat, DVec3};
 use seamwright_clearance::{Mesh, Shape, nearest};
+use seamwright_testkit::{Random, cases};
 use std::sync::Arc;
 
 const I: DAffine3 = DAffine3::IDENTITY;
@@ -17,7 +18,7 @@ fn at(x: f64, y: f64, z: f64) -> DAffine3 {
 
 #[test]
 fn all_pairs_of_shapes_agree_with_projections_in_turns() {
-    let mut random = Uniform::new(1);
+    let mut random = Random::new(1);
     let mut worst = 0.0f64;
     for i in 0..KINDS {
         for j in 0..KINDS {
@@ -26,8 +27,8 @@ fn all_pairs_of_shapes_agree_with_projections_in_turns() {
             let mut apart = 0;
             for _ in 0..cases(count) {
                 let (s, t) = (shape(i, &mut random), shape(j, &mut random));
-                let (pose_s, pose_t) = (random.pose(60.0), random.pose(60.0));
-                let frame = random.pose(300.0);
+                let (pose_s, pose_t) = (pose(&mut random, 60.0), pose(&mut random, 60.0));
+                let frame = pose(&mut random, 300.0);
                 let near =
                     nearest(&solid(s.clone(), pose_s), &frame, &solid(t.clone(), pose_t), &frame, f64::MAX).unwrap();
                 let other = brute_force((&s, &pose_s), (&t, &pose_t), 20_000);
@@ -64,10 +65,10 @@ fn all_pairs_of_shapes_agree_with_projections_in_turns() {
 
 #[test]
 fn closed_forms() {
-    let mut random = Uniform::new(2);
+    let mut random = Random::new(2);
     for _ in 0..cases(2000) {
-        let (p, q) = (random.pose(50.0), random.pose(50.0));
-        let [r, s, l, m] = [0; 4].map(|_| random.in_range(0.5, 20.0));
+        let (p, q) = (pose(&mut random, 50.0), pose(&mut random, 50.0));
+        let [r, s, l, m] = [0; 4].map(|_| random.within(0.5, 20.0));
         let spheres = distance(Shape::Sphere { radius: r }, p, Shape::Sphere { radius: s }, q);
         let expected = (p.translation.distance(q.translation) - r - s).max(0.0);
         assert!((spheres - expected).abs() < 1e-10, "{spheres} {expected}");
@@ -125,15 +126,14 @@ fn plain_cases() {
 
 #[test]
 fn small_gaps_large_bodies_and_far_places() {
-    let mut random = Uniform::new(3);
+    let mut random = Random::new(3);
     let mut worst = 0.0f64;
     for i in 0..cases(2000) {
         // A gap of a known size between two boxes with parallel faces, turned together and carried far away.
-        let gap = 10f64.powf(random.in_range(-7.0, 2.0));
+        let gap = 10f64.powf(random.within(-7.0, 2.0));
         let (a, b) = (random.vector(500.0).abs() + 0.1, random.vector(500.0).abs() + 0.1);
-        let aside =
-            DVec3::new((a.x + b.x) / 2.0 + gap, random.in_range(-0.5, 0.5) * a.y, random.in_range(-0.5, 0.5) * a.z);
-        let frame = random.pose(if i % 2 == 0 { 1.0 } else { 1e4 });
+        let aside = DVec3::new((a.x + b.x) / 2.0 + gap, random.within(-0.5, 0.5) * a.y, random.within(-0.5, 0.5) * a.z);
+        let frame = pose(&mut random, if i % 2 == 0 { 1.0 } else { 1e4 });
         let (s, t) =
             (solid(Shape::Box { size: a }, I), solid(Shape::Box { size: b }, DAffine3::from_translation(aside)));
         let found = nearest(&s, &frame, &t, &frame, f64::MAX).unwrap().distance;
@@ -147,13 +147,13 @@ fn small_gaps_large_bodies_and_far_places() {
 
 #[test]
 fn a_limit_hides_nothing_that_is_nearer() {
-    let mut random = Uniform::new(4);
+    let mut random = Random::new(4);
     for case in 0..cases(3000) {
         let (i, j) = (case % KINDS, case / KINDS % KINDS);
         let (s, t) = (shape(i, &mut random), shape(j, &mut random));
-        let (s, t) = (solid(s, random.pose(60.0)), solid(t, random.pose(60.0)));
+        let (s, t) = (solid(s, pose(&mut random, 60.0)), solid(t, pose(&mut random, 60.0)));
         let whole = nearest(&s, &I, &t, &I, f64::MAX).unwrap().distance;
-        let limit = random.in_range(0.01, 60.0);
+        let limit = random.within(0.01, 60.0);
         match nearest(&s, &I, &t, &I, limit) {
             None => assert!(whole >= limit - 1e-6, "{whole} is hidden by {limit}"),
             Some(near) => assert!((near.distance - whole).abs() < 1e-6 * (1.0 + whole) && near.distance < limit),
@@ -193,7 +193,7 @@ fn inside_a_mesh_is_nearness_zero() {
 
 #[test]
 fn what_is_inside_a_mesh_agrees_with_its_solid_angle() {
-    let mut random = Uniform::new(5);
+    let mut random = Random::new(5);
     let torus = bumpy_torus(24, 12, 40.0, 18.0, 0.3);
     let angle = |p: DVec3| -> f64 {
         let of = |t: &[DVec3; 3]| {

@@ -1,6 +1,7 @@
 //! Solids in TOML and meshes in STL: parsing, and the messages for mistakes.
 
 use crate::common;
+use seamwright_testkit::{Random, cases};
 
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid, SolidFile, nearest, read_stl};
@@ -192,17 +193,17 @@ fn every_mistake_in_an_stl_is_named() {
 
 #[test]
 fn no_bytes_are_a_panic() {
-    let mut random = common::Uniform::new(31);
+    let mut random = Random::new(31);
     let whole = [ascii(&cube()).into_bytes(), binary(&cube())];
     let mut read = 0;
-    for case in 0..common::cases(4000) {
+    for case in 0..cases(4000) {
         let mut bytes = whole[case % 2].clone();
         for _ in 0..1 + case % 5 {
-            let at = random.in_range(0.0, bytes.len() as f64) as usize;
-            bytes[at] = random.in_range(0.0, 256.0) as u8;
+            let at = random.below(bytes.len());
+            bytes[at] = random.below(256) as u8;
         }
         if case % 7 == 0 {
-            bytes.truncate(random.in_range(0.0, bytes.len() as f64) as usize);
+            bytes.truncate(random.below(bytes.len()));
         }
         let mesh = read_stl(&bytes, 1.0).and_then(|t| Mesh::new(&t));
         read += usize::from(mesh.is_ok());

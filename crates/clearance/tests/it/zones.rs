@@ -1,18 +1,19 @@
 //! Margins in permitted zones against surface points.
 
-use crate::common::{self, KINDS, Uniform, cases, shape, solid};
+use crate::common::{self, KINDS, pose, shape, solid};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Group, Scene, Shape, Solid, Watch};
+use seamwright_testkit::{Random, cases};
 
 /// Points of the body, including its extreme ones.
-fn points(shape: &Shape, random: &mut Uniform) -> Vec<DVec3> {
+fn points(shape: &Shape, random: &mut Random) -> Vec<DVec3> {
     let round = |radius: f64, z: f64| {
         (0..400).map(move |i| {
             let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 400.0).sin_cos();
             DVec3::new(radius * cos, radius * sin, z)
         })
     };
-    let mut ball = |count: usize| -> Vec<DVec3> { (0..count).map(|_| random.unit()).collect() };
+    let mut ball = |count: usize| -> Vec<DVec3> { (0..count).map(|_| random.direction()).collect() };
     match *shape {
         Shape::Box { size } => common::box_triangles(size).into_iter().flatten().collect(),
         Shape::Sphere { radius } => ball(3000).into_iter().map(|u| u * radius).collect(),
@@ -41,7 +42,7 @@ fn room_of(zone: &Shape, p: DVec3) -> f64 {
 
 #[test]
 fn room_is_the_least_over_the_bodys_points() {
-    let mut random = Uniform::new(21);
+    let mut random = Random::new(21);
     let (mut inside, mut count) = (0, 0);
     for case in 0..cases(1500) {
         let body = shape([0, 1, 2, 3, 4, 5, 7][case % 7], &mut random);
@@ -51,13 +52,13 @@ fn room_is_the_least_over_the_bodys_points() {
             2 => Shape::Cylinder { radius: 80.0, length: 170.0 },
             _ => shape(6 % KINDS, &mut random),
         };
-        let (pose, zone_pose) = (random.pose(20.0), random.pose(20.0));
-        let frames = [random.pose(100.0), random.pose(100.0)];
+        let (body_pose, zone_pose) = (pose(&mut random, 20.0), pose(&mut random, 20.0));
+        let frames = [pose(&mut random, 100.0), pose(&mut random, 100.0)];
         let watch = Watch::Inside { group: 0, of: 1, zones: vec![solid(zone.clone(), zone_pose)], least_mm: 0.0 };
         let group = |solids: Vec<Solid>| Group { name: String::new(), solids };
-        let scene = Scene::new(vec![group(vec![solid(body.clone(), pose)]), group(vec![])], vec![watch]).unwrap();
+        let scene = Scene::new(vec![group(vec![solid(body.clone(), body_pose)]), group(vec![])], vec![watch]).unwrap();
         let found = scene.evaluate(0, &frames, 1.0);
-        let to_zone = (frames[1] * zone_pose).inverse() * frames[0] * pose;
+        let to_zone = (frames[1] * zone_pose).inverse() * frames[0] * body_pose;
         let other = points(&body, &mut random).into_iter().map(|p| room_of(&zone, to_zone.transform_point3(p)));
         let other = other.fold(f64::INFINITY, f64::min);
         // Points of a ball's surface, a hundredth of its size apart, are not the extreme ones.

@@ -1,6 +1,6 @@
 //! `seamwright tools motion --commands`: the run under an operator's commands, and files that are refused.
 
-use crate::common::{self, column, example, good, run, table};
+use crate::common::{self, bad, column, example, good, run, table};
 use std::fs;
 use std::process::Output;
 
@@ -133,9 +133,8 @@ fn bad_files_are_refused_before_anything_is_written() {
         assert!(text.contains(words) && text.contains("allowed"), "{rows}: {text}");
     }
     let job = example("ellipse");
-    let missing = run(&["tools", "motion", &job, "--commands", "no-such-file.csv"]);
-    let text = String::from_utf8(missing.stderr).unwrap();
-    assert!(missing.status.code() == Some(2) && text.contains("no-such-file.csv: cannot be read"), "{text}");
+    let text = bad(2, &["tools", "motion", &job, "--commands", "no-such-file.csv"]);
+    assert!(text.contains("no-such-file.csv: cannot be read"), "{text}");
     let output = commanded("ellipse", "t_s,command,value\n", &["--coarse-ms", "8"]);
     assert_eq!(output.status.code(), Some(2));
     let file = file_of("t_s,command,value\n");

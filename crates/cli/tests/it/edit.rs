@@ -1,6 +1,6 @@
 //! `seamwright edit`: operations, dry runs, scripts, the way back, files changed by hand.
 
-use crate::common::{self, good, run};
+use crate::common::{self, bad, good, run};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
@@ -89,17 +89,15 @@ fn scripts_are_made_whole_or_not_at_all() {
     let script = folder.path().join("ops.json");
     let ops = script.display().to_string();
     fs::write(&script, r#"[{"op":"delete_points","pass":1,"from":2},{"op":"duplicate_pass","pass":7}]"#).unwrap();
-    let output = run(&["edit", &name, "--script", &ops]);
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.code() == Some(2) && told.contains("operation 2: ") && told.contains("no pass 7"), "{told}");
+    let told = bad(2, &["edit", &name, "--script", &ops]);
+    assert!(told.contains("operation 2: ") && told.contains("no pass 7"), "{told}");
     assert_eq!(fs::read_to_string(&path).unwrap(), TEXT);
     fs::write(&script, r#"[{"op":"delete_points","pass":1,"from":2},{"op":"duplicate_pass","pass":1}]"#).unwrap();
     good(&["edit", &name, "--script", &ops]);
     assert_eq!(good(&["edit", &name, "history"]).lines().count(), 2);
     fs::write(&script, r#"[{"op":"delete_point"}]"#).unwrap();
-    let output = run(&["edit", &name, "--script", &ops]);
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.code() == Some(2) && told.contains("delete_point") && told.contains("ops.json"), "{told}");
+    let told = bad(2, &["edit", &name, "--script", &ops]);
+    assert!(told.contains("delete_point") && told.contains("ops.json"), "{told}");
 }
 
 #[test]
@@ -133,9 +131,8 @@ fn wrong_use_is_told_and_writes_nothing() {
         (&["undo"], "nothing to be undone"),
     ];
     for (arguments, message) in cases {
-        let output = run(&[&["edit", name.as_str()], arguments].concat());
-        let told = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.code() == Some(2) && told.contains(message), "{arguments:?}: {told}");
+        let told = bad(2, &[&["edit", name.as_str()], arguments].concat());
+        assert!(told.contains(message), "{arguments:?}: {told}");
         assert_eq!(fs::read_to_string(&path).unwrap(), TEXT);
     }
 }

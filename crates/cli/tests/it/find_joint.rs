@@ -1,10 +1,8 @@
 //! `seamwright vision joint`: a painted joint whose midline is known, photographs with hand-read points, and the errors
 //! of other images.
 
-use crate::common::{bad, good, root, run};
+use crate::common::{bad, good, json, root, run, scratch_file};
 use serde_json::Value;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Rows with at least this confidence are confident (docs/reference/cli.md).
 const CONFIDENT: f64 = 0.5;
@@ -29,21 +27,10 @@ fn rows(csv: &str) -> Vec<Row> {
     lines.map(row).collect()
 }
 
-fn file(name: &str, bytes: &[u8]) -> String {
-    // Tests run at the same time: each file has a folder of its own.
-    static COUNT: AtomicUsize = AtomicUsize::new(0);
-    let count = COUNT.fetch_add(1, Ordering::Relaxed).to_string();
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("find-joint").join(count);
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join(name);
-    std::fs::write(&path, bytes).unwrap();
-    path.display().to_string()
-}
-
 fn pgm(name: &str, width: usize, height: usize, grey: impl Fn(usize, usize) -> f64) -> String {
     let mut bytes = format!("P5\n{width} {height}\n255\n").into_bytes();
     bytes.extend((0..width * height).map(|i| grey(i % width, i / width).round().clamp(0.0, 255.0) as u8));
-    file(name, &bytes)
+    scratch_file(name, &bytes)
 }
 
 /// A number from -1 to 1 that goes with the pixel.
@@ -69,7 +56,7 @@ fn painted() -> String {
 #[test]
 fn a_painted_joint_as_rows_json_and_picture() {
     let image = painted();
-    let png = file("seen.png", b"");
+    let png = scratch_file("seen.png", b"");
     let arguments = ["vision", "joint", &image, "--start", "12,121", "--direction-deg", "3", "--overlay", &png];
     let output = run(&arguments);
     assert_eq!(output.status.code(), Some(0));
@@ -85,7 +72,7 @@ fn a_painted_joint_as_rows_json_and_picture() {
     assert_eq!((picture.width(), picture.height()), (320, 256));
     let colours = picture.to_rgb8().pixels().filter(|p| p.0[0] != p.0[1]).count();
     assert!(colours > 1000, "{colours}");
-    let json: Value = serde_json::from_str(&good(&[&arguments[..7], &["--json"]].concat())).unwrap();
+    let json = json(&[&arguments[..7], &["--json"]].concat());
     assert_eq!(json["end"], "left-image");
     let all = json["rows"].as_array().unwrap();
     assert_eq!(all.len(), found.len());
@@ -185,7 +172,7 @@ fn bad_input_is_named() {
         ("text.png", &b"not an image"[..], "unknown image format"),
         ("empty.png", &b""[..], "unknown image format"),
     ] {
-        let told = of(&file(name, bytes));
+        let told = of(&scratch_file(name, bytes));
         assert!(told.contains(name) && told.contains(says) && told.contains("allowed:"), "{told}");
     }
     let told = of("nowhere.png");

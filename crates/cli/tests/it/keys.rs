@@ -1,6 +1,6 @@
 //! The book's pages of all keys are made from the schemas, with an example for each key out of the supplied files.
 
-use crate::common::{good, root};
+use crate::common::{json, root};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -201,7 +201,7 @@ fn content(of: &Value) -> String {
 }
 
 fn rest_page() -> String {
-    let interface: Value = serde_json::from_str(&good(&["schema", "rest"])).unwrap();
+    let interface = json(&["schema", "rest"]);
     let mut text = "# Routes and types of the REST interface\n\nMade from the OpenAPI description that `seamwright schema rest` prints. Conventions, errors and the WebSocket:\n[REST and WebSocket](../rest-api.md).\n\n| route | permission | does | body | answer |\n|---|---|---|---|---|\n".to_owned();
     for (path, methods) in interface["paths"].as_object().unwrap() {
         for (method, operation) in methods.as_object().unwrap() {

@@ -1,12 +1,11 @@
 //! `run` killed with -9 at any moment of a weld: the library is whole, the trace can be read. The next run reports the
 //! position, and goes on there with the overlap that the job asks.
 
-use crate::common::{bad, free_example, good, run, run_with};
+use crate::common::{bad, free_example, good, json, run, run_with, start};
 use seamwright_record::trace::Trace;
-use serde_json::Value;
+use seamwright_testkit::Random;
 use std::io::{Read as _, Write as _};
 use std::path::Path;
-use std::process::{Command, Stdio};
 use std::time::Duration;
 
 /// Overlap of a restart, mm.
@@ -17,15 +16,6 @@ const OFF: f64 = 1.0;
 const LAST_SECOND: f64 = 5.0;
 /// Before the weld, and in it: the position is asked every 50 ms.
 const BEGIN: &str = "on\nhome\nwait ready\narm\nweld\n";
-
-/// Numbers that look random, the same every time.
-fn random(moment: u64) -> impl FnMut(f64, f64) -> f64 {
-    let mut state = moment.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
-    move |low, high| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        low + (high - low) * ((state >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-}
 
 /// The job of all the moments.
 fn job(folder: &Path) -> String {
@@ -57,13 +47,7 @@ fn welded(trace: &Path) -> Vec<f64> {
 /// Welds from `from`, mm, and is killed after `after`. Returns the end of the bead in the last report of the killed
 /// run.
 fn killed_weld(arguments: &[&str], from: f64, after: Duration) -> f64 {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
-        .args(arguments)
-        .args(["--from", &format!("1,{from}")])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut child = start(&[arguments, &["--from", &format!("1,{from}")]].concat());
     let asks = "?\nwait 0.05 s\n".repeat(400);
     child.stdin.take().unwrap().write_all(format!("{BEGIN}{asks}").as_bytes()).unwrap();
     let mut stdout = child.stdout.take().unwrap();
@@ -83,9 +67,9 @@ fn killed_weld(arguments: &[&str], from: f64, after: Duration) -> f64 {
 
 /// Kills a weld at a moment, and continues it; true if there was a bead.
 fn at_moment(moment: u64) -> bool {
-    let mut random = random(moment);
-    let from = (random(6.0, 90.0) * 10.0).round() / 10.0;
-    let after = Duration::from_secs_f64(random(2.0, 12.0));
+    let mut random = Random::of_case(moment as u32);
+    let from = (random.within(6.0, 90.0) * 10.0).round() / 10.0;
+    let after = Duration::from_secs_f64(random.within(2.0, 12.0));
     let folder = tempfile::tempdir().unwrap();
     let [data, out] = ["data", "out"].map(|name| folder.path().join(name).display().to_string());
     let job = job(folder.path());
@@ -100,7 +84,7 @@ fn at_moment(moment: u64) -> bool {
     // The record is whole, up to the last rows.
     good(&["records", "recover", "--data", &data]);
     good(&["records", "verify", "--data", &data]);
-    let listed: Value = serde_json::from_str(&good(&["records", "list", "--data", &data, "--json"])).unwrap();
+    let listed = json(&["records", "list", "--data", &data, "--json"]);
     let begun = !listed.as_array().unwrap().is_empty();
     if !begun || run(&arguments).status.success() {
         assert!((truth - from).abs() < 1e-9, "{about}: nobody tells of the bead");

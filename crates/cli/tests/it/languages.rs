@@ -1,6 +1,6 @@
 //! Reports of plans and simulated welds in all languages: only names are English, and no text is cut off.
 
-use crate::common::{bad, example, free_example, root, run};
+use crate::common::{bad, example, free_example, good, root, run};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -127,14 +127,9 @@ fn findings_are_told_in_all_languages() {
 
 #[test]
 fn the_language_stands_before_or_after_the_verb() {
-    let checked = |arguments: &[&str]| {
-        let output = run(arguments);
-        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-        String::from_utf8(output.stdout).unwrap()
-    };
-    let after = checked(&["check", "ellipse", "--language", "de"]);
-    assert_eq!(checked(&["--language", "de", "check", "ellipse"]), after);
-    assert_ne!(checked(&["check", "ellipse", "--language", "en"]), after);
+    let after = good(&["check", "ellipse", "--language", "de"]);
+    assert_eq!(good(&["--language", "de", "check", "ellipse"]), after);
+    assert_ne!(good(&["check", "ellipse", "--language", "en"]), after);
 }
 
 #[test]
@@ -161,7 +156,6 @@ fn the_server_refuses_in_the_language_that_is_asked_for() {
 
 #[test]
 fn standard_input_has_a_name_in_the_language() {
-    let output = run(&["machine", "kinematics", "ellipse-xy", "--inverse", "--language", "de"]);
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.code() == Some(2) && !told.contains("standard input"), "{told}");
+    let told = bad(2, &["machine", "kinematics", "ellipse-xy", "--inverse", "--language", "de"]);
+    assert!(!told.contains("standard input"), "{told}");
 }

@@ -1,6 +1,6 @@
 //! `machine tune`: margins on the shipped machines, settings that can be pasted, plots, bad names.
 
-use crate::common::{good, run};
+use crate::common::{bad, good, json, run};
 use std::fs;
 use toml_edit::DocumentMut;
 
@@ -43,8 +43,7 @@ fn a_shipped_machine_is_tuned_and_the_settings_can_be_pasted() {
 
 #[test]
 fn one_axis_as_json_has_its_margins() {
-    let json: serde_json::Value =
-        serde_json::from_str(&good(&["machine", "tune", "ebw-7axis", "--axis", "w", "--json"])).unwrap();
+    let json: serde_json::Value = json(&["machine", "tune", "ebw-7axis", "--axis", "w", "--json"]);
     let [axis] = json.as_array().unwrap().as_slice() else { panic!("{json}") };
     let tuned = &axis["tuned"];
     assert!(axis["axis"] == "w" && axis["unit"] == "deg" && axis["refused"].is_null());
@@ -65,13 +64,11 @@ fn what_cannot_be_tuned_and_what_is_not_there_is_said() {
     assert_eq!(out.status.code(), Some(1), "{said}");
     assert!(said.contains("not tuned    s: "), "{said}");
 
-    let out = run(&["machine", "tune", "saddle-4axis", "--axis", "q"]);
-    let said = String::from_utf8_lossy(&out.stderr).into_owned();
-    assert!(out.status.code() == Some(2) && said.contains("allowed: theta, s, h, beta"), "{said}");
+    let said = bad(2, &["machine", "tune", "saddle-4axis", "--axis", "q"]);
+    assert!(said.contains("allowed: theta, s, h, beta"), "{said}");
 
     let elastic = "[drives.s]\nresonance_hz = 50000\nload_ratio = 1\n";
     fs::write(&mine, pasted("saddle-4axis", elastic)).unwrap();
-    let out = run(&["machine", "tune", &mine.display().to_string()]);
-    let said = String::from_utf8_lossy(&out.stderr).into_owned();
-    assert!(out.status.code() == Some(2) && said.contains("drives.s") && said.contains("resonance_hz"), "{said}");
+    let said = bad(2, &["machine", "tune", &mine.display().to_string()]);
+    assert!(said.contains("drives.s") && said.contains("resonance_hz"), "{said}");
 }

@@ -1,24 +1,31 @@
 //! Invalid input: one screen that names file, line, key, value and the allowed values; exit code 2; no files written.
 //! Jobs that the machine cannot weld: exit code 1 with every finding.
 
-use crate::common::{self, example, free_example, run, run_with};
+use crate::common::{self, bad, example, free_example, run, run_with};
 use std::fs;
 use std::path::Path;
 
-/// Plans a changed example saddle into a new folder; exit code, errors, and whether anything was written.
-fn plan(change: &[(&str, &str)]) -> (i32, String, bool) {
+/// Checks a job or plans it into a new folder: exit code, errors, and whether anything was written.
+fn run_on(verb: &str, text: &str) -> (i32, String, bool) {
     let folder = tempfile::tempdir().unwrap();
-    let mut text = fs::read_to_string(example("saddle")).unwrap();
-    for (from, to) in change {
+    fs::write(folder.path().join("job.toml"), text).unwrap();
+    let [job, out] = ["job.toml", "out"].map(|name| folder.path().join(name).display().to_string());
+    let output = if verb == "plan" { run(&[verb, &job, "-o", &out]) } else { run(&[verb, &job]) };
+    assert!(verb != "plan" || output.status.success() || output.stdout.is_empty());
+    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap(), Path::new(&out).exists())
+}
+
+/// Plans the example saddle with changes.
+fn plan(changes: &[(&str, &str)]) -> (i32, String, bool) {
+    plan_changed(fs::read_to_string(example("saddle")).unwrap(), changes)
+}
+
+fn plan_changed(text: String, changes: &[(&str, &str)]) -> (i32, String, bool) {
+    let text = changes.iter().fold(text, |text, (from, to)| {
         assert!(text.contains(from), "{from}");
-        text = text.replacen(from, to, 1);
-    }
-    let job = folder.path().join("job.toml");
-    fs::write(&job, text).unwrap();
-    let out = folder.path().join("out");
-    let output = run(&["plan", &job.display().to_string(), "-o", &out.display().to_string()]);
-    assert!(output.stdout.is_empty());
-    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap(), out.exists())
+        text.replacen(from, to, 1)
+    });
+    run_on("plan", &text)
 }
 
 fn refused(from: &str, to: &str, words: &[&str]) {
@@ -37,8 +44,8 @@ fn sizes() {
     refused("radius_mm = 250", "radius_mm = 900", &["seam.nozzle.radius_mm = 900", "does not close", "radius 800 mm"]);
     refused("radius_mm = 800", "radius_mm = 200", &["seam.nozzle.radius_mm = 250"]);
     refused("origin_mm = [0, 0, 0]", "origin_mm = [0, 2000, 0]", &["seam.nozzle.origin_mm", "beside the body"]);
-    for bad in ["0", "-250", "nan", "inf", "-inf", "\"250\"", "[250]", "true"] {
-        refused("radius_mm = 250", &format!("radius_mm = {bad}"), &["seam.nozzle.radius_mm", "greater than 0"]);
+    for wrong in ["0", "-250", "nan", "inf", "-inf", "\"250\"", "[250]", "true"] {
+        refused("radius_mm = 250", &format!("radius_mm = {wrong}"), &["seam.nozzle.radius_mm", "greater than 0"]);
     }
     refused("speed_mm_s = 10", "speed_mm_s = 0", &["weld.speed_mm_s = 0"]);
 }
@@ -89,7 +96,8 @@ fn corners() {
     refuse("{ blend = 0.2 }", &["weld.corner", "blend_mm"]);
     refuse("{ blend_mm = 0.2, stop = true }", &["weld.corner"]);
     for good in ["\"refuse\"", "\"stop\"", "{ blend_mm = 0.5 }"] {
-        let (code, _, written) = plan_slow(&[("[weld]\n", &format!("[weld]\ncorner = {good}\n"))]);
+        let (code, _, written) =
+            plan_changed(free_example("saddle"), &[("[weld]\n", &format!("[weld]\ncorner = {good}\n"))]);
         assert!(code == 0 && written, "{good}");
     }
 }
@@ -128,23 +136,19 @@ fn mistakes_in_the_machine_file_are_its_own() {
 
 #[test]
 fn files_and_folders() {
-    let code = |arguments: &[&str]| {
-        let output = run(arguments);
-        (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
-    };
-    let (c, text) = code(&["check", "no/such/job.toml"]);
-    assert!(c == 2 && text.contains("no/such/job.toml"), "{text}");
+    let text = bad(2, &["check", "no/such/job.toml"]);
+    assert!(text.contains("no/such/job.toml"), "{text}");
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("file");
     fs::write(&file, [0xff, 0xfe, 0x00, 0x80]).unwrap();
     let shown = file.display().to_string();
-    assert_eq!(code(&["check", &shown]).0, 2);
+    bad(2, &["check", &shown]);
     // A file where the output folder should be.
-    let (c, text) = code(&["plan", &example("ellipse"), "-o", &shown]);
-    assert!(c == 2 && text.contains(&shown), "{text}");
+    let text = bad(2, &["plan", &example("ellipse"), "-o", &shown]);
+    assert!(text.contains(&shown), "{text}");
     assert_eq!(fs::read(&file).unwrap().len(), 4);
-    let (c, text) = code(&["simulate", &example("ellipse"), "-o", "/proc/seamwright"]);
-    assert!(c == 2 && text.contains("/proc/seamwright"), "{text}");
+    let text = bad(2, &["simulate", &example("ellipse"), "-o", "/proc/seamwright"]);
+    assert!(text.contains("/proc/seamwright"), "{text}");
     assert!(!Path::new("/proc/seamwright").exists());
 }
 
@@ -207,31 +211,15 @@ fn what_cannot_be_welded_lists_every_finding() {
     let (code, text, _) = plan(&[("work_angle_deg = 0", "work_angle_deg = 60")]);
     assert!(code == 1 && text.contains("finding (access)"), "{text}");
     let slow = ("[weld]\n", "[weld]\non_limit = \"slow\"\n");
-    let (code, _, written) = plan_slow(&[slow, fast]);
+    let (code, _, written) = plan_changed(free_example("saddle"), &[slow, fast]);
     assert!(code == 0 && written);
-}
-
-/// As [`plan`], for jobs that succeed and print.
-fn plan_slow(change: &[(&str, &str)]) -> (i32, String, bool) {
-    let folder = tempfile::tempdir().unwrap();
-    let text = change.iter().fold(free_example("saddle"), |t, (a, b)| t.replacen(a, b, 1));
-    let (job, out) = (folder.path().join("job.toml"), folder.path().join("out"));
-    fs::write(&job, text).unwrap();
-    let output = run(&["plan", &job.display().to_string(), "-o", &out.display().to_string()]);
-    (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap(), out.join("report.html").exists())
 }
 
 #[test]
 fn axes_that_cannot_be_held() {
     let text = fs::read_to_string(example("oblique-girth")).unwrap();
-    let plan = |hold: &str| {
-        let folder = tempfile::tempdir().unwrap();
-        let job = folder.path().join("job.toml");
-        fs::write(&job, text.replace("# hold = { u = 90 }", &format!("hold = {{ {hold} }}"))).unwrap();
-        let output = run(&["check", &job.display().to_string()]);
-        (output.status.code(), String::from_utf8(output.stderr).unwrap())
-    };
-    assert_eq!(plan("u = 88").0, Some(0));
+    let check = |hold: &str| run_on("check", &text.replace("# hold = { u = 90 }", &format!("hold = {{ {hold} }}")));
+    assert_eq!(check("u = 88").0, 0);
     for (hold, words) in [
         ("tilt = 90", ["spare_axes.hold.tilt", "there is no axis tilt", "allowed: x, y, z, v, q, u, w"]),
         ("u = 88, v = 0, w = 0", ["spare_axes.hold.u", "with u, v, w held", "allowed: up to 2 axes, or others"]),
@@ -245,9 +233,9 @@ fn axes_that_cannot_be_held() {
         ),
         ("u = nan", ["spare_axes.hold.u", "nan", "allowed: a finite number"]),
     ] {
-        let (code, text) = plan(hold);
+        let (code, text, _) = check(hold);
         println!("{text}");
-        assert_eq!(code, Some(2));
+        assert_eq!(code, 2);
         assert!(text.contains("job.toml:31"), "{text}");
         words.iter().for_each(|word| assert!(text.contains(word), "{word} in {text}"));
     }
@@ -260,11 +248,7 @@ fn axes_that_cannot_be_held() {
     let (from, to) = spare("weights = { motion = -1 }");
     refused(from, &to, &["spare_axes.weights.motion = -1"]);
     let (from, to) = spare("weights = { motion = 2 }");
-    let saddle = fs::read_to_string(example("saddle")).unwrap().replace(from, &to);
-    let folder = tempfile::tempdir().unwrap();
-    let job = folder.path().join("job.toml");
-    fs::write(&job, saddle).unwrap();
-    assert_eq!(run(&["check", &job.display().to_string()]).status.code(), Some(0));
+    assert_eq!(run_on("check", &fs::read_to_string(example("saddle")).unwrap().replace(from, &to)).0, 0);
 }
 
 #[test]

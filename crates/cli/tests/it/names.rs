@@ -1,7 +1,7 @@
 //! Names of examples and machines stand for their files; for an unknown name the closest one is suggested. Outputs go
 //! to the named path.
 
-use crate::common::{bad, example, good, root, run};
+use crate::common::{bad, example, good, json, root, run};
 use serde_json::Value;
 use std::fs;
 use std::process::{Command, Output};
@@ -99,7 +99,7 @@ fn several_jobs_are_checked_and_the_worst_exit_code_counts() {
     assert_eq!((code, all.as_array().unwrap().len()), (2, 3));
     assert!(all[0]["findings"].is_array() && all[1]["findings"][0]["allowed"] == false && all[2]["error"].is_string());
     // One job is answered as before: a list of findings.
-    let alone: Value = serde_json::from_str(&good(&["check", "ellipse", "--json"])).unwrap();
+    let alone = json(&["check", "ellipse", "--json"]);
     assert!(alone.is_array());
 }
 

@@ -1,6 +1,6 @@
 //! Many copies of a seam in one job: planned, drawn, simulated, and the same again from the program.
 
-use crate::common::{column, example, good, table};
+use crate::common::{column, example, good, json, table};
 use serde_json::Value;
 use std::fs;
 
@@ -26,7 +26,7 @@ fn a_radiator_is_welded_back_and_forth() {
 
     let program = folder.path().join("weld/program.toml").display().to_string();
     let again = folder.path().join("again").display().to_string();
-    let simulated: Value = serde_json::from_str(&good(&["simulate", &program, "-o", &again, "--json"])).unwrap();
+    let simulated = json(&["simulate", &program, "-o", &again, "--json"]);
     assert_eq!(simulated["total_s"], planned["total_s"]);
     for pass in simulated["passes"].as_array().unwrap() {
         assert!(number(&pass["simulation"]["path_error_mm"]["max"]) < 0.05);

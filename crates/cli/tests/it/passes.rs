@@ -1,8 +1,7 @@
 //! A program of four passes, some of which lie beside the seam, start elsewhere, run back or cover a part: every verb,
 //! and the tip by `kinematics` of the rows of `motion`.
 
-use crate::common::{column, good, root, run_with, table};
-use serde_json::Value;
+use crate::common::{column, good, json, root, run_with, table};
 use std::fs;
 
 /// Asked speed by pass (from 1) and path length.
@@ -28,7 +27,7 @@ fn four_passes_go_through_every_verb() {
     let shown = out.display().to_string();
     let summary = good(&["plan", &program, "-o", &shown]);
     assert!(!summary.contains("unchecked"), "{summary}");
-    let report: Value = serde_json::from_str(&good(&["simulate", &program, "-o", &shown, "--json"])).unwrap();
+    let report = json(&["simulate", &program, "-o", &shown, "--json"]);
     let passes = report["passes"].as_array().unwrap();
     assert_eq!(passes.len(), 4);
     let page = fs::read_to_string(out.join("report.html")).unwrap();

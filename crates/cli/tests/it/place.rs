@@ -1,6 +1,6 @@
 //! `machine place`: the offset found is that of the points; bad tables are refused with their address.
 
-use crate::common::{self, example, good, root, run, run_with};
+use crate::common::{self, bad, example, good, root, run, run_with};
 use std::f64::consts::TAU;
 use std::fs;
 
@@ -159,9 +159,8 @@ fn the_job_written_again_keeps_its_words_and_stands_where_it_was_touched() {
     assert_eq!(fs::read_to_string(&new).unwrap().matches("[offsets.").count(), 1);
     // A job whose offset is misspelt gives an error.
     fs::write(&new, after.replace("offset = \"table-1\"", "offset = \"tabel-1\"")).unwrap();
-    let output = run(&["check", &new]);
-    let text = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.code() == Some(2) && text.contains("did you mean `table-1`?"), "{text}");
+    let text = bad(2, &["check", &new]);
+    assert!(text.contains("did you mean `table-1`?"), "{text}");
 }
 
 #[test]

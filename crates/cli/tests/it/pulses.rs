@@ -1,7 +1,7 @@
 //! `seamwright tools pulses`: the value change dump read by a small parser of the format alone, against the set-points of
 //! `seamwright tools motion`; the same as CSV; refusals.
 
-use crate::common::{column, example, good, root, run, run_with, table};
+use crate::common::{bad, column, example, good, json, root, run, run_with, table};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -69,8 +69,7 @@ fn the_dump_counts_to_every_set_point() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("weld.vcd");
     let (job, shown) = (example("head-nozzle"), file.display().to_string());
-    let summary = good(&["tools", "pulses", &job, "--period-ms", "4", "--air", "--json", "-o", &shown]);
-    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    let summary = json(&["tools", "pulses", &job, "--period-ms", "4", "--air", "--json", "-o", &shown]);
     let dump = parse(&fs::read_to_string(&file).unwrap());
     let motion = table(&good(&["tools", "motion", &job, "--period-ms", "4", "--air"]));
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
@@ -115,8 +114,7 @@ fn the_dump_counts_to_every_set_point() {
 #[test]
 fn rows_say_the_same_as_the_summary() {
     let job = example("head-nozzle");
-    let summary = good(&["tools", "pulses", &job, "--period-ms", "10", "--json"]);
-    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    let summary = json(&["tools", "pulses", &job, "--period-ms", "10", "--json"]);
     let csv = good(&["tools", "pulses", &job, "--period-ms", "10"]);
     let mut lines = csv.lines();
     assert_eq!(lines.next(), Some("t_s,axis,event,direction,steps"));
@@ -230,9 +228,8 @@ fn bad_input() {
     refused(&["-o", &path("pulses")], "ends in .vcd");
     refused(&["-o", &path("none/pulses.vcd")], "there is no such folder");
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-    let output = run(&["tools", "pulses", &example("saddle")]);
-    let text = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.code() == Some(2) && text.contains("saddle.toml:") && text.contains("stepper"), "{text}");
+    let text = bad(2, &["tools", "pulses", &example("saddle")]);
+    assert!(text.contains("saddle.toml:") && text.contains("stepper"), "{text}");
 }
 
 /// `run` on drives by pulses, as in docs/reference/machine.md: the pulses are in the file, within the driver's times, and all

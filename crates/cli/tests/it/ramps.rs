@@ -1,8 +1,7 @@
 //! Process values that ramp with path length and slope with time, at every set-point, in posted programs and in
 //! reports.
 
-use crate::common::{column, free_example, good, table};
-use serde_json::Value;
+use crate::common::{column, free_example, good, json, table};
 use std::fs;
 use tempfile::TempDir;
 
@@ -63,7 +62,7 @@ fn values_ramp_in_step_with_the_motion() {
 fn energy_and_trace_have_the_ramp() {
     let (folder, job) = ramped();
     let out = folder.path().join("out").display().to_string();
-    let report: Value = serde_json::from_str(&good(&["plan", &job, "-o", &out, "--json"])).unwrap();
+    let report = json(&["plan", &job, "-o", &out, "--json"]);
     let energy = |i: usize| report["plan"]["arc_energy_kj_mm"][i].as_f64().unwrap();
     // U I / v at both ends of the weld, without the acceleration and deceleration phases.
     assert!((energy(0) / (27.0 * 0.120 / 10.0) - 1.0).abs() < 1e-2, "{}", energy(0));

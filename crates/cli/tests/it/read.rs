@@ -1,6 +1,6 @@
 //! `read`: part programs as weld programs, posted back and welded in simulation.
 
-use crate::common::run as seamwright;
+use crate::common::{good, run as seamwright};
 use std::fs;
 
 fn text(bytes: &[u8]) -> String {
@@ -16,13 +16,10 @@ fn the_electron_beam_welder_s_program_reads_welds_and_comes_back() {
     let path = program.to_str().unwrap();
     let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ebw-fig1.mpf");
     let read = seamwright(&["import", example, "--machine", "ebw-7axis", "-o", path]);
-    assert!(read.status.success(), "{}", text(&read.stderr));
-    assert!(text(&read.stderr).contains("46.739 s by its feeds"), "{}", text(&read.stderr));
+    assert!(read.status.success() && text(&read.stderr).contains("46.739 s by its feeds"), "{}", text(&read.stderr));
 
-    let motion = seamwright(&["tools", "motion", path, "--period-ms", "100"]);
-    assert!(motion.status.success(), "{}", text(&motion.stderr));
-    let out = text(&motion.stdout);
-    let mut lines = out.lines();
+    let motion = good(&["tools", "motion", path, "--period-ms", "100"]);
+    let mut lines = motion.lines();
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
     let column = |name: &str| names.iter().position(|n| *n == name).unwrap();
     let [t, pass, z, w, beam, focus] = ["t_s", "pass", "z", "w", "beam_a", "focus_a"].map(column);
@@ -53,9 +50,7 @@ fn the_electron_beam_welder_s_program_reads_welds_and_comes_back() {
     }
     assert!((at(10.4, focus) - 5.0).abs() < 0.06 && (at(225.0, focus) - 5.5).abs() < 0.03);
 
-    let posted = seamwright(&["post", path, "--dialect", "sinumerik"]);
-    assert!(posted.status.success(), "{}", text(&posted.stderr));
-    let posted = text(&posted.stdout);
+    let posted = good(&["post", path, "--dialect", "sinumerik"]);
     let plain = |line: &str| line.replace(' ', "");
     let blocks: Vec<String> = posted.lines().filter(|l| !l.starts_with(';')).map(plain).collect();
     for block in ["M54", "G4F=0,5;before", "PRESETON(CF,4)", "N12G1Z=0W=90CW=0,5F=8,05", "N22G1Z=25W=180F=4,64", "M30"]
@@ -65,13 +60,12 @@ fn the_electron_beam_welder_s_program_reads_welds_and_comes_back() {
     assert!(!posted.contains("A_OUT"), "the beam is switched by its current: {posted}");
     let again = dir.path().join("again.mpf");
     fs::write(&again, &posted).unwrap();
-    let second = seamwright(&["import", again.to_str().unwrap(), "--machine", "ebw-7axis"]);
-    assert!(second.status.success(), "{}", text(&second.stderr));
+    let second = good(&["import", again.to_str().unwrap(), "--machine", "ebw-7axis"]);
     let points = |toml: &str| -> Vec<String> {
         toml.lines().filter(|l| l.trim_start().starts_with('[') && l.ends_with("],")).map(str::to_owned).collect()
     };
     let first = points(&fs::read_to_string(&program).unwrap());
-    let second = points(&text(&second.stdout));
+    let second = points(&second);
     assert_eq!(first.len(), second.len());
     for (a, b) in first.iter().zip(&second) {
         let numbers = |row: &str| -> Vec<f64> {
@@ -81,8 +75,7 @@ fn the_electron_beam_welder_s_program_reads_welds_and_comes_back() {
     }
 
     let report = dir.path().join("out");
-    let simulated = seamwright(&["simulate", path, "-o", report.to_str().unwrap()]);
-    assert!(simulated.status.success(), "{}", text(&simulated.stderr));
+    good(&["simulate", path, "-o", report.to_str().unwrap()]);
     assert!(fs::read_to_string(report.join("report.html")).unwrap().contains("Process values"));
 }
 
@@ -151,8 +144,7 @@ fn a_plan_comes_with_its_part_programs() {
     let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/trunnion-saddle.toml");
     let folder = dir.path().join("plan");
     let at = folder.to_str().unwrap();
-    let out = seamwright(&["plan", example, "-o", at, "--post", "sinumerik", "--post", "linuxcnc"]);
-    assert!(out.status.success(), "{}", text(&out.stderr));
+    good(&["plan", example, "-o", at, "--post", "sinumerik", "--post", "linuxcnc"]);
     let json: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(folder.join("report.json")).unwrap()).unwrap();
     for (i, file) in ["sinumerik.mpf", "linuxcnc.ngc"].into_iter().enumerate() {
@@ -168,13 +160,12 @@ fn a_plan_comes_with_its_part_programs() {
     let path = file.to_str().unwrap();
     // The speed inside long polynomials is uneven: half the blocks of lines need a larger tolerance for it.
     let loose = ["--interpolation", "poly", "--speed-percent", "5"];
-    let out = seamwright(&[&["post", example, "--dialect", "sinumerik", "-o", path], &loose[..]].concat());
-    assert!(out.status.success(), "{}", text(&out.stderr));
+    good(&[&["post", example, "--dialect", "sinumerik", "-o", path], &loose[..]].concat());
     let count = |name: &str, word: &str| fs::read_to_string(name).unwrap().matches(word).count();
     let (poly, plain) = (count(path, " POLY "), folder.join("sinumerik.mpf"));
     assert!(poly > 10 && 2 * poly < count(plain.to_str().unwrap(), "F="), "{poly}");
-    let back = seamwright(&["import", path, "--machine", "table-tilting-xyzac"]);
-    assert!(back.status.success() && text(&back.stdout).contains("along = \"cubic\""), "{}", text(&back.stderr));
+    let back = good(&["import", path, "--machine", "table-tilting-xyzac"]);
+    assert!(back.contains("along = \"cubic\""), "{back}");
 }
 
 /// Reads a part program for the trunnion machine and posts the result.
@@ -184,15 +175,11 @@ fn reposted(text: &str, dialect: &str, edits: &[&[&str]]) -> String {
     fs::write(&source, text).unwrap();
     let (source, program) = (source.to_str().unwrap(), program.to_str().unwrap());
     let from = if text.contains("CIP") || text.contains("$A") { "sinumerik" } else { "linuxcnc" };
-    let out = seamwright(&["import", source, "--machine", "table-tilting-xyzac", "--dialect", from, "-o", program]);
-    assert!(out.status.success(), "{}", self::text(&out.stderr));
+    good(&["import", source, "--machine", "table-tilting-xyzac", "--dialect", from, "-o", program]);
     for edit in edits {
-        let out = seamwright(&[&["edit", program], *edit].concat());
-        assert!(out.status.success(), "{}", self::text(&out.stderr));
+        good(&[&["edit", program], *edit].concat());
     }
-    let out = seamwright(&["post", program, "--dialect", dialect]);
-    assert!(out.status.success(), "{}", self::text(&out.stderr));
-    self::text(&out.stdout)
+    good(&["post", program, "--dialect", dialect])
 }
 
 /// A pass without the arc that is planned anew, since LinuxCNC has no such arc, keeps the arc off; other outputs are

@@ -1,6 +1,6 @@
 //! `seamwright records`, and `simulate --data`: welds recorded, found, exported, verified, recovered; bad input.
 
-use crate::common::{bad, example, good, run, table};
+use crate::common::{bad, example, good, json, run, table};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -20,10 +20,6 @@ fn simulate(folder: &Path, data: &str, part: &str, seed: &str) {
     let output = run(&[&["simulate", &example("ellipse"), "-o", &out], &more[..]].concat());
     let told = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && told.contains("recorded: weld"), "{told}");
-}
-
-fn json(arguments: &[&str]) -> Value {
-    serde_json::from_str(&good(arguments)).unwrap()
 }
 
 #[test]

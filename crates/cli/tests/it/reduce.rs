@@ -1,8 +1,7 @@
 //! `seamwright tools reduce`: the table of a small path to the last digit, the taught joint that ships, errors with their
 //! address.
 
-use crate::common::{column, good, root, run, run_with, table};
-use serde_json::Value;
+use crate::common::{column, good, json, root, run, run_with, table};
 
 const HEADER: &str = "kind,first,last,cx_mm,cy_mm,cz_mm,radius_mm,nx,ny,nz,max_error_mm\n";
 
@@ -45,7 +44,7 @@ fn the_taught_joint_is_a_line_and_two_arcs() {
     // A rotary axis that must be met better than it was taught needs more spans.
     let fine = table(&good(&["tools", "reduce", &joint(), "--tolerance-mm", "0.05", "--axis-tolerance", "0.02"]));
     assert!(fine.1.len() > 3);
-    let json: Value = serde_json::from_str(&good(&[&arguments[..], &["--json"]].concat())).unwrap();
+    let json = json(&[&arguments[..], &["--json"]].concat());
     assert_eq!(
         (&json["points"], &json["lines"], &json["arcs"], &json["at_least"]),
         (&69.into(), &1.into(), &2.into(), &3.into())

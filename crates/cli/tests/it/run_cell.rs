@@ -1,6 +1,6 @@
 //! `run` in real time, `simulate --fault` in virtual time, `latency`.
 
-use crate::common::{bad, example, good, root, run, run_with};
+use crate::common::{bad, example, good, json, root, run, run_with, start};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use serde_json::Value;
@@ -8,7 +8,7 @@ use std::io::{BufRead as _, Write as _};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-fn json(path: &Path) -> Value {
+fn json_file(path: &Path) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
@@ -26,7 +26,7 @@ fn a_lost_arc_in_virtual_time() {
     let message = bad(3, &["simulate", &job, "-o", &out, "--fault", "source:wrong@12+0.3"]);
     assert!(message.contains("arc or beam lost"), "{message}");
     let out = Path::new(&out);
-    let summary = json(&out.join("run.json"));
+    let summary = json_file(&out.join("run.json"));
     let left = summary["left"]["welded_mm"].as_f64().unwrap();
     assert!(left > 10.0 && summary["left"]["pass"] == 1, "{summary}");
     let events = events(out);
@@ -90,7 +90,7 @@ fn orders_in_real_time() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(0), "{text}");
     assert_eq!(text.lines().filter(|line| line.contains("state")).count(), 1, "a question is asked once: {text}");
-    let summary = json(&folder.path().join("run.json"));
+    let summary = json_file(&folder.path().join("run.json"));
     assert!(summary["timing"]["cycles"].as_u64().unwrap() > 800, "{summary}");
     assert_eq!(summary["mode"], "off");
 
@@ -116,7 +116,7 @@ fn what_cannot_be() {
 
 #[test]
 fn latency_is_measured() {
-    let told: Value = serde_json::from_str(&good(&["machine", "latency", "--seconds", "0.5", "--json"])).unwrap();
+    let told = json(&["machine", "latency", "--seconds", "0.5", "--json"]);
     let counted = told["cycles"].as_u64().unwrap() + told["missed"].as_u64().unwrap();
     assert!((500..=501).contains(&counted) || told["missed"].as_u64().unwrap() > 0, "{told}");
     let sum: u64 = told["histogram"].as_array().unwrap().iter().map(|b| b["cycles"].as_u64().unwrap()).sum();
@@ -137,12 +137,7 @@ fn a_weld_survives_the_power() {
     let job = folder.path().join("ellipse.toml");
     std::fs::write(&job, text).unwrap();
     let job = job.display().to_string();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
-        .args(["run", &job, "-o", &out, "--data", &data, "--part", "P1", "--from", "1,105"])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut child = start(&["run", &job, "-o", &out, "--data", &data, "--part", "P1", "--from", "1,105"]);
     let mut stdin = child.stdin.take().unwrap();
     stdin.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 106.5 mm\n?\n").unwrap();
     let lines = std::io::BufReader::new(child.stdout.take().unwrap()).lines().map_while(Result::ok);
@@ -171,7 +166,7 @@ fn a_weld_survives_the_power() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(output.status.success(), "{text}\n{}", String::from_utf8_lossy(&output.stderr));
     assert!(text.contains("pass 1 ends at 118.4"), "{text}");
-    let listed: Value = serde_json::from_str(&good(&["records", "list", "--data", &data, "--json"])).unwrap();
+    let listed = json(&["records", "list", "--data", &data, "--json"]);
     let results: Vec<&str> = listed.as_array().unwrap().iter().map(|w| w["result"].as_str().unwrap()).collect();
     assert!(results.contains(&"good") && results.contains(&"interrupted"), "{listed}");
     let note = |result: &str| {
@@ -210,7 +205,7 @@ fn a_trace_that_cannot_grow_is_told_and_kept() {
     let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert!(output.status.code() == Some(3) && said.contains("trace.raw"), "{said}");
     assert!(said.contains("record failing") && said.contains("weld -> ready"), "{said}");
-    let listed: Value = serde_json::from_str(&good(&["records", "list", "--data", &data, "--json"])).unwrap();
+    let listed = json(&["records", "list", "--data", &data, "--json"]);
     assert_eq!(listed[0]["result"], "stopped", "{listed}");
     let shown = good(&["records", "show", "1", "--data", &data, "--json"]);
     assert!(shown.contains("rows of the trace lost"), "{shown}");

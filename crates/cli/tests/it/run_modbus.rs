@@ -1,37 +1,11 @@
 //! `run` and `io` with a machine file whose process source and inputs are on Modbus.
 
-use crate::common::{bad, example, good};
+use crate::common::{bad, good, json, start};
 use crate::modbus_server::TestServer;
 use crate::modbus_welder::{MAP, welder};
+use crate::stopped::{eventually, job};
 use serde_json::Value;
 use std::io::Write as _;
-use std::path::Path;
-use std::process::{Command, Stdio};
-use std::time::Duration;
-
-/// The example ellipse on a machine whose device is at `address`, with `map`.
-fn job(folder: &Path, address: &str, map: &str) -> String {
-    let machine = good(&["machine", "show", "ellipse-xy"]);
-    std::fs::write(
-        folder.join("cell.toml"),
-        format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\n{map}"),
-    )
-    .unwrap();
-    let text = std::fs::read_to_string(example("ellipse")).unwrap();
-    let path = folder.join("job.toml");
-    std::fs::write(&path, text.replace("machine = \"ellipse-xy\"", "machine = \"cell.toml\"")).unwrap();
-    path.display().to_string()
-}
-
-fn eventually(what: &str, done: impl Fn() -> bool) {
-    for _ in 0..3000 {
-        if done() {
-            return;
-        }
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    panic!("not within 30 s: {what}");
-}
 
 /// The arc burns by the device; stopped, it is off; at the end outputs are safe and the traffic is reported.
 #[test]
@@ -40,13 +14,7 @@ fn a_weld_by_a_device_on_modbus() {
     let folder = tempfile::tempdir().unwrap();
     let job = job(folder.path(), &server.address.to_string(), MAP);
     let out = folder.path().join("out");
-    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
-        .args(["run", &job, "-o", &out.display().to_string()])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut child = start(&["run", &job, "-o", &out.display().to_string()]);
     let mut orders = child.stdin.take().unwrap();
     orders.write_all(b"on\nhome\nwait ready\narm\nweld\n").unwrap();
     eventually("arc", || server.bank().coils[1]);
@@ -107,9 +75,7 @@ fn registers_by_name() {
     assert!(text.contains(",welder,set.current_a,holding 0 u16,905,90.5,a,"), "{text}");
     assert!(text.contains(",welder,inputs.gas_ok,discrete 2,1,1,,"), "{text}");
     assert_eq!(text.lines().count(), 10);
-    let rows: Value =
-        serde_json::from_str(&good(&["machine", "io", &machine, "--json", "--every-s", "0.05", "--times", "3"]))
-            .unwrap();
+    let rows: Value = json(&["machine", "io", &machine, "--json", "--every-s", "0.05", "--times", "3"]);
     let rows = rows.as_array().unwrap();
     assert_eq!(rows.len(), 27);
     assert!(rows[26]["t_s"].as_f64().unwrap() >= 0.1 && rows[26]["age_s"].as_f64().unwrap() < 5.0);

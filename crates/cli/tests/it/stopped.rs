@@ -1,7 +1,7 @@
 //! `run` ended by a signal while it welds on a real device: arc, gas and values are off, the record is closed, the exit
 //! code reports it.
 
-use crate::common::{example, good};
+use crate::common::{example, good, json, start};
 use crate::modbus_server::TestServer;
 use crate::modbus_welder::{MAP, welder};
 use seamwright_record::trace::Trace;
@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// The example ellipse on a machine whose process source is at `address`.
-pub(crate) fn job(folder: &Path, address: &str) -> String {
+/// The example ellipse on a machine whose process source is at `address`, with `map`.
+pub(crate) fn job(folder: &Path, address: &str, map: &str) -> String {
     let machine = good(&["machine", "show", "ellipse-xy"]);
-    let machine = format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 1\n{MAP}");
+    let machine = format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\n{map}");
     std::fs::write(folder.join("cell.toml"), machine).unwrap();
     let text = std::fs::read_to_string(example("ellipse")).unwrap();
     let path = folder.join("job.toml");
@@ -39,7 +39,7 @@ pub(crate) struct Welding {
 
 impl Welding {
     pub(crate) fn begin(folder: &Path, server: &TestServer) -> Self {
-        let job = job(folder, &server.address.to_string());
+        let job = job(folder, &server.address.to_string(), &format!("timeout_s = 1\n{MAP}"));
         let [out, data] = ["out", "data"].map(|name| folder.join(name));
         let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
             .args(["run", &job, "--part", "N-1", "-o"])
@@ -85,7 +85,7 @@ fn a_signal_takes_the_process_away_and_closes_the_record() {
             let bank = server.bank();
             assert!(!bank.coils[0] && !bank.coils[1] && bank.holding[..2] == [0, 0], "SIG{name}");
         }
-        let weld: Value = serde_json::from_str(&good(&["records", "show", "1", "--data", &data, "--json"])).unwrap();
+        let weld = json(&["records", "show", "1", "--data", &data, "--json"]);
         assert_eq!((&weld["result"], &weld["part"]), (&"stopped".into(), &"N-1".into()), "{weld}");
         assert!(weld["note"].as_str().unwrap().contains(&format!("signal SIG{name}")), "{weld}");
         assert!(weld["ended"].is_string(), "{weld}");
@@ -103,13 +103,7 @@ fn a_frozen_weld_is_stopped_and_told() {
     for frozen in [Duration::from_millis(500), Duration::from_millis(1500)] {
         let folder = tempfile::tempdir().unwrap();
         let [out, data] = ["out", "data"].map(|name| folder.path().join(name).display().to_string());
-        let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
-            .args(["run", &example("ellipse"), "-o", &out, "--data", &data, "--json"])
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
+        let mut child = start(&["run", &example("ellipse"), "-o", &out, "--data", &data, "--json"]);
         let mut orders = child.stdin.take().unwrap();
         orders.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 2 mm\n?\nwait fault\n").unwrap();
         let mut events = BufReader::new(child.stdout.take().unwrap()).lines().map(|line| line.unwrap());
@@ -131,7 +125,7 @@ fn a_frozen_weld_is_stopped_and_told() {
         let missed = told.lines().map(event).filter(|event| event["event"] == "missed");
         let longest = missed.map(|event| event["longest_ms"].as_f64().unwrap()).fold(0.0, f64::max);
         assert!(longest > 0.9 * frozen.as_secs_f64() * 1e3, "{longest} ms: {told}");
-        let shown: Value = serde_json::from_str(&good(&["records", "show", "1", "--data", &data, "--json"])).unwrap();
+        let shown = json(&["records", "show", "1", "--data", &data, "--json"]);
         assert!(shown["alarms"][0]["name"] == "cycles missed" && shown["result"] == "stopped", "{shown}");
         let noted = |e: &Value| e["text"].as_str().unwrap().contains("missed, up to");
         assert!(shown["events"].as_array().unwrap().iter().any(noted), "{shown}");
@@ -152,17 +146,8 @@ fn a_frozen_weld_is_stopped_and_told() {
 #[test]
 fn a_record_that_is_removed_is_an_alarm() {
     let folder = tempfile::tempdir().unwrap();
-    let [out, data] = ["out", "data"].map(|name| folder.path().join(name));
-    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
-        .args(["run", &example("ellipse"), "--json", "-o"])
-        .arg(&out)
-        .arg("--data")
-        .arg(&data)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let [out, data] = ["out", "data"].map(|name| folder.path().join(name).display().to_string());
+    let mut child = start(&["run", &example("ellipse"), "--json", "-o", &out, "--data", &data]);
     let mut orders = child.stdin.take().unwrap();
     orders.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 1 mm\n?\n").unwrap();
     let mut events = BufReader::new(child.stdout.take().unwrap()).lines().map(|line| line.unwrap());

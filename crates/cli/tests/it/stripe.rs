@@ -1,12 +1,10 @@
 //! `seamwright vision stripe`: simulated images and profiles whose joint is known, and the errors of others.
 
-use crate::common::{bad, column, good, root, run, run_with, table};
+use crate::common::{bad, column, good, json, root, run, run_with, scratch_file, table};
 use seamwright_machine::{Machine, Sight, shipped};
 use seamwright_simulation::camera_simulator::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use seamwright_vision::Image;
 use serde_json::Value;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 const V: Section = Section::V { bevels: [0.5, 0.45], depth: 6.0, gap: 1.0, mismatch: 0.3 };
 
@@ -14,24 +12,12 @@ fn placement() -> Placement {
     Placement { at: glam::DVec2::new(1.5, -1.0), turn: 0.05, mirrored: false }
 }
 
-/// A file of the tests' own.
-fn file(name: &str, bytes: &[u8]) -> String {
-    // Tests run at the same time: each file has a folder of its own.
-    static COUNT: AtomicUsize = AtomicUsize::new(0);
-    let count = COUNT.fetch_add(1, Ordering::Relaxed).to_string();
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("stripe").join(count);
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join(name);
-    std::fs::write(&path, bytes).unwrap();
-    path.display().to_string()
-}
-
 /// An image as a PGM file.
 fn pgm(name: &str, image: &Image) -> String {
     let Image::U8 { width, height, pixels } = image else { panic!("8 bits") };
     let mut bytes = format!("P5\n{width} {height}\n255\n").into_bytes();
     bytes.extend(pixels);
-    file(name, &bytes)
+    scratch_file(name, &bytes)
 }
 
 fn scene() -> StripeScene {
@@ -75,7 +61,7 @@ fn a_fillet_through_the_sensor_of_a_machine() {
     let path = pgm("fillet.pgm", &scene.image(&StripeDisturbances::USUAL, 2).image);
     let arguments =
         ["stripe", &path, "--joint", "fillet", "--machine", "dual-laser-10axis", "--sensor", "left", "--json"];
-    let v: Value = serde_json::from_str(&good(&arguments)).unwrap();
+    let v = json(&arguments);
     let joint = &v["points"]["joint"];
     assert!(
         (joint["y_mm"].as_f64().unwrap() - 1.0).abs() < 0.05 && (joint["z_mm"].as_f64().unwrap() + 6.0).abs() < 0.05
@@ -115,7 +101,7 @@ fn a_profile_with_holes() {
 #[test]
 fn the_overlay_is_a_picture_of_the_same_size() {
     let path = pgm("overlay.pgm", &scene().image(&StripeDisturbances::USUAL, 4).image);
-    let png = file("overlay.png", b"");
+    let png = scratch_file("overlay.png", b"");
     good(&["vision", "stripe", &path, "--joint", "v", "--overlay", &png]);
     let picture = image::open(&png).unwrap().into_rgb8();
     assert_eq!(picture.dimensions(), (1024, 512));
@@ -142,10 +128,12 @@ fn no_such_joint_ends_with_1_and_says_why() {
     let output = run(&["vision", "stripe", &white, "--joint", "v", "--json"]);
     let v: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert!(v["found"] == false && v["reason"].as_str().unwrap().contains("saturated"));
-    let one = file("one.csv", b"y_mm,z_mm\n1,2\n");
+    let one = scratch_file("one.csv", b"y_mm,z_mm\n1,2\n");
     assert!(bad(1, &["vision", "stripe", &one, "--joint", "v"]).contains("1 usable points"));
     let same = format!("y_mm,z_mm\n{}", "1,2\n".repeat(100));
-    assert!(bad(1, &["vision", "stripe", &file("same.csv", same.as_bytes()), "--joint", "v"]).contains("points"));
+    assert!(
+        bad(1, &["vision", "stripe", &scratch_file("same.csv", same.as_bytes()), "--joint", "v"]).contains("points")
+    );
 }
 
 /// An image with its last row first.
@@ -166,7 +154,7 @@ fn an_image_upside_down_gets_a_hint() {
     let mut csv = "y_mm,z_mm\n".to_owned();
     scene().profile(0.02, 0.0, 0.0, 3).iter().for_each(|p| csv += &format!("{},{}\n", p.x, -p.y));
     assert!(
-        bad(1, &["vision", "stripe", &file("turned.csv", csv.as_bytes()), "--joint", "v"])
+        bad(1, &["vision", "stripe", &scratch_file("turned.csv", csv.as_bytes()), "--joint", "v"])
             .contains("hint: upside down")
     );
     // An image without a joint in either orientation gets no hint.
@@ -202,19 +190,22 @@ fn bad_input_is_named() {
     let told = bad(2, &["vision", "stripe", &path, "--joint", "w"]);
     assert!(told.contains("fillet, v, lap, butt, u, j"), "{told}");
     let bytes = std::fs::read(&path).unwrap();
-    let cut = file("cut.pgm", &bytes[..bytes.len() / 2]);
+    let cut = scratch_file("cut.pgm", &bytes[..bytes.len() / 2]);
     assert!(bad(2, &["vision", "stripe", &cut, "--joint", "v"]).contains("cut.pgm: unreadable image"));
-    let absurd = file("absurd.pgm", b"P5\n99999999 99999999\n255\n0");
+    let absurd = scratch_file("absurd.pgm", b"P5\n99999999 99999999\n255\n0");
     assert!(bad(2, &["vision", "stripe", &absurd, "--joint", "v"]).contains("absurd.pgm"));
     assert!(
-        bad(2, &["vision", "stripe", &file("bytes.bin", &[0xff, 0xfe, 0, 1]), "--joint", "v"])
+        bad(2, &["vision", "stripe", &scratch_file("bytes.bin", &[0xff, 0xfe, 0, 1]), "--joint", "v"])
             .contains("neither an image")
     );
-    assert!(bad(2, &["vision", "stripe", &file("wrong.csv", b"x_mm,z_mm\n1,2\n"), "--joint", "v"]).contains("y_mm"));
-    let told = bad(2, &["vision", "stripe", &file("text.csv", b"y_mm,z_mm\n1,2\n1,two\n"), "--joint", "v"]);
+    assert!(
+        bad(2, &["vision", "stripe", &scratch_file("wrong.csv", b"x_mm,z_mm\n1,2\n"), "--joint", "v"]).contains("y_mm")
+    );
+    let told = bad(2, &["vision", "stripe", &scratch_file("text.csv", b"y_mm,z_mm\n1,2\n1,two\n"), "--joint", "v"]);
     assert!(told.contains("text.csv:3: z_mm = `two`"), "{told}");
     assert!(
-        bad(2, &["vision", "stripe", &file("far.csv", b"y_mm,z_mm\n1,1e300\n"), "--joint", "v"]).contains("far.csv:2")
+        bad(2, &["vision", "stripe", &scratch_file("far.csv", b"y_mm,z_mm\n1,1e300\n"), "--joint", "v"])
+            .contains("far.csv:2")
     );
     assert!(bad(2, &["vision", "stripe", "nowhere.png", "--joint", "v"]).contains("nowhere.png: cannot be read"));
     assert!(bad(2, &["vision", "stripe", &root().display().to_string(), "--joint", "v"]).contains("cannot be read"));
@@ -223,7 +214,7 @@ fn bad_input_is_named() {
     }
     let told = bad(2, &["vision", "stripe", &path, "--joint", "lap", "--thickness-mm", "0"]);
     assert!(told.contains("--thickness-mm"), "{told}");
-    let csv = file("profile.csv", b"y_mm,z_mm\n1,2\n");
+    let csv = scratch_file("profile.csv", b"y_mm,z_mm\n1,2\n");
     assert!(bad(2, &["vision", "stripe", &csv, "--joint", "v", "--mm-per-px", "0.05"]).contains("a profile is in mm"));
     let told = bad(2, &["vision", "stripe", &path, "--joint", "v", "--overlay", "/nowhere/at/all.png"]);
     assert!(told.contains("cannot be written"), "{told}");

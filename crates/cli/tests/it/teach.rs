@@ -77,9 +77,8 @@ fn taught_in_simulation_and_again_from_its_frames() {
     let output = run(&["teach", &job, "--frames", &frames, "-o", &again]);
     assert_eq!(output.status.code(), Some(2));
     std::fs::write(&list, "file,t_s,x,y\n000000.png,0,1,2\n").unwrap();
-    let output = run(&["teach", &job, "--frames", &frames, "-o", &again]);
-    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.code() == Some(2) && errors.contains("frames.csv:1"), "{errors}");
+    let errors = bad(2, &["teach", &job, "--frames", &frames, "-o", &again]);
+    assert!(errors.contains("frames.csv:1"), "{errors}");
 }
 
 #[test]
@@ -95,16 +94,15 @@ fn taught_by_hand() {
     assert!(text.contains("[seam.spline]") && good(&["check", &program]).contains("can be made"), "{text}");
     let heights = poses(&program).into_iter().map(|(point, _)| point.z);
     assert!(heights.clone().all(|z| (z - 60.5).abs() < 0.06), "{:?}", heights.collect::<Vec<_>>());
-    for (bad, why) in [
+    for (rows, why) in [
         ("x_mm,y_mm,z_mm\n", "no points"),
         ("x_mm,y_mm,z_mm\n0,500,0\n", "farther than 15 mm"),
         ("x_mm,y_mm,z_mm\n-40,1,60.5\n-40,1,60.5\n", "at the same position"),
         ("x_mm,y_mm\n0,0\n", "column"),
     ] {
-        std::fs::write(&points, bad).unwrap();
-        let output = run(&["teach", &job, "--semi-manual", &points, "-o", &path(folder, "none.toml")]);
-        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.code() == Some(2) && errors.contains(why), "{errors}");
+        std::fs::write(&points, rows).unwrap();
+        let errors = bad(2, &["teach", &job, "--semi-manual", &points, "-o", &path(folder, "none.toml")]);
+        assert!(errors.contains(why), "{errors}");
         assert!(!folder.join("none.toml").exists());
     }
 }
@@ -115,9 +113,8 @@ fn mistakes_are_refused() {
     let folder = folder.path();
     let (job, none) = (short(folder), path(folder, "none.toml"));
     let refused = |arguments: &[&str], why: &str| {
-        let output = run(&[&["teach"], arguments, &["-o", &none]].concat());
-        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.code() == Some(2) && errors.contains(why), "{arguments:?}: {errors}");
+        let errors = bad(2, &[&["teach"], arguments, &["-o", &none]].concat());
+        assert!(errors.contains(why), "{arguments:?}: {errors}");
         assert!(!Path::new(&none).exists());
     };
     refused(&[&job], "--frames");

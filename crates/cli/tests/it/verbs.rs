@@ -1,7 +1,6 @@
 //! Every verb from the outside: columns, numbers, files.
 
-use crate::common::{bad, column, example, good, root, run, run_with, table};
-use serde_json::Value;
+use crate::common::{bad, column, example, good, json, root, run, run_with, table};
 use std::fs;
 use std::os::fd::OwnedFd;
 use std::os::unix::net::UnixStream;
@@ -33,7 +32,7 @@ fn seam_points_are_equally_far_apart() {
 fn json_says_the_same_as_csv() {
     let arguments = ["tools", "seam", &example("ellipse"), "--points", "5"];
     let t = table(&good(&arguments));
-    let json: Value = serde_json::from_str(&good(&[&arguments[..], &["--json"]].concat())).unwrap();
+    let json = json(&[&arguments[..], &["--json"]].concat());
     let rows = json.as_array().unwrap();
     assert_eq!(rows.len(), 5);
     for (row, csv) in rows.iter().zip(&t.1) {
@@ -93,7 +92,7 @@ fn plan_and_simulate_leave_whole_files() {
     let program = out.join("program.toml").display().to_string();
     let motion = |file: &str| good(&["tools", "motion", file, "--period-ms", "50"]);
     assert_eq!(motion(&program), motion(&example("ellipse")));
-    let report: Value = serde_json::from_str(&good(&["simulate", &program, "-o", &shown, "--json"])).unwrap();
+    let report = json(&["simulate", &program, "-o", &shown, "--json"]);
     // Length by speed, and the loss of the acceleration and deceleration phases.
     let weld_s = report["plan"]["weld_s"].as_f64().unwrap();
     let cruise_s = report["seam"]["weld_length_mm"].as_f64().unwrap() / 5.0;

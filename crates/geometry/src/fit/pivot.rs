@@ -93,24 +93,7 @@ fn most_apart(frames: &[DAffine3]) -> f64 {
 mod tests {
     use super::*;
     use glam::DQuat;
-
-    /// Uniform from -1 to 1.
-    fn numbers(seed: u64) -> impl FnMut() -> f64 {
-        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
-        move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-        }
-    }
-
-    /// Normal, of standard deviation 1 (Irwin and Hall).
-    fn normal(random: &mut impl FnMut() -> f64) -> f64 {
-        0.5 * (0..12).map(|_| random()).sum::<f64>()
-    }
-
-    fn three(mut random: impl FnMut() -> f64) -> DVec3 {
-        DVec3::new(random(), random(), random())
-    }
+    use seamwright_testkit::Random;
 
     /// Number of attitudes, maximum turn (rad) and standard deviation of each coordinate (mm).
     struct Attitudes {
@@ -124,15 +107,15 @@ mod tests {
         attitudes: &Attitudes,
         tip: DVec3,
         point: DVec3,
-        random: &mut impl FnMut() -> f64,
+        random: &mut Random,
         axis: impl Fn(DVec3) -> DVec3,
     ) -> Vec<DAffine3> {
         let &Attitudes { count, max_turn, sigma } = attitudes;
-        let begin = DQuat::from_scaled_axis(3.0 * three(&mut *random));
+        let begin = DQuat::from_scaled_axis(random.vector(3.0));
         let one = |_| {
-            let turn = DQuat::from_axis_angle(axis(three(&mut *random)).normalize(), max_turn * random());
+            let turn = DQuat::from_axis_angle(axis(random.vector(1.0)).normalize(), random.within(-max_turn, max_turn));
             let rotation = begin * turn;
-            let off = sigma * three(|| normal(&mut *random));
+            let off = sigma * DVec3::from_array([0; 3].map(|_| random.normal()));
             DAffine3::from_rotation_translation(rotation, point - rotation * tip + off)
         };
         (0..count).map(one).collect()
@@ -144,8 +127,8 @@ mod tests {
     fn the_tip_comes_out_as_well_as_it_says() {
         let (mut sum, mut count) = (0.0, 0.0);
         for seed in 0..500 {
-            let mut random = numbers(seed);
-            let (tip, point) = (100.0 * three(&mut random), 1000.0 * three(&mut random));
+            let mut random = Random::of_case(seed);
+            let (tip, point) = (random.vector(100.0), random.vector(1000.0));
             let exactly = Attitudes { count: 6 + (seed as usize % 10), max_turn: 0.9, sigma: 0.0 };
             let exact = pivot(&frames(&exactly, tip, point, &mut random, |v| v)).unwrap();
             if exact.unseen.is_empty() {
@@ -172,9 +155,9 @@ mod tests {
     #[test]
     fn what_attitudes_do_not_tell_stays() {
         for seed in 0..200 {
-            let mut random = numbers(seed);
-            let axis = three(&mut random).normalize();
-            let (tip, point) = (100.0 * three(&mut random), 1000.0 * three(&mut random));
+            let mut random = Random::of_case(seed);
+            let axis = random.direction();
+            let (tip, point) = (random.vector(100.0), random.vector(1000.0));
             let attitudes = Attitudes { count: 8, max_turn: 0.9, sigma: 0.0 };
             let fit = pivot(&frames(&attitudes, tip, point, &mut random, |_| axis)).unwrap();
             assert_eq!(fit.unseen.len(), 1, "{seed}");
@@ -186,7 +169,7 @@ mod tests {
 
     #[test]
     fn attitudes_that_are_alike_or_few_are_refused() {
-        let mut random = numbers(7);
+        let mut random = Random::new(7);
         let (tip, point) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(300.0, 0.0, 50.0));
         let alike = Attitudes { count: 10, max_turn: 0.05, sigma: 0.01 };
         let alike = pivot(&frames(&alike, tip, point, &mut random, |v| v)).unwrap_err();

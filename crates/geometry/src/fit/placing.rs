@@ -132,24 +132,12 @@ fn circle(points: &[DVec2]) -> Option<(DVec2, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Random numbers of a seed in -1 .. 1 (SplitMix64).
-    fn numbers(seed: u64) -> impl FnMut() -> f64 {
-        let mut state = seed;
-        move || {
-            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let mut z = state;
-            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
-        }
-    }
+    use seamwright_testkit::Random;
 
     /// A frame that is turned by up to 60 degrees and moved by up to a metre.
-    fn frame(next: &mut impl FnMut() -> f64) -> DAffine3 {
-        let axis = DVec3::new(next(), next(), next() + 2.0).normalize();
-        let at = 1000.0 * DVec3::new(next(), next(), next());
-        DAffine3::from_axis_angle(axis, next()) * DAffine3::from_translation(at)
+    fn frame(random: &mut Random) -> DAffine3 {
+        let axis = (random.vector(1.0) + 2.0 * DVec3::Z).normalize();
+        DAffine3::from_axis_angle(axis, random.within(-1.0, 1.0)) * DAffine3::from_translation(random.vector(1000.0))
     }
 
     fn near(a: &DAffine3, b: &DAffine3) -> bool {
@@ -159,13 +147,15 @@ mod tests {
     #[test]
     fn three_points_give_back_the_frame_that_they_were_made_from() {
         for seed in 0..200 {
-            let mut next = numbers(seed);
-            let (part, radius) = (frame(&mut next), if seed % 2 == 0 { 0.0 } else { 1.5 });
+            let mut random = Random::of_case(seed);
+            let (part, radius) = (frame(&mut random), if seed % 2 == 0 { 0.0 } else { 1.5 });
             let on = |x: f64, y: f64| part.transform_point3(DVec3::new(x, y, radius));
             let face = [on(0.0, 0.0), on(200.0, 3.0), on(-20.0, 150.0), on(80.0, 90.0)];
             let (o, d) = (on(0.0, 0.0), on(if seed % 3 == 0 { 30.0 } else { 250.0 }, 0.0));
             // The nominal pose is tilted, and turned about the normal.
-            let nominal = part * DAffine3::from_rotation_x(0.2 * next()) * DAffine3::from_rotation_z(3.0 * next());
+            let nominal = part
+                * DAffine3::from_rotation_x(random.within(-0.2, 0.2))
+                * DAffine3::from_rotation_z(random.within(-3.0, 3.0));
             let found = three_points([&face, &[o], &[d]], radius, &nominal).unwrap();
             assert!(near(&found.transform, &part), "{seed}: {:?} {part:?}", found.transform);
             assert!(found.residuals.iter().flatten().all(|r| r.abs() < 1e-7), "{seed}: {:?}", found.residuals);
@@ -180,10 +170,10 @@ mod tests {
     #[test]
     fn a_chuck_gives_back_its_axis() {
         for seed in 0..200 {
-            let mut next = numbers(1000 + seed);
-            let (part, ball) = (frame(&mut next), 0.5 * (1.0 + next()));
-            let r = 60.0 + 50.0 * next();
-            let first = 3.0 * next();
+            let mut random = Random::of_case(1000 + seed);
+            let (part, ball) = (frame(&mut random), random.unit());
+            let r = random.within(10.0, 110.0);
+            let first = random.within(-3.0, 3.0);
             let on = |p: DVec3| part.transform_point3(p);
             let face: Vec<DVec3> = (0..4)
                 .map(|i| {
@@ -191,11 +181,11 @@ mod tests {
                     on(turn.extend(ball))
                 })
                 .collect();
-            let count = 3 + seed as u32 % 5;
+            let count = 3 + seed % 5;
             let round: Vec<DVec3> = (0..count)
                 .map(|i| {
                     let at = DVec2::from_angle(first + 4.0 * f64::from(i) / f64::from(count)) * (r + ball);
-                    on(at.extend(-20.0 * (1.0 + next())))
+                    on(at.extend(random.within(-40.0, 0.0)))
                 })
                 .collect();
             // The turn about the axis is the nominal one, however the axis leans.
@@ -212,15 +202,15 @@ mod tests {
     #[test]
     fn no_circle_beside_it_is_nearer_to_the_points() {
         for seed in 0..100 {
-            let mut next = numbers(5000 + seed);
+            let mut random = Random::of_case(5000 + seed);
             let points: Vec<DVec2> = (0..9)
-                .map(|i| DVec2::from_angle(0.6 * f64::from(i)) * (40.0 + next()) + DVec2::new(300.0, -70.0))
+                .map(|i| DVec2::from_angle(0.6 * f64::from(i)) * random.within(39.0, 41.0) + DVec2::new(300.0, -70.0))
                 .collect();
             let (middle, r) = circle(&points).unwrap();
             let cost = |m: DVec2, r: f64| points.iter().map(|p| (p.distance(m) - r).powi(2)).sum::<f64>();
             let least = cost(middle, r);
             for _ in 0..50 {
-                let aside = cost(middle + 0.01 * DVec2::new(next(), next()), r + 0.01 * next());
+                let aside = cost(middle + random.vector(0.01).truncate(), r + random.within(-0.01, 0.01));
                 assert!(aside >= least - 1e-12, "{seed}");
             }
         }

@@ -123,15 +123,7 @@ impl Thinning<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Pseudo-random numbers from -1 to 1.
-    fn random(seed: u64) -> impl FnMut() -> f64 {
-        let mut state = seed;
-        move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            2.0 * (state >> 11) as f64 / (1u64 << 53) as f64 - 1.0
-        }
-    }
+    use seamwright_testkit::Random;
 
     /// Distance of a point from a spline by brute force.
     fn distance(spline: &Spline, p: DVec3) -> f64 {
@@ -143,8 +135,8 @@ mod tests {
     #[test]
     fn random_curves_are_kept_within_the_tolerance_by_few_points() {
         for seed in 0..24 {
-            let mut random = random(seed);
-            let waves: Vec<[f64; 7]> = (0..3).map(|_| std::array::from_fn(|_| random())).collect();
+            let mut random = Random::new(seed);
+            let waves: Vec<[f64; 7]> = (0..3).map(|_| std::array::from_fn(|_| random.within(-1.0, 1.0))).collect();
             let closed = seed % 3 == 0;
             let curve = |t: f64| {
                 let round = if closed { 50.0 * DVec3::new(t.cos(), t.sin(), 0.0) } else { 40.0 * t * DVec3::X };
@@ -155,7 +147,8 @@ mod tests {
                 round + 4.0 * waves.iter().enumerate().map(wave).sum::<DVec3>()
             };
             let ts: Vec<f64> = (0..=500).map(|i| std::f64::consts::TAU * f64::from(i) / 500.0).collect();
-            let points: Vec<DVec3> = ts.iter().map(|t| curve(*t) + 0.005 * random() * DVec3::ONE).collect();
+            let points: Vec<DVec3> =
+                ts.iter().map(|t| curve(*t) + 0.005 * random.within(-1.0, 1.0) * DVec3::ONE).collect();
             let column: Vec<f64> = ts.iter().map(|t| 0.3 * t.sin()).collect();
             let tolerances = Tolerances { path_mm: 0.05, columns: 0.005 };
             let found = reduce_to_spline(&points, std::slice::from_ref(&column), tolerances).unwrap();

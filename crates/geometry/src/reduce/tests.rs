@@ -5,55 +5,30 @@ use super::fewest::fewest;
 use super::reduction::{Span, Tolerances};
 use super::track::Track;
 use glam::{DQuat, DVec3};
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
+use seamwright_testkit::{Random, cases};
 
 const TOLERANCES: Tolerances = Tolerances { path_mm: 1.0, columns: 0.5 };
-
-struct Random(TestRng);
-
-impl Random {
-    fn new(seed: u8) -> Self {
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]))
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn below(&mut self, n: u32) -> u32 {
-        self.0.next_u64() as u32 % n
-    }
-
-    fn vector(&mut self) -> DVec3 {
-        DVec3::new(self.within(-1.0, 1.0), self.within(-1.0, 1.0), self.within(-1.0, 1.0))
-    }
-}
-
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
-}
 
 /// Points along curved paths, with noise up to about the tolerance 1: many runs are at the limit. Some points are
 /// doubled, some paths turn back, some are closed.
 fn points(random: &mut Random, count: usize) -> Vec<DVec3> {
     let (step, noise) = (random.within(0.3, 12.0), random.within(0.0, 1.2));
-    let (mut at, mut way) = (10.0 * random.vector(), DVec3::X);
+    let (mut at, mut way) = (10.0 * random.vector(1.0), DVec3::X);
     let mut turn = DQuat::IDENTITY;
     let mut points: Vec<DVec3> = Vec::new();
     for k in 0..count {
         if random.below(6) == 0 {
-            turn = DQuat::from_axis_angle(random.vector().normalize(), random.within(0.0, 0.8));
+            turn = DQuat::from_axis_angle(random.vector(1.0).normalize(), random.within(0.0, 0.8));
         }
         way = match random.below(30) {
             0 => -way,
-            1 => random.vector().normalize(),
+            1 => random.vector(1.0).normalize(),
             _ => turn * way,
         };
         at += step * random.within(0.5, 1.5) * way;
         points.push(match random.below(40) {
-            0 if k > 0 => points[random.below(k as u32) as usize],
-            _ => at + noise * random.vector() * 0.577,
+            0 if k > 0 => points[random.below(k)],
+            _ => at + noise * random.vector(1.0) * 0.577,
         });
     }
     points
@@ -140,7 +115,7 @@ fn check(points: &[DVec3], axes: &[Vec<f64>], count_all: impl Fn(&[Vec<bool>]) -
 fn small_paths_have_the_fewest_spans_of_all_partitions() {
     let mut random = Random::new(1);
     for _ in 0..cases(3000) {
-        let count = 2 + random.below(11) as usize;
+        let count = 2 + random.below(11);
         check(&points(&mut random, count), &columns(&mut random, count), fewest_of_all);
     }
 }
@@ -149,7 +124,7 @@ fn small_paths_have_the_fewest_spans_of_all_partitions() {
 fn longer_paths_have_the_fewest_spans_by_asking_every_run() {
     let mut random = Random::new(2);
     for _ in 0..cases(300) {
-        let count = 13 + random.below(90) as usize;
+        let count = 13 + random.below(90);
         check(&points(&mut random, count), &columns(&mut random, count), shortest_way);
     }
 }
@@ -159,7 +134,7 @@ fn what_is_excluded_has_no_span() {
     let mut random = Random::new(3);
     let mut proofs = 0;
     for _ in 0..cases(150) {
-        let count = 5 + random.below(60) as usize;
+        let count = 5 + random.below(60);
         let (points, axes) = (points(&mut random, count), columns(&mut random, count));
         let track = Track::new(&points, &axes, TOLERANCES);
         let table = table(&track);
@@ -185,7 +160,7 @@ fn what_is_excluded_has_no_span() {
 fn a_run_backwards_has_the_same_span() {
     let mut random = Random::new(4);
     for _ in 0..cases(3000) {
-        let count = 3 + random.below(30) as usize;
+        let count = 3 + random.below(30);
         let points = points(&mut random, count);
         let turned: Vec<DVec3> = points.iter().rev().copied().collect();
         let (track, back) = (Track::new(&points, &[], TOLERANCES), Track::new(&turned, &[], TOLERANCES));

@@ -1,8 +1,8 @@
 //! Signed distances against a search of the parametrised surface.
 
-use crate::common::{Random, cases};
 use glam::{DMat3, DVec3};
 use seamwright_geometry::{Quadric, QuadricDistance, SignedDistance, Surface, Tube};
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::{PI, TAU};
 
 /// A body as a distance, with a parametrisation in (u, v) over a rectangle and its inside.
@@ -28,7 +28,7 @@ fn of(name: &'static str, body: Quadric, point: impl Fn(f64, f64) -> DVec3 + 'st
 }
 
 fn bodies(random: &mut Random) -> Vec<Body> {
-    let o = random.in_box(100.0);
+    let o = random.vector(100.0);
     let z = random.direction();
     let x = z.any_orthonormal_vector();
     let f = DMat3::from_cols(x, z.cross(x), z);
@@ -111,7 +111,7 @@ fn distances_are_the_least_over_the_surface() {
     let mut random = Random::new(3);
     for _ in 0..cases(600) {
         for body in bodies(&mut random) {
-            let p = random.in_box(300.0);
+            let p = random.vector(300.0);
             let foot = body.distance.foot(p);
             let least = searched(&body, p);
             assert!((foot.distance.abs() - least).abs() < 1e-9, "{} {p}: {} {least}", body.name, foot.distance);
@@ -125,7 +125,7 @@ fn the_foot_lies_on_the_surface_and_the_normal_is_the_gradient() {
     let mut random = Random::new(4);
     for _ in 0..cases(2000) {
         for body in bodies(&mut random) {
-            let p = random.in_box(300.0);
+            let p = random.vector(300.0);
             let foot = body.distance.foot(p);
             assert!((foot.normal.length() - 1.0).abs() < 1e-12);
             let on = body.distance.foot(p - foot.distance * foot.normal);

@@ -12,9 +12,14 @@ fn shell() -> Result<Quadric, Error> {
 }
 
 #[test]
-fn larger_than_the_sphere() {
-    let sphere = Quadric::sphere(DVec3::ZERO, 100.0);
-    assert_eq!(on(sphere, DVec3::ZERO, DVec3::Z, 250.0), Err(Error::TubeLargerThanBody));
+fn what_does_not_meet_its_body_all_round_is_refused_with_the_reason() {
+    let (o, z) = (DVec3::ZERO, DVec3::Z);
+    assert_eq!(on(Quadric::sphere(o, 100.0), o, z, 250.0), Err(Error::TubeLargerThanBody));
+    assert_eq!(on(shell(), DVec3::new(0.0, 2000.0, 0.0), z, 250.0), Err(Error::TubeBesideBody));
+    assert!(matches!(on(shell(), DVec3::new(0.0, 700.0, 0.0), z, 250.0), Err(Error::NotClosed { .. })));
+    assert_eq!(on(Quadric::plane(o, z), o, -z + DVec3::Y * 0.1, 20.0), Err(Error::NeverLeaves));
+    // Along the shell's axis the nozzle never meets it.
+    assert_eq!(on(Quadric::cylinder(o, z, 800.0), o, z, 20.0), Err(Error::NeverLeaves));
 }
 
 #[test]
@@ -46,25 +51,6 @@ fn a_little_larger_than_the_shell_is_seen_between_samples() {
             );
         }
     }
-}
-
-#[test]
-fn beside_the_shell() {
-    assert_eq!(on(shell(), DVec3::new(0.0, 2000.0, 0.0), DVec3::Z, 250.0), Err(Error::TubeBesideBody));
-}
-
-#[test]
-fn partly_beside_the_shell_does_not_close() {
-    assert!(matches!(on(shell(), DVec3::new(0.0, 700.0, 0.0), DVec3::Z, 250.0), Err(Error::NotClosed { .. })));
-}
-
-#[test]
-fn a_nozzle_that_never_leaves() {
-    let plane = Quadric::plane(DVec3::ZERO, DVec3::Z);
-    assert_eq!(on(plane, DVec3::ZERO, -DVec3::Z + DVec3::Y * 0.1, 20.0), Err(Error::NeverLeaves));
-    // Along the shell's axis the nozzle never meets it.
-    let shell = Quadric::cylinder(DVec3::ZERO, DVec3::Z, 800.0);
-    assert_eq!(on(shell, DVec3::ZERO, DVec3::Z, 20.0), Err(Error::NeverLeaves));
 }
 
 #[test]

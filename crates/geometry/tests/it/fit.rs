@@ -1,10 +1,22 @@
 //! Rigid fits: exact points recover the displacement; noise is averaged; undetermined motions are reported.
 
-use crate::common::{Random, apart, cases};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::{Motion, Touch, best_fit, fit_pairs, outliers, plane_line_point, rms, run_out};
 use seamwright_geometry::{Error, Quadric, QuadricDistance, SignedDistance, Tube};
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::TAU;
+
+/// Distance of two rigid motions: mm of the origin, rad.
+fn apart(a: &DAffine3, b: &DAffine3) -> (f64, f64) {
+    let between = a.matrix3.transpose() * b.matrix3;
+    let sine = DVec3::new(
+        between.y_axis.z - between.z_axis.y,
+        between.z_axis.x - between.x_axis.z,
+        between.x_axis.y - between.y_axis.x,
+    );
+    let trace = between.x_axis.x + between.y_axis.y + between.z_axis.z;
+    ((a.translation - b.translation).length(), sine.length().atan2(trace - 1.0))
+}
 
 const MM: f64 = 1e-8;
 const RAD: f64 = 1e-9;
@@ -61,7 +73,7 @@ fn pairs_bring_the_displacement_back() {
     for case in 0..cases(5000) {
         let there = random.displacement(ANGLE, 200.0);
         let n = 3 + case as usize % 6;
-        let nominal: Vec<DVec3> = (0..n).map(|_| random.in_box(500.0)).collect();
+        let nominal: Vec<DVec3> = (0..n).map(|_| random.vector(500.0)).collect();
         let pairs: Vec<_> = nominal.iter().map(|p| (*p, there.transform_point3(*p))).collect();
         let width = (nominal[1] - nominal[0]).cross(nominal[2] - nominal[0]).length();
         if n == 3 && width < 0.05 * (nominal[1] - nominal[0]).length_squared() {
@@ -99,7 +111,7 @@ fn pairs_with_noise_are_at_the_least_sum_and_their_errors_shrink() {
         for (which, n) in [8, 128].into_iter().enumerate() {
             let there = random.displacement(ANGLE, 200.0);
             let noisy = |random: &mut Random| {
-                let p = random.in_box(300.0);
+                let p = random.vector(300.0);
                 (p, there.transform_point3(p) + 0.1 * DVec3::new(random.normal(), random.normal(), random.normal()))
             };
             let pairs: Vec<_> = (0..n).map(|_| noisy(&mut random)).collect();
@@ -291,7 +303,7 @@ fn surfaces_with_noise_are_at_the_least_sum_and_their_errors_shrink() {
 fn a_turned_tube_s_axis_comes_back() {
     let mut random = Random::new(16);
     for _ in 0..cases(3000) {
-        let (direction, origin) = (random.direction(), random.in_box(300.0));
+        let (direction, origin) = (random.direction(), random.vector(300.0));
         let nominal = Tube::new(origin, direction, direction.any_orthonormal_vector(), 100.0).unwrap();
         let (e1, e2) = (direction.any_orthonormal_vector(), direction.cross(direction.any_orthonormal_vector()));
         let at = origin + random.within(-50.0, 150.0) * direction;

@@ -1,10 +1,11 @@
 //! Nozzles on heads, across any of their zones, against dense root finding on the meridian's arcs and lines.
 
-use crate::common::{Random, cases};
+use crate::brute_force::{Heights, first_inside, length};
 use glam::DVec3;
 use seamwright_geometry::{
     ByLength, Curve, DEFAULT_ACCURACY_MM, Edge, Error, Flange, Head, HeadIntersection, SignedDistance, Tube,
 };
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::TAU;
 
 /// A head's dimensions and its inside, defined without the library.
@@ -38,7 +39,7 @@ impl Case {
             _ => Form::Conical { half_angle: random.within(0.3, 1.3), knuckle },
         };
         let flange = radius * random.within(0.1, 0.9);
-        Self { form, centre: random.in_box(500.0), axis: random.direction(), radius, flange }
+        Self { form, centre: random.vector(500.0), axis: random.direction(), radius, flange }
     }
 
     fn head(&self) -> Head {
@@ -96,20 +97,8 @@ impl Case {
 
     /// The last point of a line inside the head, searched from outside in small steps, then by bisection.
     fn brute(&self, foot: DVec3, d: DVec3) -> Option<DVec3> {
-        let far = 6.0 * self.radius;
-        let middle = (self.centre - foot).dot(d);
-        let n = 2400;
-        let at = |i: i32| middle + far * (1.0 - 2.0 * f64::from(i) / f64::from(n));
-        if self.level(foot + at(0) * d) < 0.0 {
-            return None;
-        }
-        let first = (1..=n).find(|i| self.level(foot + at(*i) * d) < 0.0)?;
-        let (mut inside, mut outside) = (at(first), at(first - 1));
-        for _ in 0..80 {
-            let h = 0.5 * (inside + outside);
-            if self.level(foot + h * d) < 0.0 { inside = h } else { outside = h }
-        }
-        Some(foot + inside * d)
+        let (middle, far) = ((self.centre - foot).dot(d), 6.0 * self.radius);
+        first_inside(|p| self.level(p), foot, d, &Heights { from: middle + far, to: middle - far, steps: 2400 })
     }
 
     /// A tube somewhere on the head.
@@ -240,14 +229,10 @@ fn derivatives_and_lengths_are_those_of_differences() {
     });
     // Lengths of chords, extrapolated to none.
     each(4, cases(5), |case, curve| {
-        let chords = |n: u32| {
-            let point = |i: u32| curve.point(TAU * f64::from(i) / f64::from(n));
-            (0..n).map(|i| point(i).distance(point(i + 1))).sum::<f64>()
-        };
-        let (some, more) = (chords(5000), chords(10_000));
+        let (length, correction) = length(|u| curve.point(u), 5000);
         let by = ByLength::new(curve, DEFAULT_ACCURACY_MM).unwrap();
-        let off = (by.length() - (more + (more - some) / 3.0)).abs();
-        assert!(off < 1e-9 * by.length() + 0.01 * (more - some), "{case:?}: {off:e}");
+        let off = (by.length() - length).abs();
+        assert!(off < 1e-9 * by.length() + 0.01 * correction, "{case:?}: {off:e}");
         for i in 0..200 {
             let s = by.length() * f64::from(i) / 200.0;
             assert!((by.length_at(by.parameter(s)) - s).abs() < 1e-10);
@@ -296,7 +281,7 @@ fn distances_are_those_of_the_nearest_point_of_the_meridian() {
         let line = head.outline(1e-4 * case.radius);
         let line = line.into_iter().chain([(case.radius, -9.0 * case.radius)]).collect::<Vec<_>>();
         for _ in 0..20 {
-            let p = case.centre + random.in_box(1.5 * case.radius);
+            let p = case.centre + random.vector(1.5 * case.radius);
             let (rho, z) = case.meridional(p);
             let nearest = |w: &[(f64, f64)]| {
                 let (a, b) = (glam::DVec2::from(w[0]), glam::DVec2::from(w[1]));

@@ -1,6 +1,6 @@
 //! All tests in one program, which is compiled and linked once.
 
-mod common;
+mod brute_force;
 mod distance;
 mod domain;
 mod fit;

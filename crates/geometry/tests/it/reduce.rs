@@ -1,10 +1,10 @@
 //! Polylines to lines and arcs: the drawn shapes are recovered; every promise is checked on the printed spans, in small
 //! steps along them.
 
-use crate::common::{Random, cases};
 use glam::{DQuat, DVec3};
 use seamwright_geometry::Error;
 use seamwright_geometry::reduce::{Method, Reduction, Shape, Span, Tolerances, reduce};
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::TAU;
 
 const BOTH: [Method; 2] = [Method::Greedy, Method::Fewest];
@@ -90,7 +90,7 @@ fn promises(points: &[DVec3], tolerance: f64, spans: &[Span]) {
 /// Lines and arcs with `steps` points each, that meet at angles, and their number. Noise up to `noise` mm.
 fn known(random: &mut Random, noise: f64) -> (Vec<DVec3>, usize) {
     let pieces = 1 + random.within(0.0, 6.0) as usize;
-    let mut at = random.in_box(300.0);
+    let mut at = random.vector(300.0);
     let mut points = vec![at];
     for _ in 0..pieces {
         let tangent = random.direction();
@@ -171,7 +171,7 @@ fn size_and_attitude_do_not_matter() {
 fn far_from_the_origin_with_a_fine_tolerance() {
     let mut random = Random::new(4);
     for _ in 0..cases(300) {
-        let (centre, tolerance) = (random.in_box(1e5), 1e-4);
+        let (centre, tolerance) = (random.vector(1e5), 1e-4);
         let radius = 10f64.powf(random.within(0.0, 6.0));
         let (x, y) = random.direction().any_orthonormal_pair();
         // Neighbours less than the tolerance from their arc.

@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use seamwright_geometry::{
     ByLength, Curve, DEFAULT_ACCURACY_MM, Edge, Ellipse, Quadric, Surface, Tube, TubeIntersection,
 };
+use seamwright_testkit::cases;
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 
@@ -223,9 +224,4 @@ fn closed_curves_repeat_beyond_their_ends() {
         assert!((by.parameter(s + by.length()) - by.parameter(s) - TAU).abs() < 1e-13);
         assert!((by.length_at(by.parameter(s)) - s).abs() < 1e-11);
     }
-}
-
-/// Cases of a property test; `make soak` multiplies them.
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
 }

@@ -1,8 +1,8 @@
 //! Rounded rectangles against their distance function and a brute-force length; angles against the points.
 
-use crate::common::{Random, cases};
 use glam::{DVec2, DVec3};
 use seamwright_geometry::{ByLength, Curve, DEFAULT_ACCURACY_MM, RoundedRectangle};
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 struct Case {
@@ -21,7 +21,7 @@ fn case(random: &mut Random, i: u32) -> Case {
         size.y = size.x;
     }
     let corner = 0.5 * size.min_element() * [0.0, 1.0, random.within(0.0, 1.0), 1e-3][i as usize % 4];
-    let (centre, normal, direction) = (random.in_box(500.0), random.direction(), random.direction());
+    let (centre, normal, direction) = (random.vector(500.0), random.direction(), random.direction());
     let e1 = (direction - direction.dot(normal) * normal).normalize();
     let rectangle = RoundedRectangle::new(centre, 3.0 * normal, 0.2 * direction, size, corner).unwrap();
     Case { rectangle, centre, axes: [e1, normal.cross(e1), normal], half: 0.5 * size, corner }

@@ -1,17 +1,17 @@
 //! Cubic splines against other constructions: the B-spline basis, the moments, polynomials, straight lines.
 
-use crate::common::{Random, cases};
 use glam::DVec3;
 use nalgebra::{DMatrix, DVector};
 use seamwright_geometry::{Curve, End, Ends, Error, Spline, chord_lengths, fit_spline};
+use seamwright_testkit::{Random, cases};
 
 /// Points along a curved path, about `step` apart.
 fn way(random: &mut Random, count: usize) -> Vec<DVec3> {
-    let (mut at, mut along) = (random.in_box(500.0), random.direction());
+    let (mut at, mut along) = (random.vector(500.0), random.direction());
     let step = random.within(0.5, 40.0);
     (0..count)
         .map(|_| {
-            along = (along + 0.4 * random.in_box(1.0)).normalize();
+            along = (along + 0.4 * random.vector(1.0)).normalize();
             at += random.within(0.3, 1.7) * step * along;
             at
         })
@@ -22,7 +22,7 @@ fn ends(random: &mut Random, kind: u32) -> Ends {
     let end = |random: &mut Random| match (random.within(0.0, 3.0)) as u32 {
         0 => End::Natural,
         1 => End::Slope(random.direction()),
-        _ => End::Jet(random.direction(), 0.02 * random.in_box(1.0)),
+        _ => End::Jet(random.direction(), 0.02 * random.vector(1.0)),
     };
     if kind == 0 { Ends::Closed } else { Ends::Open(end(random), end(random)) }
 }
@@ -172,7 +172,7 @@ fn closed_ones_are_those_by_moments() {
 fn cubics_and_straight_lines_are_reproduced() {
     let mut random = Random::new(4);
     for case in 0..cases(3000) {
-        let c: [DVec3; 4] = std::array::from_fn(|_| random.in_box(50.0));
+        let c: [DVec3; 4] = std::array::from_fn(|_| random.vector(50.0));
         let at = |x: f64| c[0] + x * (c[1] + x * (c[2] + x * c[3]));
         let slope = |x: f64| c[1] + x * (2.0 * c[2] + 3.0 * x * c[3]);
         let bend = |x: f64| 2.0 * c[2] + 6.0 * x * c[3];
@@ -217,7 +217,7 @@ fn fits_keep_the_tolerance_with_few_knots() {
         let points: Vec<DVec3> = (0..count)
             .map(|i| {
                 let x = turns * i as f64 / if closed { count } else { count - 1 } as f64;
-                DVec3::new(r * x.cos(), r * x.sin(), h * (2.0 * x).cos()) + noise * random.in_box(1.0)
+                DVec3::new(r * x.cos(), r * x.sin(), h * (2.0 * x).cos()) + noise * random.vector(1.0)
             })
             .collect();
         let tolerance = random.within(0.02, 0.5);

@@ -1,10 +1,11 @@
 //! Nozzles on pipe bends against dense root finding on the distance from the ring.
 
-use crate::common::{Random, cases};
+use crate::brute_force::{Heights, first_inside, length};
 use glam::DVec3;
 use seamwright_geometry::{
     ByLength, Curve, DEFAULT_ACCURACY_MM, Edge, Error, SignedDistance, Torus, TorusIntersection, Tube,
 };
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::TAU;
 
 /// A pipe bend and its inside, defined without the library.
@@ -19,7 +20,7 @@ struct Bend {
 impl Bend {
     fn random(random: &mut Random) -> Self {
         let ring = random.within(100.0, 2000.0);
-        Self { centre: random.in_box(300.0), axis: random.direction(), ring, pipe: ring * random.within(0.1, 0.95) }
+        Self { centre: random.vector(300.0), axis: random.direction(), ring, pipe: ring * random.within(0.1, 0.95) }
     }
 
     fn torus(&self) -> Torus {
@@ -34,16 +35,8 @@ impl Bend {
 
     /// The last point of a line inside, in small steps from outside, then by bisection.
     fn brute(&self, foot: DVec3, d: DVec3) -> Option<DVec3> {
-        let far = 1.01 * (self.ring + self.pipe);
-        let middle = (self.centre - foot).dot(d);
-        let at = |i: i32| middle + far * (1.0 - f64::from(i) / 1000.0);
-        let first = (1..=2000).find(|i| self.level(foot + at(*i) * d) < 0.0)?;
-        let (mut inside, mut outside) = (at(first), at(first - 1));
-        for _ in 0..80 {
-            let h = 0.5 * (inside + outside);
-            if self.level(foot + h * d) < 0.0 { inside = h } else { outside = h }
-        }
-        Some(foot + inside * d)
+        let (middle, far) = ((self.centre - foot).dot(d), 1.01 * (self.ring + self.pipe));
+        first_inside(|p| self.level(p), foot, d, &Heights { from: middle + far, to: middle - far, steps: 2000 })
     }
 
     /// A tube that stands somewhere on the pipe, leaning any way.
@@ -121,11 +114,6 @@ fn a_nozzle_over_the_pipe_has_its_closed_form_and_length() {
         let phi = 0.063 * f64::from(i);
         assert!((curve.point(phi) - exact(phi)).length() < 1e-11);
     }
-    let chords = |n: u32| {
-        let at = |i: u32| exact(TAU * f64::from(i) / f64::from(n));
-        (0..n).map(|i| at(i).distance(at(i + 1))).sum::<f64>()
-    };
-    let (some, more) = (chords(4000), chords(8000));
     let by = ByLength::new(curve, DEFAULT_ACCURACY_MM).unwrap();
-    assert!((by.length() - (more + (more - some) / 3.0)).abs() < 1e-8);
+    assert!((by.length() - length(exact, 4000).0).abs() < 1e-8);
 }

@@ -1,10 +1,11 @@
 //! Tubes on a chord, trimmed by another tube, against dense independent root finding on the two cylinders.
 
-use crate::common::{Random, cases};
+use crate::brute_force::{Heights, first_inside};
 use glam::DVec3;
 use seamwright_geometry::{
     ByLength, Curve, DEFAULT_ACCURACY_MM, Edge, Error, Quadric, TrimmedIntersection, Tube, TubeIntersection,
 };
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::{PI, TAU};
 
 /// A round body and its inside, defined without the library.
@@ -80,15 +81,8 @@ impl Joint {
     /// other branch.
     fn brute(&self, phi: f64) -> Option<(DVec3, bool)> {
         let (foot, d) = (self.foot(phi), self.branch.axis);
-        let far = 30.0 * self.chord.radius;
-        let at = |i: i32| far * (1.0 - f64::from(i) / 6000.0);
-        let first = (1..=6000).find(|i| self.level(foot + at(*i) * d) < 0.0)?;
-        let (mut inside, mut outside) = (at(first), at(first - 1));
-        for _ in 0..80 {
-            let h = 0.5 * (inside + outside);
-            if self.level(foot + h * d) < 0.0 { inside = h } else { outside = h }
-        }
-        let p = foot + inside * d;
+        let heights = Heights { from: 30.0 * self.chord.radius, to: 0.0, steps: 6000 };
+        let p = first_inside(|p| self.level(p), foot, d, &heights)?;
         Some((p, self.other.level(p).abs() < self.chord.level(p).abs()))
     }
 }

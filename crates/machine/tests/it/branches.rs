@@ -1,9 +1,10 @@
 //! Every branch of the closed forms, against brute force on a grid of the rotary axes.
 
-use crate::common::{Uniform, conditioning, random_joints, same};
+use crate::common::{conditioning, random_joints, same};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine, SHIPPED};
+use seamwright_testkit::Random;
 use std::f64::consts::{PI, TAU};
 
 /// The linear axes that best meet the point with the rotary axes as in `q`, and the remaining error: mm of the point
@@ -111,7 +112,7 @@ fn closed_forms_find_what_a_grid_finds() {
         if rotary.is_empty() {
             continue;
         }
-        let mut random = Uniform::new(5);
+        let mut random = Random::new(5);
         let mut compared = 0;
         for _ in 0..12 {
             let q = random_joints(&machine, &mut random);

@@ -1,5 +1,6 @@
 //! Mistakes in machine files are refused with their address.
 
+use crate::common::{refusal, shipped_machine};
 use glam::{DVec2, DVec3};
 use seamwright_machine::{EncoderSide, Joints, Machine, Sight, shipped};
 
@@ -9,10 +10,7 @@ fn saddle() -> &'static str {
 
 /// Changes the shipped file and returns key and message of the error.
 fn wrong(from: &str, to: &str) -> (String, String) {
-    assert!(saddle().contains(from), "{from}");
-    let e = Machine::read("m.toml", &saddle().replacen(from, to, 1)).unwrap_err();
-    println!("{e}");
-    assert!(e.line > 0);
+    let e = refusal(saddle(), from, to);
     (e.key.clone(), e.to_string())
 }
 
@@ -109,12 +107,7 @@ notches = [{ frequency_hz = 60, depth = 0.1, width_hz = 20 }]";
 #[test]
 fn heads_have_names_and_tails_of_their_own() {
     let dual = shipped("dual-laser-10axis").unwrap().text;
-    let wrong = |from: &str, to: &str| {
-        assert!(dual.contains(from), "{from}");
-        let e = Machine::read("m.toml", &dual.replacen(from, to, 1)).unwrap_err();
-        println!("{e}");
-        e.key
-    };
+    let wrong = |from: &str, to: &str| refusal(dual, from, to).key;
     assert_eq!(wrong("name = \"right\"", "name = \"left\""), "heads[1].name");
     assert_eq!(wrong("name = \"right\"", "name = \"base\""), "heads[1].name");
     assert_eq!(wrong("axis = \"u2\"", "axis = \"u1\""), "heads[1].steps[0].axis");
@@ -133,13 +126,7 @@ fn heads_have_names_and_tails_of_their_own() {
 #[test]
 fn steppers_say_what_does_not_fit() {
     let torch = shipped("torch-5axis").unwrap().text;
-    let wrong = |from: &str, to: &str| {
-        assert!(torch.contains(from), "{from}");
-        let e = Machine::read("m.toml", &torch.replacen(from, to, 1)).unwrap_err();
-        println!("{e}");
-        assert!(e.line > 0);
-        e.key
-    };
+    let wrong = |from: &str, to: &str| refusal(torch, from, to).key;
     assert_eq!(wrong("full_steps_per_turn = 200", "full_steps_per_turn = 201"), "drives.y.stepper.full_steps_per_turn");
     assert_eq!(wrong("full_steps_per_turn = 200", "full_steps_per_turn = 0"), "drives.y.stepper.full_steps_per_turn");
     assert_eq!(wrong("full_steps_per_turn = 200", "full_steps_per_turn = -4"), "drives.y.stepper.full_steps_per_turn");
@@ -165,7 +152,7 @@ fn steppers_say_what_does_not_fit() {
 
 #[test]
 fn steppers_are_in_mm_and_rad() {
-    let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+    let machine = shipped_machine("torch-5axis");
     let of = |name: &str| machine.axes[machine.axis(name).unwrap()].stepper.clone().unwrap();
     assert!((of("x").full_steps_per_unit() - 20.0).abs() < 1e-12);
     // 200 steps for 5 degrees.
@@ -179,11 +166,9 @@ fn steppers_are_in_mm_and_rad() {
 /// Replaces the left sensor of the dual-laser welder; returns the key of the error.
 fn sensor(text: &str) -> (String, String) {
     let dual = shipped("dual-laser-10axis").unwrap().text;
-    let (before, rest) = dual.split_once("[sensors.left]").unwrap();
-    let (_, after) = rest.split_once("[sensors.right]").unwrap();
-    let e = Machine::read("m.toml", &format!("{before}[sensors.left]\n{text}\n[sensors.right]{after}")).unwrap_err();
-    println!("{e}");
-    assert!(e.line > 0);
+    let (_, rest) = dual.split_once("[sensors.left]").unwrap();
+    let (left, _) = rest.split_once("[sensors.right]").unwrap();
+    let e = refusal(dual, left, &format!("\n{text}\n"));
     (e.key.clone(), e.to_string())
 }
 
@@ -214,7 +199,7 @@ fn sensors_say_what_does_not_fit() {
 /// stated scales. Checked against a camera set up from its pose.
 #[test]
 fn sensors_see_ahead_of_the_beam() {
-    let machine = Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap();
+    let machine = shipped_machine("dual-laser-10axis");
     let q = Joints::default();
     for (head, name, side) in [(0, "left", 1.0), (1, "right", -1.0)] {
         let sensor = machine.sensor(name).unwrap();
@@ -245,7 +230,7 @@ fn sensors_see_ahead_of_the_beam() {
 /// x of the gun, its rows against y. The camera of the saddle welder looks 60 mm ahead with its rows across the seam.
 #[test]
 fn cameras_see_the_work() {
-    let machine = Machine::read("m", shipped("ebw-7axis").unwrap().text).unwrap();
+    let machine = shipped_machine("ebw-7axis");
     let sensor = machine.sensor("beam").unwrap();
     let Sight::Camera(camera) = &sensor.sight else { panic!("the beam is no camera") };
     assert!((sensor.period_s - 0.3).abs() < 1e-12 && camera.table.size_px() == (512, 512));
@@ -261,7 +246,7 @@ fn cameras_see_the_work() {
     assert!((seen(265.5, 255.5, 20.0) - DVec3::new(280.0 / 260.0, 0.0, -20.0)).length() < 1e-9);
     assert!(camera.table.at(40.0).is_err());
 
-    let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
+    let machine = shipped_machine("saddle-4axis");
     let sensor = machine.sensor("camera").unwrap();
     let frame = machine.camera_frame(sensor, &Joints::default());
     assert!(

@@ -1,13 +1,10 @@
 //! Two heads at once: both tips on both fillets of a curved T-joint (DUALBEAM-2013), and slides.
 
-use crate::common::{Uniform, cases, random_joints};
+use crate::common::{random_joints, shipped_machine};
 use glam::{DMat3, DQuat, DVec3};
 use seamwright_geometry::Pose;
-use seamwright_machine::{Joints, Machine, Target, Unreachable, shipped};
-
-fn dual() -> Machine {
-    Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap()
-}
+use seamwright_machine::{Joints, Target, Unreachable};
+use seamwright_testkit::{Random, cases};
 
 /// A web of thickness `t` on a skin curved both ways: the two fillets' points and beam directions at `u`. The frame
 /// comes from a formula for the web's middle line, independent of the code under test.
@@ -25,7 +22,7 @@ fn fillets(u: f64, t: f64, above_skin: f64) -> [Pose; 2] {
 
 #[test]
 fn both_tips_lie_on_both_fillets_with_slides_centred() {
-    let machine = dual();
+    let machine = shipped_machine("dual-laser-10axis");
     let mut near = machine.home();
     for k in -1000..=1000 {
         let poses = fillets(f64::from(k), 2.0, 30f64.to_radians());
@@ -48,7 +45,7 @@ fn both_tips_lie_on_both_fillets_with_slides_centred() {
 /// The slides reach a thicker web; two equal target poses, and a machine with one head, are refused.
 #[test]
 fn slides_take_another_thickness() {
-    let machine = dual();
+    let machine = shipped_machine("dual-laser-10axis");
     let poses = fillets(120.0, 5.0, 30f64.to_radians());
     let target = Target { first: poses[0], second: Some(poses[1]) };
     let near = machine.inverse_near(target, &machine.home()).unwrap().joints;
@@ -59,15 +56,15 @@ fn slides_take_another_thickness() {
     assert!((u("u1") - 1.5).abs() < 1e-9 && (u("u2") + 1.5).abs() < 1e-9 && u("v1").abs() < 1e-9);
     let same = Target { first: poses[0], second: Some(poses[0]) };
     assert!(matches!(machine.inverse(same, &near), Err(Unreachable::Pair(_))));
-    let single = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+    let single = shipped_machine("torch-5axis");
     assert!(matches!(single.inverse(target, &single.home()), Err(Unreachable::Pair(_))));
 }
 
 /// A slide moves its own tip along its direction, turned with the carrier; the other tip stays.
 #[test]
 fn slide_moves_are_as_predicted() {
-    let machine = dual();
-    let mut random = Uniform::new(9);
+    let machine = shipped_machine("dual-laser-10axis");
+    let mut random = Random::new(9);
     for _ in 0..cases(2000) {
         let q = random_joints(&machine, &mut random);
         let angle = |name| q[machine.axis(name).unwrap()];
@@ -78,7 +75,7 @@ fn slide_moves_are_as_predicted() {
                 * DQuat::from_rotation_x(angle("a")),
         );
         for (head, slides) in [["u1", "v1"], ["u2", "v2"]].iter().enumerate() {
-            let (dy, dz) = (random.in_range(-5.0, 5.0), random.in_range(-5.0, 5.0));
+            let (dy, dz) = (random.within(-5.0, 5.0), random.within(-5.0, 5.0));
             let mut moved: Joints = q;
             moved[machine.axis(slides[0]).unwrap()] += dy;
             moved[machine.axis(slides[1]).unwrap()] += dz;
@@ -94,8 +91,8 @@ fn slide_moves_are_as_predicted() {
 /// Round trip of both heads over random poses.
 #[test]
 fn two_heads_come_back() {
-    let machine = dual();
-    let mut random = Uniform::new(21);
+    let machine = shipped_machine("dual-laser-10axis");
+    let mut random = Random::new(21);
     let mut compared = 0;
     for _ in 0..cases(20_000) {
         let q = random_joints(&machine, &mut random);

@@ -1,10 +1,11 @@
 //! Every shipped machine, and random ones, by round trip and against differences; the trunnion against LinuxCNC.
 
-use crate::common::{Uniform, cases, random_joints};
+use crate::common::{random_joints, shipped_machine};
 use glam::DVec3;
 use proptest::prelude::*;
 use seamwright_geometry::Pose;
-use seamwright_machine::{AxisKind, Joints, Machine, SHIPPED, Unreachable, shipped};
+use seamwright_machine::{AxisKind, Joints, Machine, SHIPPED, Unreachable};
+use seamwright_testkit::{Random, cases};
 
 fn machines() -> Vec<Machine> {
     SHIPPED.iter().map(|s| Machine::read(s.name, s.text).unwrap_or_else(|e| panic!("{e}"))).collect()
@@ -32,7 +33,7 @@ fn round_trip(machine: &Machine, q: &Joints) -> (f64, f64, f64) {
 #[test]
 fn a_hundred_thousand_random_poses_a_machine_come_back() {
     for machine in machines() {
-        let mut random = Uniform::new(7);
+        let mut random = Random::new(7);
         let (mut point, mut direction, mut axes, mut compared) = (0.0f64, 0.0f64, 0.0f64, 0);
         for _ in 0..100_000 {
             let q = random_joints(&machine, &mut random);
@@ -68,7 +69,7 @@ fn sine_to_singular(machine: &Machine, q: &Joints) -> f64 {
 #[test]
 fn jacobians_match_differences() {
     for machine in machines() {
-        let mut random = Uniform::new(3);
+        let mut random = Random::new(3);
         for _ in 0..500 {
             let q = random_joints(&machine, &mut random);
             check_jacobian(&machine, &q);
@@ -93,8 +94,8 @@ fn check_jacobian(machine: &Machine, q: &Joints) {
 
 #[test]
 fn the_saddle_welder_is_the_papers_formula() {
-    let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
-    let mut random = Uniform::new(11);
+    let machine = shipped_machine("saddle-4axis");
+    let mut random = Random::new(11);
     for _ in 0..1000 {
         let q = random_joints(&machine, &mut random);
         let (theta, s, h, beta) = (q[0], q[1], q[2], q[3]);
@@ -107,7 +108,7 @@ fn the_saddle_welder_is_the_papers_formula() {
 /// LinuxCNC 2.9, xyzac-trt-kins with its defaults (switchkins-type 0, rotary offsets y 20, z 10).
 #[test]
 fn the_trunnion_agrees_with_linuxcnc() {
-    let machine = Machine::read("m", shipped("table-tilting-xyzac").unwrap().text).unwrap();
+    let machine = shipped_machine("table-tilting-xyzac");
     let index = |name| machine.axis(name).unwrap();
     let mut near = Joints::default();
     near[index("a")] = 8f64.to_radians();
@@ -130,9 +131,8 @@ fn the_trunnion_agrees_with_linuxcnc() {
 
 #[test]
 fn what_cannot_be_reached_says_why() {
-    let read = |name| Machine::read(name, shipped(name).unwrap().text).unwrap();
     let up = Pose { point: DVec3::new(1.0, 2.0, 3.0), direction: DVec3::NEG_Z };
-    let xy = read("ellipse-xy");
+    let xy = shipped_machine("ellipse-xy");
     assert!(matches!(xy.inverse(up, &Joints::default()), Err(Unreachable::Point { by }) if (by - 3.0).abs() < 1e-12));
     let tilted = Pose { point: DVec3::new(1.0, 2.0, 0.0), direction: DVec3::new(0.6, 0.0, -0.8) };
     let s = xy.inverse_near(tilted, &Joints::default()).unwrap();
@@ -146,7 +146,7 @@ fn what_cannot_be_reached_says_why() {
 
 #[test]
 fn a_free_axis_stays_where_it_is() {
-    let machine = Machine::read("m", shipped("table-tilting-xyzac").unwrap().text).unwrap();
+    let machine = shipped_machine("table-tilting-xyzac");
     let c = machine.axis("c").unwrap();
     let mut near = Joints::default();
     near[c] = 1.25;
@@ -156,7 +156,7 @@ fn a_free_axis_stays_where_it_is() {
 
 #[test]
 fn turns_are_counted_from_where_the_axis_is() {
-    let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
+    let machine = shipped_machine("saddle-4axis");
     let mut q = Joints::default();
     for turns in [-7.1, -6.2, 0.0, 6.3, 6.9] {
         q[0] = turns;
@@ -200,7 +200,7 @@ proptest! {
     /// reason.
     #[test]
     fn random_machines_come_back(machine in random_machine(), seed in any::<u32>()) {
-        let mut random = Uniform::new(seed);
+        let mut random = Random::of_case(seed);
         let q = random_joints(&machine, &mut random);
         check_jacobian(&machine, &q);
         let pose = machine.forward(&q);
@@ -226,7 +226,7 @@ proptest! {
 /// For a far point the linear axes are the reason, even if a rotary one is also out of range.
 #[test]
 fn a_far_point_is_out_of_reach() {
-    let torch = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+    let torch = shipped_machine("torch-5axis");
     for (point, direction) in [(DVec3::new(1e9, 0.0, 0.0), DVec3::Y), (DVec3::new(0.0, -1e9, 20.0), -DVec3::Z)] {
         let pose = Pose { point, direction: (direction - 0.3 * DVec3::Z).normalize() };
         let why = torch.reach(pose, &torch.home()).unwrap_err();

@@ -1,7 +1,8 @@
 //! Pitch-error tables: forward with the error, inverse without it, mistakes with an address.
 
-use crate::common::{Uniform, random_joints};
+use crate::common::{random_joints, refusal};
 use seamwright_machine::{Joints, Machine, shipped};
+use seamwright_testkit::Random;
 
 const TABLES: &str = "
 [pitch_error.x]
@@ -30,7 +31,7 @@ fn the_same_chain_knows_the_error() {
     let t = machine.true_positions(&q);
     assert!((t[x] - 199.97).abs() < 1e-12);
     assert!((t[a].to_degrees() - 109.98).abs() < 1e-10 && (t[c].to_degrees() - 809.994).abs() < 1e-9);
-    let mut random = Uniform::new(3);
+    let mut random = Random::new(3);
     for _ in 0..20_000 {
         let q = random_joints(&machine, &mut random);
         let pose = machine.forward(&q);
@@ -53,12 +54,7 @@ fn the_same_chain_knows_the_error() {
 
 #[test]
 fn mistakes_have_an_address() {
-    let wrong = |from: &str, to: &str| {
-        assert!(TABLES.contains(from), "{from}");
-        let e = Machine::read("m.toml", &(plain() + &TABLES.replacen(from, to, 1))).unwrap_err();
-        println!("{e}");
-        e.key
-    };
+    let wrong = |from: &str, to: &str| refusal(&(plain() + TABLES), from, to).key;
     assert_eq!(wrong("[pitch_error.x]", "[pitch_error.w]"), "pitch_error.w");
     assert_eq!(wrong("at_mm = [-400, -150, 0, 200, 400]", "at_mm = [-400, 0, -150, 200, 400]"), "pitch_error.x.at_mm");
     assert_eq!(wrong("at_mm = [-400, -150, 0, 200, 400]", "at_mm = [-400]"), "pitch_error.x.error_mm");
@@ -78,7 +74,7 @@ fn turns_of_a_limited_axis_are_not_alike() {
         + "[pitch_error.c]\nat_deg = [-720, 0, 720]\nerror_deg = [-0.2, 0, 0.3]\n";
     let machine = Machine::read("m", &text).unwrap();
     let a = machine.axis("a").unwrap();
-    let mut random = Uniform::new(8);
+    let mut random = Random::new(8);
     for _ in 0..5000 {
         let q = random_joints(&machine, &mut random);
         if q[a].sin().abs() < 1e-2 {

@@ -1,14 +1,15 @@
 //! Random chains of 2 to 10 axes in any arrangement: round trip, Jacobian, and branches against brute force.
 
-use crate::common::{Uniform, cases, conditioning, random_chain, random_joints, same};
+use crate::common::{conditioning, random_chain, random_joints, same};
 use seamwright_machine::{Joints, Machine, Unreachable};
+use seamwright_testkit::{Random, cases};
 
 /// Maximum volume of five unit columns at which a pose counts as near a singular one.
 const SINGULAR: f64 = 1e-3;
 
 fn chains() -> impl Iterator<Item = (u32, Machine)> {
     (0..cases(200)).map(|seed| {
-        let mut random = Uniform::new(seed);
+        let mut random = Random::of_case(seed);
         let count = 2 + seed % 9;
         let machine = Machine::read("random.toml", &random_chain(&mut random, count)).unwrap_or_else(|e| panic!("{e}"));
         (seed, machine)
@@ -26,7 +27,7 @@ fn from_home(machine: &Machine, q: &Joints) -> Joints {
 fn poses_come_back() {
     let (mut point, mut direction, mut jacobian, mut poses) = (0.0f64, 0.0f64, 0.0f64, 0);
     for (seed, machine) in chains() {
-        let mut random = Uniform::new(seed + 1_000_000);
+        let mut random = Random::of_case(seed + 1_000_000);
         for _ in 0..100 {
             let q = random_joints(&machine, &mut random);
             jacobian = jacobian.max(jacobian_error(&machine, &q));
@@ -71,7 +72,7 @@ fn jacobian_error(machine: &Machine, q: &Joints) -> f64 {
 fn the_branch_a_pose_was_made_with_is_found() {
     let (mut asked, mut missing) = (0, Vec::new());
     for (seed, machine) in chains() {
-        let mut random = Uniform::new(seed + 2_000_000);
+        let mut random = Random::of_case(seed + 2_000_000);
         for _ in 0..8 {
             let q = random_joints(&machine, &mut random);
             if conditioning(&machine, &q) < 0.02 {

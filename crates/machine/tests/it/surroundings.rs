@@ -1,19 +1,16 @@
 //! Shapes, zones and watches: shipped machines are clear at home; distances between links agree with brute force; speed
 //! bounds hold.
 
-use crate::common::{Uniform, cases, random_joints};
+use crate::common::{random_joints, shipped_machine};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Limits, Shape, Solid, Watch};
 use seamwright_machine::{Clamped, CollisionMonitor, Course, Joints, Machine, SHIPPED, Surroundings, shipped};
-
-fn read(name: &str) -> Machine {
-    Machine::read(name, shipped(name).unwrap().text).unwrap()
-}
+use seamwright_testkit::{Random, cases};
 
 #[test]
 fn shipped_machines_are_clear_at_home_and_watch_something() {
     for s in SHIPPED {
-        let machine = read(s.name);
+        let machine = shipped_machine(s.name);
         let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
         let nearest = around.nearest(&machine.home(), 1e4);
         println!("{}: {} watches", s.name, around.scene().watches().len());
@@ -48,7 +45,7 @@ impl Course for Straight {
 #[test]
 fn distances_along_a_course_are_never_too_great() {
     for s in SHIPPED {
-        let machine = read(s.name);
+        let machine = shipped_machine(s.name);
         let ball = Solid::new(
             "ball",
             Shape::Sphere { radius: 60.0 },
@@ -56,7 +53,7 @@ fn distances_along_a_course_are_never_too_great() {
         );
         let clamped = Clamped { part: vec![ball.unwrap()], least_mm: 1.0, ..Clamped::default() };
         let around = Surroundings::new(&machine, &clamped).unwrap();
-        let mut random = Uniform::new(17);
+        let mut random = Random::new(17);
         for _ in 0..cases(20) {
             let course =
                 Straight { from: random_joints(&machine, &mut random), to: random_joints(&machine, &mut random) };
@@ -217,10 +214,10 @@ fn keepers_prove_only_what_is_so() {
     let block = Solid::new("block", Shape::Box { size: DVec3::splat(90.0) }, DAffine3::IDENTITY).unwrap();
     let clamped = Clamped { part: vec![block], least_mm: 2.0, ..Clamped::default() };
     for name in ["torch-5axis", "table-tilting-xyzac", "ebw-7axis", "dual-laser-10axis"] {
-        let machine = read(name);
+        let machine = shipped_machine(name);
         let around = Surroundings::new(&machine, &clamped).unwrap();
         let mut monitor = CollisionMonitor::new(&around, &machine.home());
-        let mut random = Uniform::new(17);
+        let mut random = Random::new(17);
         let (mut proven, mut missed, mut touching) = (0, 0, 0);
         let mut from = random_joints(&machine, &mut random);
         for case in 0..cases(1200) {

@@ -1,9 +1,10 @@
 //! Finding a tool's tip by touching one point: a machine with a bent tool, and machines of any arrangement.
 
-use crate::common::{Uniform, cases, random_chain, random_joints};
+use crate::common::{random_chain, random_joints};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::pivot;
 use seamwright_machine::{Joints, Machine};
+use seamwright_testkit::{Random, cases};
 
 /// The frame of the tool as the machine file has it, its origin at the tip.
 fn tool(machine: &Machine, q: &Joints) -> DAffine3 {
@@ -14,7 +15,7 @@ fn tool(machine: &Machine, q: &Joints) -> DAffine3 {
 #[test]
 fn the_frame_of_the_tool_is_at_its_tip() {
     for seed in 0..cases(200) {
-        let mut random = Uniform::new(seed);
+        let mut random = Random::of_case(seed);
         let text = random_chain(&mut random, 2 + seed % 9);
         let tip = random.vector(30.0).to_array();
         let machine = Machine::read("m.toml", &format!("{text}tip_mm = {tip:?}\n")).unwrap();
@@ -38,7 +39,7 @@ fn a_bent_tool_is_found_by_touching_one_point() {
     let nominal = Machine::read("m.toml", text).unwrap();
     let mut found = 0;
     for seed in 0..cases(60) {
-        let mut random = Uniform::new(seed);
+        let mut random = Random::of_case(seed);
         let bent = random.vector(5.0);
         let with = text.replacen("[torch]", &format!("[torch]\ntip_mm = {:?}", bent.to_array()), 1);
         let machine = Machine::read("m.toml", &with).unwrap();

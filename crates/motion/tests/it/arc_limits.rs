@@ -1,13 +1,12 @@
 //! Requirements of the process while the arc is on, verified by walking along the set-points.
 
 use crate::number;
+use crate::planning::{read, shipped_machine};
 use glam::DVec3;
 use seamwright_document::{NonNegative, Positive};
 use seamwright_geometry::Pose;
-use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Finding, OnLimit, Pass, TorchPath};
-use seamwright_weld::Welding;
 
 const RADIUS: f64 = 100.0;
 
@@ -36,13 +35,9 @@ impl TorchPath for LineAndArc {
     }
 }
 
-fn machine() -> Machine {
-    Machine::read("m", shipped("ellipse-xy").unwrap().text).unwrap()
-}
-
 /// One span at `speed`, slowed down where an axis needs it.
 fn pass(length: f64, speed: f64, least: Option<f64>) -> Pass {
-    let welding = Welding::read("job.toml", include_str!("../../../../examples/ellipse.toml")).unwrap();
+    let welding = read(include_str!("../../../../examples/ellipse.toml"));
     let mut pass = welding.program.value.passes[0].clone();
     pass.on_limit = OnLimit::Slow;
     pass.least_speed_mm_s = least.map(|v| Positive::new(v).unwrap());
@@ -75,7 +70,8 @@ fn slow(points: &[(f64, f64)], least: f64) -> Vec<(f64, f64, f64)> {
 
 #[test]
 fn stretches_below_the_least_speed_are_those_of_the_set_points() {
-    let (machine, circle) = (machine(), LineAndArc { line: 0.0, arc: 2.0 * std::f64::consts::PI * RADIUS });
+    let (machine, circle) =
+        (shipped_machine("ellipse-xy"), LineAndArc { line: 0.0, arc: 2.0 * std::f64::consts::PI * RADIUS });
     let (length, speed, period) = (circle.length(), 130.0, 2e-4);
     let motion = PassMotion::plan(&machine, &circle, &pass(length, speed, None), 1).unwrap();
     let welding = motion.set_points(period).filter(|p| p.phase.arc());
@@ -110,7 +106,8 @@ fn stretches_below_the_least_speed_are_those_of_the_set_points() {
 
 #[test]
 fn the_slowest_place_and_what_binds_there_are_told() {
-    let (machine, circle) = (machine(), LineAndArc { line: 0.0, arc: 2.0 * std::f64::consts::PI * RADIUS });
+    let (machine, circle) =
+        (shipped_machine("ellipse-xy"), LineAndArc { line: 0.0, arc: 2.0 * std::f64::consts::PI * RADIUS });
     let plan = PassMotion::plan(&machine, &circle, &pass(circle.length(), 130.0, Some(110.0)), 1);
     let found: Vec<Finding> = findings(plan, "least_speed").into_iter().filter(|f| !f.allowed).collect();
     // At a tangent along an axis that axis alone has the tip's speed: 100 mm/s.
@@ -127,7 +124,8 @@ fn the_slowest_place_and_what_binds_there_are_told() {
 fn a_stop_with_the_arc_on_is_a_finding() {
     // The acceleration of an axis jumps by v^2 / r where the line ends.
     let path = LineAndArc { line: 80.0, arc: 150.0 };
-    let bent = findings(PassMotion::plan(&machine(), &path, &pass(path.length(), 40.0, None), 1), "stop");
+    let bent =
+        findings(PassMotion::plan(&shipped_machine("ellipse-xy"), &path, &pass(path.length(), 40.0, None), 1), "stop");
     assert_eq!(bent.len(), 1, "{bent:#?}");
     assert!(
         !bent[0].allowed
@@ -136,5 +134,8 @@ fn a_stop_with_the_arc_on_is_a_finding() {
     );
     assert!((bent[0].from_mm - 80.0).abs() < 1e-6 && (bent[0].to_mm - 80.0).abs() < 1e-6);
     let smooth = LineAndArc { line: 0.0, arc: 150.0 };
-    assert!(findings(PassMotion::plan(&machine(), &smooth, &pass(150.0, 40.0, None), 1), "stop").is_empty());
+    assert!(
+        findings(PassMotion::plan(&shipped_machine("ellipse-xy"), &smooth, &pass(150.0, 40.0, None), 1), "stop")
+            .is_empty()
+    );
 }

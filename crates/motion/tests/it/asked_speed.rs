@@ -2,12 +2,13 @@
 //! always used up, and a lower speed is offered only if it helps.
 
 use crate::number;
-use crate::override_profile::Uniform;
+use crate::planning::{self, machine_of, read, shipped_machine};
 use seamwright_document::Positive;
-use seamwright_machine::{Machine, shipped};
+use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_motion::speed_profile::Bound;
 use seamwright_program::{Finding, OnLimit, Pass, Ramp, Severity, Span, SpanValue, TorchPath};
+use seamwright_testkit::{Random, cases};
 use seamwright_weld::Welding;
 
 const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
@@ -24,7 +25,7 @@ struct Case {
 
 impl Case {
     fn new(speeds: &[(f64, f64)], on_limit: OnLimit) -> Self {
-        let one = Welding::read("job.toml", SADDLE).unwrap();
+        let one = read(SADDLE);
         let mut program = one.program.value.clone();
         let pass = &mut program.passes[0];
         let process = pass.spans[0].process.clone();
@@ -46,8 +47,8 @@ impl Case {
             .collect();
         pass.on_limit = on_limit;
         program.procedure = None;
-        let welding = Welding::read("program.toml", &program.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"));
-        let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
+        let welding = read(&program.to_toml().unwrap());
+        let machine = machine_of(&welding);
         Self { welding, machine }
     }
 
@@ -56,7 +57,7 @@ impl Case {
     }
 
     fn plan(&self) -> Result<PassMotion, Vec<Finding>> {
-        PassMotion::plan(&self.machine, &self.welding.path(0), self.pass(), 1)
+        planning::plan(&self.machine, &self.welding)
     }
 }
 
@@ -76,13 +77,12 @@ fn a_bend_of_the_asked_speed_is_followed_on_a_long_weld() {
 /// Also at any path length, and in any valley up to 0.5 mm/s per millimetre.
 #[test]
 fn any_bend_of_the_asked_speed_is_followed() {
-    let mut random = Uniform::new(42);
-    let times = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1);
-    for _ in 0..24 * times {
-        let before = random.in_range(3.0, 8.0);
-        let low = before * random.in_range(0.3, 1.0);
-        let way = random.in_range(2.0, 30.0) * (before - low) + 0.5;
-        follows(Valley { at: random.in_range(50.0, 1150.0), before, low, way });
+    let mut random = Random::of_case(42);
+    for _ in 0..cases(24) {
+        let before = random.within(3.0, 8.0);
+        let low = before * random.within(0.3, 1.0);
+        let way = random.within(2.0, 30.0) * (before - low) + 0.5;
+        follows(Valley { at: random.within(50.0, 1150.0), before, low, way });
     }
 }
 
@@ -115,8 +115,8 @@ struct Valley {
 #[test]
 fn ends_of_layers_are_no_findings() {
     let text = include_str!("../../../../tests/data/field-trial/ts_0.toml");
-    let welding = Welding::read("ts_0.toml", text).unwrap();
-    let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
+    let welding = read(text);
+    let machine = shipped_machine("saddle-4axis");
     let passes = &welding.program.value.passes;
     let changing = passes.iter().filter(|pass| pass.spans.iter().any(|span| span.speed_mm_s.is_ramp())).count();
     assert!(changing > 3, "{changing}");

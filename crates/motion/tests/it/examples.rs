@@ -1,10 +1,12 @@
 //! Every example job as motion: all set-points within all limits, equal steps along the seam, honest findings.
 
 use crate::number;
+use crate::planning::{self, machine_of, read, read_machine, shipped_machine};
 use proptest::prelude::*;
 use seamwright_machine::{AxisKind, Joints, Machine, shipped};
 use seamwright_motion::{PassMotion, Phase, SetPoint};
 use seamwright_program::{Finding, PathRange, TorchPath};
+use seamwright_testkit::cases;
 use seamwright_weld::Welding;
 
 const EXAMPLES: [(&str, &str); 7] = [
@@ -26,14 +28,14 @@ struct Case {
 }
 
 impl Case {
-    fn new(name: &str, text: &str) -> Self {
-        let welding = Welding::read(name, text).unwrap_or_else(|e| panic!("{e}"));
-        let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
+    fn new(text: &str) -> Self {
+        let welding = read(text);
+        let machine = machine_of(&welding);
         Self { machine, welding }
     }
 
     fn motion(&self) -> Result<PassMotion, Vec<Finding>> {
-        PassMotion::plan(&self.machine, &self.welding.path(0), &self.welding.program.value.passes[0], 1)
+        planning::plan(&self.machine, &self.welding)
     }
 
     fn speed(&self) -> f64 {
@@ -74,7 +76,7 @@ impl LimitCheck<'_> {
 #[test]
 fn every_set_point_of_every_example_is_within_every_limit() {
     for (name, text) in EXAMPLES.into_iter().chain([("knuckle-nozzle", KNUCKLE)]) {
-        let case = Case::new(name, text);
+        let case = Case::new(text);
         let motion = case.motion().unwrap_or_else(|f| panic!("{name}: {f:#?}"));
         for period in [1e-3, 4e-3, 0.02] {
             let mut check = LimitCheck { machine: &case.machine, period, last: None, worst: 0.0 };
@@ -96,7 +98,7 @@ fn every_set_point_of_every_example_is_within_every_limit() {
 #[test]
 fn the_tip_moves_along_the_seam_at_the_asked_speed() {
     for (name, text) in EXAMPLES {
-        let case = Case::new(name, text);
+        let case = Case::new(text);
         let motion = case.motion().unwrap();
         let path = case.welding.path(0);
         let v = case.speed();
@@ -123,7 +125,7 @@ fn the_tip_moves_along_the_seam_at_the_asked_speed() {
 
 #[test]
 fn a_nozzle_across_a_knuckle_needs_an_answer_to_its_corners() {
-    let with = |corner: &str| Case::new("knuckle", &KNUCKLE.replace("corner = { blend_mm = 0.2 }", corner));
+    let with = |corner: &str| Case::new(&KNUCKLE.replace("corner = { blend_mm = 0.2 }", corner));
     let refused = with("").motion().unwrap_err();
     let knots = with("").welding.seam.as_ref().unwrap().knots();
     assert!(knots.len() == 2 && refused.len() == 2, "{refused:#?}");
@@ -143,7 +145,7 @@ fn a_nozzle_across_a_knuckle_needs_an_answer_to_its_corners() {
 
 #[test]
 fn the_profile_is_consistent_in_time_and_length() {
-    let case = Case::new("saddle", EXAMPLES[0].1);
+    let case = Case::new(EXAMPLES[0].1);
     let motion = case.motion().unwrap();
     let mut cursor = 0;
     let n = 20_000;
@@ -162,7 +164,7 @@ fn the_profile_is_consistent_in_time_and_length() {
 #[test]
 fn too_fast_is_refused_or_slowed_as_asked() {
     let fast = EXAMPLES[0].1.replace("speed_mm_s = 10", "speed_mm_s = 200");
-    let case = Case::new("saddle", &fast);
+    let case = Case::new(&fast);
     let findings = case.motion().unwrap_err();
     let speed: Vec<_> = findings.iter().filter(|f| f.kind == "speed").collect();
     assert!(
@@ -170,7 +172,7 @@ fn too_fast_is_refused_or_slowed_as_asked() {
         "{findings:#?}"
     );
     let slow = fast.replace("[weld]\n", "[weld]\non_limit = \"slow\"\n");
-    let case = Case::new("saddle", &slow);
+    let case = Case::new(&slow);
     let motion = case.motion().unwrap_or_else(|f| panic!("{f:#?}"));
     assert!(motion.findings.iter().any(|f| f.kind == "speed" && f.allowed));
     let mut check = LimitCheck { machine: &case.machine, period: 1e-3, last: None, worst: 0.0 };
@@ -189,12 +191,12 @@ fn leaning(speed: f64) -> String {
 
 #[test]
 fn a_short_bend_is_refused_and_the_cure_cures() {
-    let findings = Case::new("bend", &leaning(12.5)).motion().unwrap_err();
+    let findings = Case::new(&leaning(12.5)).motion().unwrap_err();
     // It brakes before the bend and gains speed after it.
     assert!(findings.iter().all(|f| f.kind == "speed" && f.from_mm > 699.0 && f.to_mm < 705.0), "{findings:#?}");
     assert!(findings[0].message.to_string().contains("jerk"), "{findings:#?}");
     let cure = number(findings[0].cure.as_ref().unwrap(), "speed");
-    let motion = Case::new("bend", &leaning(cure)).motion().unwrap();
+    let motion = Case::new(&leaning(cure)).motion().unwrap();
     assert!(motion.profile.report().least >= cure * (1.0 - 1e-9) && cure > 8.0, "{:?}", motion.profile.report());
 }
 
@@ -202,7 +204,7 @@ fn a_short_bend_is_refused_and_the_cure_cures() {
 fn too_short_to_reach_the_speed_is_said() {
     let short = leaning(100.0).replace("[-700, 0, 0]", "[-2.5, 0, 0]").replace("[700, 0, 0]", "[2.5, 0, 0]");
     let short = short.split("[torch]").next().unwrap().to_owned() + "[weld]\nspeed_mm_s = 100\n";
-    let findings = Case::new("short", &short).motion().unwrap_err();
+    let findings = Case::new(&short).motion().unwrap_err();
     assert!(findings[0].message.to_string().contains("too short"), "{findings:#?}");
     // Four parts of constant jerk j over 5 mm reach j t^2 with 2 j t^3 = 5 mm; 397 mm/s^2 are no limit then.
     let reached = number(&findings[0].message, "reached");
@@ -212,14 +214,13 @@ fn too_short_to_reach_the_speed_is_said() {
 
 #[test]
 fn a_range_passed_between_two_places_is_found() {
-    let case = Case::new("saddle", EXAMPLES[0].1);
+    let case = Case::new(EXAMPLES[0].1);
     let motion = case.motion().unwrap();
     let least = (0..200_000).map(|i| motion.path.at(motion.path.length() * f64::from(i) / 2e5)[1]).fold(0.0, f64::min);
     let text = shipped("saddle-4axis").unwrap().text;
     let with = |low: f64| {
-        let machine =
-            Machine::read("m", &text.replacen("range_mm = [-200, 200]", &format!("range_mm = [{low}, 200]"), 1));
-        PassMotion::plan(&machine.unwrap(), &case.welding.path(0), &case.welding.program.value.passes[0], 1)
+        let narrow = text.replacen("range_mm = [-200, 200]", &format!("range_mm = [{low}, 200]"), 1);
+        planning::plan(&read_machine(&narrow), &case.welding)
     };
     assert!(with(least - 1e-7).is_ok());
     assert!(with(least + 1e-7).unwrap_err().iter().any(|f| f.kind == "range"));
@@ -228,14 +229,14 @@ fn a_range_passed_between_two_places_is_found() {
 #[test]
 fn out_of_range_and_out_of_reach_say_where() {
     let low = EXAMPLES[0].1.replace("move_mm = [0, 0, -800]", "move_mm = [0, 0, 0]");
-    let findings = Case::new("saddle", &low).motion().unwrap_err();
+    let findings = Case::new(&low).motion().unwrap_err();
     let range: Vec<_> = findings.iter().filter(|f| f.kind == "range").collect();
     assert!(
         range.iter().any(|f| f.message.to_string().contains("axis h")
             && f.message.to_string().contains("beyond its limit 150.000 mm"))
     );
     let lifted = EXAMPLES[2].1.replace("[seam.ellipse]", "[placement]\nmove_mm = [0, 0, 1]\n[seam.ellipse]");
-    let findings = Case::new("ellipse", &lifted).motion().unwrap_err();
+    let findings = Case::new(&lifted).motion().unwrap_err();
     assert!(
         findings.iter().all(|f| f.kind == "reach" && f.message.to_string().contains("1.0000 mm off")),
         "{findings:#?}"
@@ -245,10 +246,10 @@ fn out_of_range_and_out_of_reach_say_where() {
 #[test]
 fn missing_freedoms_are_reported_not_hidden() {
     let tilted = EXAMPLES[2].1.replace("joint = \"butt\"", "joint = \"fillet\"");
-    let findings = Case::new("ellipse", &tilted).motion().unwrap_err();
+    let findings = Case::new(&tilted).motion().unwrap_err();
     assert!(findings.iter().any(|f| f.kind == "attitude" && !f.allowed));
     let accepted = tilted.replace("[weld]\n", "[tolerance]\nattitude_deg = 46\n[weld]\n");
-    let case = Case::new("ellipse", &accepted);
+    let case = Case::new(&accepted);
     let motion = case.motion().unwrap();
     assert!((motion.attitude_error.0 - 45f64.to_radians()).abs() < 1e-9);
     assert!(
@@ -260,15 +261,10 @@ fn missing_freedoms_are_reported_not_hidden() {
 fn rotary_axes_stay_in_their_range_over_the_whole_weld() {
     // Starts at +300 degrees: one turn on from there would pass 400, so the weld starts a turn earlier.
     let text = EXAMPLES[0].1.replace("phi_deg = 20", "phi_deg = 300");
-    let case = Case::new("saddle", &text);
+    let case = Case::new(&text);
     let motion = case.motion().unwrap_or_else(|f| panic!("{f:#?}"));
     let first = motion.path.at(0.0)[0].to_degrees();
     assert!((first + 60.0).abs() < 1e-6 && case.machine.axes[0].kind == AxisKind::Rotary, "{first}");
-}
-
-/// Cases of a property test; `make soak` multiplies them.
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
 }
 
 /// A nozzle on a shell somewhere in the 5-axis machine, with torch angles that change, faster than the axes can.
@@ -302,7 +298,7 @@ proptest! {
     #[test]
     fn random_welds_keep_every_limit(text in random_job()) {
         let Ok(welding) = Welding::read("random.toml", &text) else { return Ok(()) };
-        let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+        let machine = shipped_machine("torch-5axis");
         let pass = &welding.program.value.passes[0];
         let Ok(motion) = PassMotion::plan(&machine, &welding.path(0), pass, 1) else { return Ok(()) };
         let mut check = LimitCheck { machine: &machine, period: 1e-3, last: None, worst: 0.0 };

@@ -1,7 +1,9 @@
 //! Commands at any time: on the path, in limits, to the same end.
 
-use crate::override_profile::{self, Case, Uniform, cases};
+use crate::override_profile;
+use crate::override_profile::Case;
 use seamwright_motion::feed_override::{Command, FeedOverride, FeedOverrideError, Played, Timed};
+use seamwright_testkit::{Random, cases};
 
 const PERIOD: f64 = 0.002;
 /// Samples in a period.
@@ -66,22 +68,22 @@ impl Seen {
     }
 }
 
-fn random_command(random: &mut Uniform, length: f64) -> Command {
+fn random_command(random: &mut Random, length: f64) -> Command {
     match random.below(8) {
         0 | 1 => Command::Hold,
         2 => Command::Resume,
         3 => Command::Reverse,
-        4 => Command::Override(random.in_range(0.0, 1.0)),
-        5 => Command::Override(random.in_range(1.0, 1.5)),
+        4 => Command::Override(random.within(0.0, 1.0)),
+        5 => Command::Override(random.within(1.0, 1.5)),
         6 => Command::Override(1.0),
-        _ => Command::StopAt(random.in_range(0.0, length)),
+        _ => Command::StopAt(random.within(0.0, length)),
     }
 }
 
 /// One run of random commands; then to the end, to the start, or to rest, and from there to the end.
 fn run(seed: u32, case: &Case) -> Seen {
-    let random = &mut Uniform::new(seed);
-    let period = random.in_range(0.002, 0.004);
+    let random = &mut Random::of_case(seed);
+    let period = random.within(0.002, 0.004);
     let mut feed_override =
         FeedOverride::new(&case.limits(), period, &case.base).unwrap().with_faster(&case.faster, 1.5).unwrap();
     let mut seen = Seen::default();
@@ -97,7 +99,7 @@ fn run(seed: u32, case: &Case) -> Seen {
         feed_override.command(command).unwrap();
     }
     let ending = random.below(3);
-    let value = random.in_range(0.7, 1.5);
+    let value = random.within(0.7, 1.5);
     feed_override.command(Command::Override(value)).unwrap();
     feed_override.command([Command::Resume, Command::Reverse, Command::Hold][ending as usize]).unwrap();
     let mut rest = |feed_override: &mut FeedOverride<override_profile::Profile>| {
@@ -133,7 +135,7 @@ fn runs_with_random_commands_stay_in_limits() {
     let runs = cases(6000);
     // Making a case takes longer than a run.
     let group = |first: u32| {
-        let case = Case::random(&mut Uniform::new(1_000_000_000 + first));
+        let case = Case::random(&mut Random::of_case(1_000_000_000 + first));
         (first..runs.min(first + 10)).map(|seed| run(seed, &case)).fold(Seen::default(), Seen::join)
     };
     let half = |from: u32| (10 * from..runs).step_by(20).map(group).fold(Seen::default(), Seen::join);
@@ -152,7 +154,7 @@ fn runs_with_random_commands_stay_in_limits() {
 fn differences_of_positions_stay_in_limits() {
     let mut changed = 0;
     for seed in 0..60 {
-        let random = &mut Uniform::new(1000 + seed);
+        let random = &mut Random::of_case(1000 + seed);
         let case = Case::random(random);
         let mut feed_override = FeedOverride::new(&case.limits(), PERIOD, &case.base).unwrap();
         feed_override.command(Command::Resume).unwrap();
@@ -195,10 +197,10 @@ fn periods_to_stand(feed_override: &mut FeedOverride<override_profile::Profile>)
 fn a_hold_stops_nearly_as_quickly_as_can_be() {
     let mut ratios = vec![];
     for seed in 0..200 {
-        let random = &mut Uniform::new(seed);
-        let (v, rise) = (random.in_range(5.0, 80.0), random.in_range(0.04, 0.3));
+        let random = &mut Random::of_case(seed);
+        let (v, rise) = (random.within(5.0, 80.0), random.within(0.04, 0.3));
         let a = v / rise;
-        let j = a / (rise * random.in_range(0.2, 1.0));
+        let j = a / (rise * random.within(0.2, 1.0));
         let case = Case::straight(v, a, j);
         let mut feed_override = FeedOverride::new(&case.limits(), PERIOD, &case.base).unwrap();
         feed_override.command(Command::Resume).unwrap();
@@ -218,11 +220,11 @@ fn a_hold_stops_nearly_as_quickly_as_can_be() {
 fn a_hold_anywhere_on_a_curved_path_stands_still() {
     let mut ratios = vec![];
     for seed in 0..cases(300) {
-        let random = &mut Uniform::new(50_000 + seed);
+        let random = &mut Random::of_case(50_000 + seed);
         let case = Case::random(random);
         let mut feed_override = FeedOverride::new(&case.limits(), PERIOD, &case.base).unwrap();
         feed_override.command(Command::Resume).unwrap();
-        let until = random.in_range(0.1, 0.9) * case.base.duration;
+        let until = random.within(0.1, 0.9) * case.base.duration;
         while feed_override.earlier(0.0).theta < until {
             feed_override.step();
         }
@@ -247,13 +249,13 @@ fn a_hold_anywhere_on_a_curved_path_stands_still() {
 fn a_stop_at_a_place_is_exact_from_both_sides() {
     let mut given_up = [0, 0];
     for seed in 0..cases(60) {
-        let random = &mut Uniform::new(seed);
+        let random = &mut Random::of_case(seed);
         let case = Case::random(random);
         let mut feed_override = FeedOverride::new(&case.limits(), PERIOD, &case.base).unwrap();
         let full = seed % 2 == 0;
         feed_override.command(Command::Override(if full { 1.0 } else { 0.6 })).unwrap();
         for _ in 0..4 {
-            let s = random.in_range(0.0, case.base.length);
+            let s = random.within(0.0, case.base.length);
             feed_override.command(Command::StopAt(s)).unwrap();
             let mut last = feed_override.step();
             let mut left = 20_000;

@@ -1,8 +1,10 @@
 //! Redundant axes that are held, or have almost no range.
 
-use seamwright_machine::Machine;
+use crate::planning;
+use crate::planning::{plan_weld, read, read_machine};
+use seamwright_machine::{Clamped, Machine};
+use seamwright_motion::PassMotion;
 use seamwright_motion::redundancy::holding;
-use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Finding, SpareAxes};
 use seamwright_weld::Welding;
 
@@ -18,13 +20,13 @@ const EIGHT: &str = include_str!("../../../../tests/data/field-trial/gantry8.tom
 /// A six-axis arm beside a table that tilts and turns.
 const ARM: &str = include_str!("../../../../tests/data/field-trial/ur10e-pos.toml");
 
-fn machine(text: &str) -> Machine {
-    Machine::read("m.toml", text).unwrap()
+/// The job with axes held.
+fn holding_job(hold: &str) -> Welding {
+    read(&format!("{JOB}\n[spare_axes]\nhold = {{ {hold} }}\n"))
 }
 
 fn plan(machine: &Machine, hold: &str) -> Result<PassMotion, Vec<Finding>> {
-    let welding = Welding::read("job.toml", &format!("{JOB}\n[spare_axes]\nhold = {{ {hold} }}\n")).unwrap();
-    PassMotion::plan(machine, &welding.path(0), &welding.program.value.passes[0], 1)
+    planning::plan(machine, &holding_job(hold))
 }
 
 fn wishes(hold: &[(&str, f64)]) -> SpareAxes {
@@ -38,9 +40,9 @@ fn wishes(hold: &[(&str, f64)]) -> SpareAxes {
 /// With its rolls held the gantry moves as one that has none.
 #[test]
 fn a_redundant_axis_that_the_pose_would_decide_can_be_held() {
-    let gantry = machine(GANTRY);
+    let gantry = read_machine(GANTRY);
     let held = plan(&gantry, "r = 0").unwrap_or_else(|f| panic!("{f:#?}"));
-    let without = machine(WITHOUT);
+    let without = read_machine(WITHOUT);
     let expected = plan(&without, "").unwrap_or_else(|f| panic!("{f:#?}"));
     assert!((held.profile.duration() - expected.profile.duration()).abs() < 1e-6 * expected.profile.duration());
     let [r, axes] = [vec!["r"], vec!["x", "y", "z", "c", "b"]];
@@ -58,7 +60,7 @@ fn a_redundant_axis_that_the_pose_would_decide_can_be_held() {
 /// A pose must not decide an axis that has no range to follow it.
 #[test]
 fn an_axis_with_next_to_no_range_is_used_within_it() {
-    let machine = machine(NARROWED);
+    let machine = read_machine(NARROWED);
     let motion = plan(&machine, "").unwrap_or_else(|f| panic!("{f:#?}"));
     let places = (0..=1000).map(|i| motion.path.at(motion.path.length() * f64::from(i) / 1000.0));
     assert!(places.into_iter().all(|q| machine.outside(&q).is_none()));
@@ -66,7 +68,7 @@ fn an_axis_with_next_to_no_range_is_used_within_it() {
 
 #[test]
 fn as_many_axes_as_are_redundant_can_be_held_and_others_say_why_not() {
-    let eight = machine(EIGHT);
+    let eight = read_machine(EIGHT);
     for hold in [vec![("u", 0.0)], vec![("w", 30.0), ("e", 0.0)], vec![("u", 0.0), ("w", 0.0), ("e", 10.0)]] {
         let freed = holding(&eight, &wishes(&hold)).unwrap();
         assert!(hold.iter().all(|(name, _)| freed.free().has(eight.axis(name).unwrap())), "{hold:?}");
@@ -81,23 +83,17 @@ fn as_many_axes_as_are_redundant_can_be_held_and_others_say_why_not() {
     assert_eq!(refused(&eight, &flat).message.code, "motion-hold-too-few");
     let none = wishes(&[("tilt", 0.0)]);
     assert_eq!(refused(&eight, &none).message.code, "motion-hold-unknown");
-    let five = machine(WITHOUT);
+    let five = read_machine(WITHOUT);
     assert_eq!(refused(&five, &wishes(&[("c", 0.0)])).message.code, "motion-hold-decided");
-    let freed = holding(&machine(ARM), &wishes(&[("tilt", 0.0)])).unwrap().into_owned();
+    let freed = holding(&read_machine(ARM), &wishes(&[("tilt", 0.0)])).unwrap().into_owned();
     assert!(freed.free().has(freed.axis("tilt").unwrap()));
 }
 
 /// Retract and approach too.
 #[test]
 fn a_held_axis_stands_still_before_and_after_the_weld() {
-    let gantry = machine(GANTRY);
-    let welding = Welding::read("job.toml", &format!("{JOB}\n[spare_axes]\nhold = {{ r = 25 }}\n")).unwrap();
-    let clamped = seamwright_machine::Clamped::default();
-    let around = seamwright_machine::Surroundings::new(&gantry, &clamped).unwrap();
-    let path = welding.path(0);
-    let passes: [(&dyn seamwright_program::TorchPath, &seamwright_program::Pass); 1] =
-        [(&path, &welding.program.value.passes[0])];
-    let motion = WeldMotion::plan(&gantry, &around, &passes, 30.0).unwrap_or_else(|f| panic!("{f:#?}"));
+    let gantry = read_machine(GANTRY);
+    let motion = plan_weld(&gantry, &holding_job("r = 25"), &Clamped::default()).unwrap_or_else(|f| panic!("{f:#?}"));
     let r = gantry.axis("r").unwrap();
     let retract = motion.transfers[1].legs.first().unwrap();
     assert!(motion.transfers[1].retracts && (retract.start()[r] - retract.end()[r]).abs() < 1e-9);

@@ -1,19 +1,22 @@
-//! All tests in one program, which is compiled and linked once. Tests that count the resources of a process are
-//! separate programs.
+//! All tests in one program, which is compiled and linked once.
 
 use seamwright_message::{Argument, Message};
 
 mod arc_limits;
 mod asked_speed;
+mod corners;
 mod examples;
 mod feed_override;
 mod fine;
 mod held_axes;
-#[path = "../override_profile/mod.rs"]
+mod jog;
+mod no_alloc;
 mod override_profile;
 mod override_run;
 mod override_start;
+mod override_weld;
 mod passes;
+mod planning;
 mod positions;
 mod procedure;
 mod pulses;
@@ -21,6 +24,7 @@ mod ranges;
 mod redundancy;
 mod run_up;
 mod searches;
+mod speed_profile;
 mod taught;
 mod tip_limits;
 mod transfer;

@@ -3,11 +3,12 @@
 #![allow(clippy::float_cmp, reason = "what rests does not move at all")]
 
 use crate::override_profile::orders::{random_order, sequence, welded};
-use crate::override_profile::{Case, Profile, Uniform, cases};
+use crate::override_profile::{Case, Profile};
 use seamwright_motion::feed_override::{
     Command, FeedOverride, FeedOverrideError, Instant, Order, Rates, Run, RunPhase, Timed,
 };
 use seamwright_program::AtHold;
+use seamwright_testkit::{Random, cases};
 
 const PERIOD: f64 = 0.002;
 
@@ -16,7 +17,7 @@ const PERIOD: f64 = 0.002;
 fn runs_weld_the_whole_seam_and_never_burn_at_rest() {
     let mut aborted = 0;
     for seed in 0..cases(80) {
-        let random = &mut Uniform::new(90_000 + seed);
+        let random = &mut Random::of_case(90_000 + seed);
         let at_hold = if random.below(2) == 0 { AtHold::Crater } else { AtHold::Off };
         let case = Case::random(random);
         let feed_override = FeedOverride::new(&case.limits(), PERIOD, &case.base).unwrap();
@@ -63,7 +64,7 @@ fn until_it_waits<L: Timed + ?Sized>(run: &mut Run<L>) -> Instant {
 fn an_aborted_run_goes_on_where_it_ended() {
     let mut goes_on = 0;
     for seed in 0..cases(60) {
-        let random = &mut Uniform::new(40_000 + seed);
+        let random = &mut Random::of_case(40_000 + seed);
         let at_hold = if random.below(2) == 0 { AtHold::Crater } else { AtHold::Off };
         let case = Case::random(random);
         let mut done = 0.0;
@@ -246,7 +247,7 @@ fn what_cannot_go_on_is_an_error_and_the_arc_goes_off() {
 fn steps_to_places_hold_there() {
     let (mut exact, mut steps) = (0, 0);
     for seed in 0..cases(100) {
-        let random = &mut Uniform::new(60_000 + seed);
+        let random = &mut Random::of_case(60_000 + seed);
         let case = Case::random(random);
         let at_hold = if random.below(2) == 0 { AtHold::Crater } else { AtHold::Off };
         let mut run = Run::new(FeedOverride::new(&case.limits(), PERIOD, &case.base).unwrap(), sequence(at_hold), &[]);
@@ -258,7 +259,7 @@ fn steps_to_places_hold_there() {
                 let error = run.order(Order::StepTo(bad));
                 assert!(matches!(error, Err(FeedOverrideError::StepTo { .. })), "seed {seed}: {bad} {error:?}");
             }
-            let place = welded + random.in_range(0.0, 1.0) * (length - welded);
+            let place = welded + random.within(0.0, 1.0) * (length - welded);
             if run.order(Order::StepTo(place)).is_err() {
                 assert!(place <= welded + 1e-6);
                 continue;

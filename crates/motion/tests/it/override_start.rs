@@ -1,6 +1,6 @@
 //! A hold soon after the start of a transfer move.
 
-use seamwright_machine::{Machine, shipped};
+use crate::planning::shipped_machine;
 use seamwright_motion::feed_override::{Command, FeedOverride, channel_limits};
 use seamwright_motion::transfer::Leg;
 
@@ -14,22 +14,18 @@ const MAX_PERIODS_TO_REST: usize = 450;
 /// A hold in any of the first periods of a move of any length: the speed is still low, and soon 0.
 #[test]
 fn a_hold_just_after_the_start_is_no_slow_stop() {
-    let mut state = 11u64;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut random = seamwright_testkit::Random::new(11);
     let (mut worst, mut slow) = (0, Vec::new());
     for name in ["saddle-4axis", "torch-5axis", "ebw-7axis"] {
-        let machine = Machine::read("m.toml", shipped(name).unwrap().text).unwrap();
+        let machine = shipped_machine(name);
         let limits = channel_limits(&machine);
         for way in 0..12 {
             let from = machine.home();
             let mut to = from;
-            let size = 10f64.powf(-3.0 * random());
+            let size = random.decades(1e-3, 1.0);
             for (i, axis) in machine.axes.iter().enumerate() {
                 let (low, high) = axis.range.unwrap_or((-3.0, 3.0));
-                to[i] += (low + (high - low) * random() - from[i]) * size;
+                to[i] += (random.within(low, high) - from[i]) * size;
             }
             let leg = Leg::new(&machine, &from, &to);
             for periods in 1..=FIRST {

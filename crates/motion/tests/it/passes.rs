@@ -1,12 +1,14 @@
 //! Passes beside the seam, with another start, reversed, partial, or with changing speed: the tip's path and speed by
 //! differences of set-points.
 
+use crate::planning::{machine_of, plan, read};
 use proptest::prelude::*;
 use seamwright_document::{Finite, NonNegative, Positive};
-use seamwright_machine::{Machine, shipped};
+use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_motion::speed_profile::Bound;
 use seamwright_program::{Bead, OnLimit, Pass, Ramp, Span, SpanValue, TorchPath};
+use seamwright_testkit::cases;
 use seamwright_weld::Welding;
 
 const EXAMPLES: [&str; 3] = [
@@ -18,11 +20,6 @@ const EXAMPLES: [&str; 3] = [
 /// Maximum relative shortfall of the profile against the requested speed if no limit binds.
 const NEARLY: f64 = 3e-3;
 
-fn cases(count: u32) -> ProptestConfig {
-    let times = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|t| t.parse().ok()).unwrap_or(1);
-    ProptestConfig { cases: count * times, ..ProptestConfig::default() }
-}
-
 struct Planned {
     welding: Welding,
     machine: Machine,
@@ -31,13 +28,12 @@ struct Planned {
 
 /// The example's pass changed, and planned.
 fn planned(example: &str, change: impl FnOnce(&mut Pass, f64)) -> Planned {
-    let one = Welding::read("job.toml", example).unwrap();
+    let one = read(example);
     let mut program = one.program.value.clone();
     change(&mut program.passes[0], one.seam.as_ref().unwrap().length());
-    let welding = Welding::read("program.toml", &program.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"));
-    let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
-    let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1)
-        .unwrap_or_else(|findings| panic!("{findings:#?}"));
+    let welding = read(&program.to_toml().unwrap());
+    let machine = machine_of(&welding);
+    let motion = plan(&machine, &welding).unwrap_or_else(|findings| panic!("{findings:#?}"));
     Planned { welding, machine, motion }
 }
 
@@ -109,7 +105,7 @@ impl Case {
 }
 
 proptest! {
-    #![proptest_config(cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(cases(24)))]
 
     /// The tip's rate by the axes is that of the path, and the tip is on the path.
     #[test]

@@ -1,9 +1,9 @@
 //! Welding positions that a procedure allows take precedence over preferred ones.
 
-use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use crate::planning::{read, read_machine, shipped_machine};
+use seamwright_machine::{Clamped, Machine, Surroundings};
 use seamwright_motion::{Terms, WeldMotion};
 use seamwright_program::{Finding, Pass, Procedure, TorchPath};
-use seamwright_weld::Welding;
 
 const GANTRY: &str = include_str!("../../../../tests/data/field-trial/gantry8.toml");
 const NOZZLE: &str = include_str!("../../../../tests/data/field-trial/g8.toml");
@@ -18,7 +18,7 @@ fn findings(job: &str, machine: &Machine, process: u32, positions: &str) -> Vec<
         "schema = 1\nnumber = \"W\"\ntitle = \"t\"\nprocess = {process}\n[[runs]]\npasses = \"1\"\npositions = {positions}\n"
     );
     let procedure = Procedure::read("wps.toml", &text).unwrap_or_else(|e| panic!("{e}")).value;
-    let welding = Welding::read("job.toml", job).unwrap_or_else(|e| panic!("{e}"));
+    let welding = read(job);
     let clamped = Clamped::default();
     let around = Surroundings::new(machine, &clamped).unwrap();
     let path = welding.path(0);
@@ -33,10 +33,10 @@ fn findings(job: &str, machine: &Machine, process: u32, positions: &str) -> Vec<
 
 #[test]
 fn allowed_positions_come_before_a_flat_face() {
-    let gantry = Machine::read("m.toml", GANTRY).unwrap();
+    let gantry = read_machine(GANTRY);
     let found = findings(NOZZLE, &gantry, 135, "[\"PA\", \"PB\"]");
     assert!(found.is_empty(), "{found:#?}");
-    let ebw = Machine::read("m.toml", shipped("ebw-7axis").unwrap().text).unwrap();
+    let ebw = shipped_machine("ebw-7axis");
     for (position, allowed) in [("any", "[\"PA\", \"PC\"]"), ("flat", "[\"PC\"]"), ("any", "[\"PA\"]")] {
         let job = format!("{GIRTH}[spare_axes]\nposition = \"{position}\"\n");
         let found = findings(&job, &ebw, 51, allowed);

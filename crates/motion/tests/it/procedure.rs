@@ -1,6 +1,7 @@
 //! Planned passes under a procedure: heat input against the energy of the set-points, windows against closed forms and
 //! dense sampling, positions against a frame built from the machine's poses.
 
+use crate::planning::{read, read_machine};
 use glam::{DMat3, DVec3};
 use seamwright_machine::{Joints, Machine, Surroundings, shipped};
 use seamwright_motion::procedure::{PassProcedure, PlannedPass, Quantity};
@@ -29,7 +30,7 @@ fn hold(changes: &[(&str, &str)], machine: &Machine, procedure: &str) -> Held {
 }
 
 fn hold_job(text: &str, machine: &Machine, procedure: &str) -> Held {
-    let welding = Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    let welding = read(text);
     let procedure = Procedure::read("w.toml", &format!("{HEAD}{procedure}")).unwrap_or_else(|e| panic!("{e}")).value;
     let path = welding.path(0);
     let pass = &welding.program.value.passes[0];
@@ -42,7 +43,7 @@ fn hold_job(text: &str, machine: &Machine, procedure: &str) -> Held {
 
 fn saddle_welder(more: &str) -> Machine {
     let text = shipped("saddle-4axis").unwrap().text.replacen("schema = 1", &format!("schema = 1\n{more}"), 1);
-    Machine::read("m.toml", &text).unwrap_or_else(|e| panic!("{e}"))
+    read_machine(&text)
 }
 
 fn quantity<'a>(held: &'a Held, key: &str) -> &'a Quantity {
@@ -148,7 +149,7 @@ fn work_to_zero(machine: &Machine, q: &Joints) -> DMat3 {
 fn positions_are_seen_from_the_part_as_the_machine_turns_it() {
     let up = DVec3::new(0.6, 0.0, 0.8);
     let text = shipped("table-tilting-xyzac").unwrap().text.replacen("schema = 1", "schema = 1\nup = [0.6, 0, 0.8]", 1);
-    let machine = Machine::read("m.toml", &text).unwrap_or_else(|e| panic!("{e}"));
+    let machine = read_machine(&text);
     let trunnion = include_str!("../../../../examples/trunnion-saddle.toml");
     let held = hold_job(trunnion, &machine, "passes = \"1\"\npositions = [\"PB\", \"PC\"]\n");
     let path = held.welding.path(0);
@@ -200,7 +201,7 @@ fn what_the_plan_does_not_know_or_has_no_run_for_is_a_finding() {
 #[test]
 fn a_whole_weld_is_held_to_its_procedure() {
     let text = SADDLE.replace("speed_mm_s = 10", "speed_mm_s = 7");
-    let welding = Welding::read("job.toml", &text).unwrap();
+    let welding = read(&text);
     let program = &welding.program.value;
     let machine = saddle_welder("");
     let clamped = seamwright_machine::Clamped::default();

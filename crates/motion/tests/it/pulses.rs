@@ -2,38 +2,18 @@
 //! checked on the edges alone, against floating-point sums independent of the generator's integers.
 
 use seamwright_motion::pulses::{Edge, Error, Generator, Lines, Timing};
+use seamwright_testkit::{Random, cases};
 
-/// Number of cases, from the usual one: more in `make soak`.
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|n| n.parse().ok()).unwrap_or(1)
-}
-
-/// Uniform numbers from a seed (splitmix64).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-
-    fn whole(&mut self, low: u64, high: u64) -> u64 {
-        low + ((high - low + 1) as f64 * self.next()) as u64
-    }
+/// A whole number from `low` to `high`.
+fn whole(random: &mut Random, low: usize, high: usize) -> u64 {
+    (low + random.below(high - low + 1)) as u64
 }
 
 fn random_timing(random: &mut Random) -> Timing {
-    let width = random.whole(1, 30);
-    let spacing = 2 * width + random.whole(0, 60);
-    let period = spacing * random.whole(3, 60) + random.whole(0, 50);
-    Timing { period, width, spacing, setup: random.whole(0, 80), hold: random.whole(0, 80) }
+    let width = whole(random, 1, 30);
+    let spacing = 2 * width + whole(random, 0, 60);
+    let period = spacing * whole(random, 3, 60) + whole(random, 0, 50);
+    Timing { period, width, spacing, setup: whole(random, 0, 80), hold: whole(random, 0, 80) }
 }
 
 /// Model of a driver and a counter on the two lines, checked edge by edge.
@@ -98,13 +78,13 @@ fn jitter(ticks: &[u64]) -> f64 {
 
 #[test]
 fn random_streams_of_several_axes() {
-    let mut random = Random(11);
+    let mut random = Random::new(11);
     let (mut pulses, mut turns, mut refused, mut waited) = (0u64, 0u64, 0u64, 0u64);
     for _ in 0..cases(3000) {
         let first = random_timing(&mut random);
-        let axes = random.whole(1, 4) as usize;
+        let axes = 1 + random.below(4);
         let start: Vec<(Timing, f64)> = (0..axes)
-            .map(|_| (Timing { period: first.period, ..random_timing(&mut random) }, random.between(-1e6, 1e6)))
+            .map(|_| (Timing { period: first.period, ..random_timing(&mut random) }, random.within(-1e6, 1e6)))
             .collect();
         let mut lines = Lines::new(&start).unwrap();
         let mut at: Vec<f64> = start.iter().map(|s| s.1).collect();
@@ -117,8 +97,8 @@ fn random_streams_of_several_axes() {
                 .zip(&start)
                 .map(|(at, (t, _))| {
                     let most = t.period as f64 / t.spacing as f64;
-                    let v = random.between(-1.0, 1.0).powi(3) * most * 1.01;
-                    at + if random.next() < 0.1 { 0.0 } else { v }
+                    let v = random.within(-1.0, 1.0).powi(3) * most * 1.01;
+                    at + if random.chance(0.1) { 0.0 } else { v }
                 })
                 .collect();
             match lines.advance(to.iter().copied()) {
@@ -177,10 +157,10 @@ fn random_streams_of_several_axes() {
 #[test]
 fn pulses_lie_on_the_straight_line() {
     let timing = Timing { period: 10_000, width: 25, spacing: 50, setup: 0, hold: 50 };
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     for _ in 0..cases(2000) {
-        let speed = random.between(-200.0, 200.0);
-        let start = random.between(-1e5, 1e5);
+        let speed = random.within(-200.0, 200.0);
+        let start = random.within(-1e5, 1e5);
         let mut axis = Generator::new(timing, start).unwrap();
         let mut expected = if speed > 0.0 { (start + 0.5).floor() + 0.5 } else { (start + 0.5).floor() - 0.5 };
         for k in 0..20u32 {

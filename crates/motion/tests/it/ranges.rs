@@ -1,10 +1,11 @@
 //! Findings for axes beyond their ranges, and the effect of their cures.
 
+use crate::planning::{machine_of, plan, plan_weld, read, read_machine, several_passes, shipped_machine};
 use crate::{inner, number};
 use glam::DVec3;
-use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_machine::{Clamped, Surroundings};
 use seamwright_message::Message;
-use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_motion::WeldMotion;
 use seamwright_program::{Finding, Pass, Program, TorchPath};
 use seamwright_weld::Welding;
 
@@ -14,9 +15,8 @@ const SCARA: &str = include_str!("../../../../tests/data/field-trial/scara.toml"
 const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
 
 fn planned(job: &str) -> Result<(), Vec<Finding>> {
-    let welding = Welding::read("job.toml", job).unwrap_or_else(|e| panic!("{e}"));
-    let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
-    PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).map(|_| ())
+    let welding = read(job);
+    plan(&machine_of(&welding), &welding).map(|_| ())
 }
 
 /// The finding describes the branch that exceeds its range by a tenth of a degree at four stations, not the one that
@@ -39,7 +39,7 @@ fn code(cure: &Option<Message>) -> &str {
 
 /// The job after applying a finding's cure.
 fn cured(job: &str, cure: &Message) -> String {
-    let mut table: Welding = Welding::read("job.toml", job).unwrap();
+    let mut table = read(job);
     let program: &mut Program = &mut table.program.value;
     let change = inner(cure, "change");
     if change.code == "motion-change-move" {
@@ -90,18 +90,9 @@ fn no_cure_is_offered_where_none_helps() {
 fn nothing_unwinds_while_the_range_has_room() {
     let job = "schema = 1\ntitle = \"t\"\nmachine = \"cb.toml\"\n[seam.girth]\nradius_mm = 600\ndirection = [1, 0, 0]\n\
                [part]\nwatched = false\n[start]\noverlap_mm = 40\n[weld]\nspeed_mm_s = 7\n";
-    let one = Welding::read("job.toml", job).unwrap();
-    let mut program = one.program.value.clone();
-    let pass = program.passes[0].clone();
-    program.passes = (0..14).map(|i| Pass { name: format!("pass {}", i + 1), ..pass.clone() }).collect();
-    let welding = Welding::read("program.toml", &program.to_toml().unwrap()).unwrap();
-    let machine = Machine::read("m.toml", ROLLS).unwrap();
-    let clamped = Clamped::default();
-    let around = Surroundings::new(&machine, &clamped).unwrap();
-    let paths: Vec<_> = (0..14).map(|i| welding.path(i)).collect();
-    let passes: Vec<(&dyn TorchPath, &Pass)> =
-        paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
-    let motion = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap_or_else(|f| panic!("{f:#?}"));
+    let welding = several_passes(job, 14);
+    let machine = read_machine(ROLLS);
+    let motion = plan_weld(&machine, &welding, &Clamped::default()).unwrap_or_else(|f| panic!("{f:#?}"));
     let r = machine.axis("r").unwrap();
     for pair in motion.passes.windows(2) {
         let (end, start) = (pair[0].path.at(pair[0].path.length())[r], pair[1].path.at(0.0)[r]);
@@ -119,12 +110,12 @@ fn line(from: f64, to: f64) -> Welding {
          end_mm = [{to}, 0, 100]\nfirst_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[part]\nwatched = false\n\
          [weld]\nspeed_mm_s = 5\n"
     );
-    Welding::read("job.toml", &job).unwrap_or_else(|e| panic!("{e}"))
+    read(&job)
 }
 
 /// The cure that is offered for the ranges of pass 1 of a weld with these passes.
 fn cure_of_first(weld: &[Welding]) -> Message {
-    let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+    let machine = shipped_machine("torch-5axis");
     let clamped = Clamped::default();
     let around = Surroundings::new(&machine, &clamped).unwrap();
     let paths: Vec<_> = weld.iter().map(|welding| welding.path(0)).collect();
@@ -148,9 +139,9 @@ fn no_cure_of_one_pass_takes_another_out_of_its_range() {
     let outside = cure_of_first(&[line(700.0, 850.0), line(-990.0, -900.0)]);
     assert!(outside.code == "motion-cure-range-pass" && moves(&outside), "{outside}");
     // Without a known weld the cure covers this pass only.
-    let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+    let machine = shipped_machine("torch-5axis");
     let single = line(700.0, 850.0);
-    let found = PassMotion::plan(&machine, &single.path(0), &single.program.value.passes[0], 1).unwrap_err();
+    let found = plan(&machine, &single).unwrap_err();
     assert_eq!(code(&found[0].cure), "motion-cure-range-pass");
 }
 
@@ -162,15 +153,13 @@ fn a_reason_names_only_changes_that_were_tried() {
     let range = found.iter().find(|f| f.kind == "range").unwrap_or_else(|| panic!("{found:#?}"));
     assert_eq!(code(&range.cure), "motion-cure-range-none-angle");
     // Out of reach: no shift of the work can be derived.
-    let far = Welding::read(
-        "job.toml",
+    let far = read(
         "schema = 1\ntitle = \"t\"\nmachine = \"scara.toml\"\n[seam.line]\nstart_mm = [800, -20, 0]\n\
          end_mm = [800, 20, 0]\nfirst_normal = [1, 0, 1]\nsecond_normal = [-1, 0, 1]\n[part]\nwatched = false\n\
          [weld]\nspeed_mm_s = 5\n",
-    )
-    .unwrap_or_else(|e| panic!("{e}"));
-    let machine = Machine::read("m.toml", SCARA).unwrap();
-    let found = PassMotion::plan(&machine, &far.path(0), &far.program.value.passes[0], 1).unwrap_err();
+    );
+    let machine = read_machine(SCARA);
+    let found = plan(&machine, &far).unwrap_err();
     assert_eq!((found[0].kind, code(&found[0].cure)), ("reach", "motion-cure-range-none-angle"));
 }
 

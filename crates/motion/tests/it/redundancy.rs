@@ -1,46 +1,28 @@
 //! Redundancy resolution: against an exhaustive search, on the example, on random work, and without a feasible path.
 
 use crate::number;
+use crate::planning::{self, read, read_machine, shipped_machine};
 use glam::DVec3;
-use proptest::prelude::*;
-use proptest::test_runner::{RngAlgorithm, TestRng};
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine, Solution, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_motion::redundancy::{Clearance, FreeAxes, resolve};
 use seamwright_program::{Finding, TorchPath};
+use seamwright_testkit::{Random, cases};
 use seamwright_weld::Welding;
 use std::f64::consts::TAU;
 
 const EXAMPLE: &str = include_str!("../../../../examples/oblique-girth.toml");
 
-fn machine(name: &str) -> Machine {
-    Machine::read(name, shipped(name).unwrap().text).unwrap()
-}
-
-fn read(text: &str) -> Welding {
-    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"))
-}
-
 fn choose(machine: &Machine, welding: &Welding, speed: f64) -> Result<FreeAxes, Vec<Finding>> {
     resolve(machine, &welding.path(0), speed, &welding.program.value.passes[0].spare_axes, None, 1)
 }
 
-fn uniform(seed: u8) -> impl FnMut(f64, f64) -> f64 {
-    let mut random = TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]);
-    move |low, high| low + (high - low) * (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-}
-
-/// Cases of a property test; `make soak` multiplies them.
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
-}
-
 /// A girth seam on a tube somewhere on the EBW machine's table.
-fn girth(random: &mut impl FnMut(f64, f64) -> f64, rest: &str) -> String {
-    let (radius, cut, phi) = (random(60.0, 200.0), random(0.0, 0.5), random(-180.0, 180.0));
-    let (x, y, z) = (random(-60.0, 60.0), random(-60.0, 60.0), random(80.0, 250.0));
-    let (lean, turn) = (random(0.0, 12.0), random(-1.0, 1.0));
+fn girth(random: &mut Random, rest: &str) -> String {
+    let (radius, cut, phi) = (random.within(60.0, 200.0), random.within(0.0, 0.5), random.within(-180.0, 180.0));
+    let (x, y, z) = (random.within(-60.0, 60.0), random.within(-60.0, 60.0), random.within(80.0, 250.0));
+    let (lean, turn) = (random.within(0.0, 12.0), random.within(-1.0, 1.0));
     format!(
         "schema = 1\ntitle = \"random\"\nmachine = \"ebw-7axis\"\n[placement]\nmove_mm = [{x}, {y}, {z}]\n\
          turn = [1, {turn}, 0]\nangle_deg = {lean}\n[seam.girth]\nradius_mm = {radius}\n\
@@ -177,9 +159,9 @@ fn least_cost(machine: &Machine, path: &dyn TorchPath, free: &[usize], stations:
 
 #[test]
 fn as_good_as_an_exhaustive_search() {
-    let machine = machine("ebw-7axis");
+    let machine = shipped_machine("ebw-7axis");
     let [u, w] = ["u", "w"].map(|n| machine.axis(n).unwrap());
-    let mut random = uniform(1);
+    let mut random = Random::new(1);
     let mut worst = 0.0f64;
     for case in 0..cases(6) {
         let (hold, free, stations) = match case % 2 {
@@ -193,7 +175,7 @@ fn as_good_as_an_exhaustive_search() {
         );
         let text = girth(&mut random, &rest);
         let phi: f64 = text.split("phi_deg = ").nth(1).unwrap().lines().next().unwrap().parse().unwrap();
-        let text = text.replace("end_phi_deg = 1000", &format!("end_phi_deg = {}", phi + random(20.0, 50.0)));
+        let text = text.replace("end_phi_deg = 1000", &format!("end_phi_deg = {}", phi + random.within(20.0, 50.0)));
         let welding = read(&text);
         let path = welding.path(0);
         let chosen = choose(&machine, &welding, 30.0).unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
@@ -208,7 +190,7 @@ fn as_good_as_an_exhaustive_search() {
 
 #[test]
 fn the_example_keeps_the_beam_on_the_normal_and_the_seam_flat() {
-    let (machine, welding) = (machine("ebw-7axis"), read(EXAMPLE));
+    let (machine, welding) = (shipped_machine("ebw-7axis"), read(EXAMPLE));
     let path = welding.path(0);
     let motion = PassMotion::plan(&machine, &path, &welding.program.value.passes[0], 1).unwrap();
     assert!(motion.findings.is_empty(), "{:#?}", motion.findings);
@@ -254,13 +236,13 @@ fn check_motion(machine: &Machine, welding: &Welding, motion: &PassMotion) {
 
 #[test]
 fn random_work_is_welded_smoothly_and_the_same_every_time() {
-    let ebw = machine("ebw-7axis");
-    let mut random = uniform(7);
+    let ebw = shipped_machine("ebw-7axis");
+    let mut random = Random::new(7);
     let mut made = 0;
     for case in 0..cases(20) {
         let text = girth(&mut random, "overlap_mm = 10\n[weld]\nspeed_mm_s = 8\non_limit = \"slow\"\n");
         let welding = read(&text);
-        match PassMotion::plan(&ebw, &welding.path(0), &welding.program.value.passes[0], 1) {
+        match planning::plan(&ebw, &welding) {
             Ok(motion) => {
                 check_motion(&ebw, &welding, &motion);
                 made += 1;
@@ -277,11 +259,11 @@ fn random_work_is_welded_smoothly_and_the_same_every_time() {
 
 #[test]
 fn three_axes_to_spare() {
-    let dual = machine("dual-laser-10axis");
-    let mut random = uniform(9);
+    let dual = shipped_machine("dual-laser-10axis");
+    let mut random = Random::new(9);
     for _ in 0..cases(8) {
-        let [x, y, z] = [random(-500.0, 500.0), random(-200.0, 200.0), random(0.0, 60.0)];
-        let (dx, dy) = (random(100.0, 600.0), random(-150.0, 150.0));
+        let [x, y, z] = [random.within(-500.0, 500.0), random.within(-200.0, 200.0), random.within(0.0, 60.0)];
+        let (dx, dy) = (random.within(100.0, 600.0), random.within(-150.0, 150.0));
         let across = DVec3::new(-dy, dx, 0.0).normalize();
         let text = format!(
             "schema = 1\ntitle = \"t\"\nmachine = \"dual-laser-10axis\"\n[seam.line]\nstart_mm = [{x}, {y}, {z}]\n\
@@ -293,7 +275,7 @@ fn three_axes_to_spare() {
             across.y,
         );
         let welding = read(&text);
-        let motion = PassMotion::plan(&dual, &welding.path(0), &welding.program.value.passes[0], 1);
+        let motion = planning::plan(&dual, &welding);
         check_motion(&dual, &welding, &motion.unwrap_or_else(|f| panic!("{f:#?}\n{text}")));
     }
 }
@@ -303,10 +285,10 @@ fn a_held_axis_stands_still() {
     let held = EXAMPLE.replace("# hold = { u = 90 } ", "hold = { u = 88, w = -20 } ");
     let welding = read(&held);
     // Both held: half a turn away from the seam's start the beam cannot get there.
-    assert!(choose(&machine("ebw-7axis"), &welding, 10.0).unwrap().start().is_none());
+    assert!(choose(&shipped_machine("ebw-7axis"), &welding, 10.0).unwrap().start().is_none());
     let welding = read(&EXAMPLE.replace("# hold = { u = 90 } ", "hold = { u = 88 } "));
-    let machine = machine("ebw-7axis");
-    let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).unwrap();
+    let machine = shipped_machine("ebw-7axis");
+    let motion = planning::plan(&machine, &welding).unwrap();
     let u = machine.axis("u").unwrap();
     for i in 0..=100 {
         let q = motion.path.at(motion.path.length() * f64::from(i) / 100.0);
@@ -316,7 +298,7 @@ fn a_held_axis_stands_still() {
 
 #[test]
 fn obstacles_are_kept_clear_of() {
-    let machine = machine("ebw-7axis");
+    let machine = shipped_machine("ebw-7axis");
     let u = machine.axis("u").unwrap();
     let welding = read(&EXAMPLE.replace("position = \"flat\"", "position = \"any\""));
     let least = |clearance: Option<Clearance>| {
@@ -341,7 +323,7 @@ fn refused(machine: &Machine, text: &str) -> Vec<Finding> {
 
 #[test]
 fn where_there_is_no_way_it_says_why() {
-    let ebw = machine("ebw-7axis");
+    let ebw = shipped_machine("ebw-7axis");
     // Too long: with the tube lying, the cut is 1350 mm from the table's tilt axis less 150 tan 20, and X ends at 1000.
     let lying = EXAMPLE.replace("# hold = { u = 90 } ", "hold = { u = 90 } ");
     let far = refused(&ebw, &lying.replace("move_mm = [0, 0, 160]", "move_mm = [0, 0, 1200]"));
@@ -357,7 +339,7 @@ fn where_there_is_no_way_it_says_why() {
     );
     // A table with less range than the seam's turn: every station can be reached, but not in sequence.
     let text = shipped("ebw-7axis").unwrap().text.replace("continuous = true", "range_deg = [-105, 105]");
-    let short = Machine::read("m", &text).unwrap();
+    let short = read_machine(&text);
     let jump = refused(&short, &EXAMPLE.replace("position = \"flat\"", "position = \"any\""));
     let turns = |f: &Finding| f.message.to_string().contains("axis w") || f.message.to_string().contains("axis q");
     assert!(jump.len() == 1 && jump[0].kind == "jump" && turns(&jump[0]));
@@ -368,7 +350,7 @@ fn where_there_is_no_way_it_says_why() {
 
 #[test]
 fn near_a_singular_attitude_it_says_which_speed_can_be_held() {
-    let machine = machine("table-tilting-xyzac");
+    let machine = shipped_machine("table-tilting-xyzac");
     // The torch leans from one side over to the other, past upright by 4 degrees: the table must turn quickly there.
     let plan = |speed: f64| {
         let text = format!(
@@ -378,7 +360,7 @@ fn near_a_singular_attitude_it_says_which_speed_can_be_held() {
              travel_angle_deg = 20\n[weld]\nspeed_mm_s = {speed}\n"
         );
         let welding = read(&text);
-        PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1)
+        planning::plan(&machine, &welding)
     };
     let found = (1..60).find_map(|i| {
         let speed = 0.5 * 1.1f64.powi(i);
@@ -417,7 +399,7 @@ impl TorchPath for BothSides {
 
 #[test]
 fn two_torches_leave_nothing_to_spare() {
-    let machine = machine("dual-laser-10axis");
+    let machine = shipped_machine("dual-laser-10axis");
     let mut pass = read(EXAMPLE).program.value.passes.remove(0);
     pass.on_limit = seamwright_program::OnLimit::Slow;
     pass.spare_axes.hold.insert("c".to_owned(), seamwright_document::Finite::new(0.0).unwrap());

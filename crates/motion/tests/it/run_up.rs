@@ -1,9 +1,9 @@
 //! Extent of the acceleration phase, and travels that are too short or too long for it.
 
+use crate::planning::{plan, read, read_machine};
 use seamwright_document::{NonNegative, Positive};
 use seamwright_machine::{Machine, shipped};
-use seamwright_motion::PassMotion;
-use seamwright_program::{Finding, OnLimit, Ramp, Severity, Span, SpanValue};
+use seamwright_program::{OnLimit, Ramp, Severity, Span, SpanValue};
 use seamwright_weld::Welding;
 
 fn positive(value: f64) -> Positive {
@@ -18,7 +18,7 @@ fn line(length: f64, weld: &str) -> Welding {
         -0.5 * length,
         0.5 * length
     );
-    Welding::read("job.toml", &job).unwrap_or_else(|e| panic!("{e}"))
+    read(&job)
 }
 
 /// `ellipse-xy` with other limits: every `from` in its file becomes the `to` beside it.
@@ -27,11 +27,7 @@ fn machine(changes: &[(&str, &str)]) -> Machine {
         assert!(text.contains(from), "{from}");
         text.replace(from, to)
     });
-    Machine::read("m.toml", &text).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn plan(machine: &Machine, welding: &Welding) -> Result<PassMotion, Vec<Finding>> {
-    PassMotion::plan(machine, &welding.path(0), &welding.program.value.passes[0], 1)
+    read_machine(&text)
 }
 
 /// An axis that gains 3 mm/s^2 is at 24 mm/s after 100 mm, on which the speed shall rise to 50.

@@ -1,16 +1,16 @@
 //! Searches end: their number of trials is bounded, and a watch can stop them.
 
 use crate::inner;
+use crate::planning::{machine_of, plan_weld_under, read, read_machine};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_document::Finite;
 use seamwright_geometry::Pose;
-use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_machine::{Clamped, Machine};
 use seamwright_message::Argument;
 use seamwright_motion::redundancy::holding;
 use seamwright_motion::{PassMotion, SearchProgress, SearchStage, Stop, Terms, Watch, WeldMotion};
-use seamwright_program::{Finding, Pass, TorchPath};
-use seamwright_weld::Welding;
+use seamwright_program::{Finding, TorchPath};
 use std::cell::{Cell, RefCell};
 use std::f64::consts::{PI, TAU};
 
@@ -39,17 +39,11 @@ impl Watch for Counts {
 }
 
 fn plan(job: &str, machine: &str, most: u64) -> (Result<WeldMotion, Vec<Finding>>, Machine, u64) {
-    let (welding, machine) = (Welding::read("job.toml", job).unwrap(), Machine::read("m.toml", machine).unwrap());
-    let clamped = Clamped::default();
-    let around = Surroundings::new(&machine, &clamped).unwrap();
-    let path = welding.path(0);
-    let passes: [(&dyn TorchPath, &Pass); 1] = [(&path, &welding.program.value.passes[0])];
+    let machine = read_machine(machine);
     let counts = Counts { most, last: Cell::default() };
-    let planned =
-        WeldMotion::plan_under(&machine, &around, &passes, 30.0, Terms { procedure: None, watch: Some(&counts) });
-    let work = counts.last.get().work;
-    drop(around);
-    (planned, machine, work)
+    let terms = Terms { procedure: None, watch: Some(&counts) };
+    let planned = plan_weld_under(&machine, &read(job), &Clamped::default(), terms);
+    (planned, machine, counts.last.get().work)
 }
 
 /// Work that takes well below a minute, at some 20 microseconds a unit.
@@ -67,7 +61,7 @@ fn the_search_for_an_arm_ends_after_a_bounded_number_of_trials() {
         let (planned, machine, work) = plan(job, machine, BOUND);
         let motion = planned.unwrap_or_else(|f| panic!("{name}: {f:#?}"));
         println!("{name}: {work} units, {:.1} s from home to home", motion.total_s());
-        let welding = Welding::read("job.toml", job).unwrap();
+        let welding = read(job);
         let (path, wanted) = (&motion.passes[0].path, welding.path(0));
         for i in 0..=500 {
             let s = path.length() * f64::from(i) / 500.0;
@@ -120,18 +114,14 @@ impl Watch for StopsIn {
 
 /// Plans a job on the machine that ships for it, with `fixtures` on it.
 fn plan_on_shipped(job: &str, fixtures: Vec<Solid>, watch: &StopsIn) -> Result<WeldMotion, Vec<Finding>> {
-    let welding = Welding::read("job.toml", job).unwrap_or_else(|e| panic!("{e}"));
-    let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
+    let welding = read(job);
     let clamped = Clamped { fixtures, least_mm: 2.0, ..Clamped::default() };
-    let around = Surroundings::new(&machine, &clamped).unwrap();
-    let path = welding.path(0);
-    let passes: [(&dyn TorchPath, &Pass); 1] = [(&path, &welding.program.value.passes[0])];
-    WeldMotion::plan_under(&machine, &around, &passes, 30.0, Terms { procedure: None, watch: Some(watch) })
+    plan_weld_under(&machine_of(&welding), &welding, &clamped, Terms { procedure: None, watch: Some(watch) })
 }
 
 /// A ball on the torch's axis, where no torch angle clears it.
 fn ball_on_torch(job: &str, back_mm: f64) -> Vec<Solid> {
-    let welding = Welding::read("job.toml", job).unwrap();
+    let welding = read(job);
     let pose = welding.path(0).pose(0.4 * welding.path(0).length());
     let at = DAffine3::from_translation(pose.point - back_mm * pose.direction);
     vec![Solid::new("clamp", Shape::Sphere { radius: 40.0 }, at).unwrap()]
@@ -227,9 +217,9 @@ impl TorchPath for Circle {
 /// A part of the seam shorter than the distance of two searches along it: 14 of 1440 samples.
 #[test]
 fn a_hundredth_of_a_seam_out_of_an_arm_s_reach_is_found() {
-    let mut pass = Welding::read("job.toml", ARM_JOB).unwrap().program.value.passes[0].clone();
+    let mut pass = read(ARM_JOB).program.value.passes[0].clone();
     pass.spare_axes.hold.insert("j6".to_owned(), Finite::new(0.0).unwrap());
-    let machine = Machine::read("m.toml", ARM).unwrap();
+    let machine = read_machine(ARM);
     let held = holding(&machine, &pass.spare_axes).unwrap();
     let mut near = held.home();
     near[held.axis("j6").unwrap()] = 0.0;

@@ -1,10 +1,10 @@
 //! Motion along taught points.
 
 use glam::DVec3;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use seamwright_machine::{AxisLimits, Joints, MAX_AXES, Machine, shipped};
 use seamwright_motion::speed_profile::{Channels, ProfileStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::TAU;
 
 /// A machine with the limits of a measurement of rivals: 50 mm/s, 500 mm/s^2; 60 deg/s, 600 deg/s^2; jerk ten times
@@ -222,21 +222,19 @@ fn the_way_is_kept_where_points_are_left_out() {
 
 /// A walk with steps of very different lengths: some of zero, some of a nanometre, some straight back, some of one axis
 /// only with the tip at rest.
-fn walk(rng: &mut TestRng, count: usize) -> Vec<Joints> {
-    use proptest::prelude::RngExt;
-    let mut random = || rng.random::<f64>();
+fn walk(random: &mut Random, count: usize) -> Vec<Joints> {
     let mut q = axes([0.0, 0.0, 50.0, 0.0, 0.0]);
     let mut way: Joints = axes([1.0, 0.0, 0.0, 0.0, 0.0]);
     let mut points = vec![q];
     for _ in 0..count {
-        let kind = (random() * 10.0) as u32;
-        let length = 10f64.powf(random() * 5.0 - 3.0).min(5.0);
+        let kind = random.below(10);
+        let length = 10f64.powf(random.within(-3.0, 2.0)).min(5.0);
         match kind {
             0 => points.push(q),
             1 => q[0] += 1e-9,
             2 => way = way.map(|w| -w),
-            3 => q[4] += 0.02 * random(),
-            _ => (0..3).for_each(|i| way[i] += 0.3 * (random() - 0.5)),
+            3 => q[4] += 0.02 * random.unit(),
+            _ => (0..3).for_each(|i| way[i] += random.within(-0.15, 0.15)),
         }
         let norm = way.iter().map(|w| w * w).sum::<f64>().sqrt().max(1e-3);
         (0..3).for_each(|i| q[i] += length * way[i] / norm);
@@ -248,13 +246,8 @@ fn walk(rng: &mut TestRng, count: usize) -> Vec<Joints> {
 #[test]
 fn rough_walks_are_followed_within_limits_to_their_end() {
     let machine = machine();
-    let mut runner = TestRunner::new_with_rng(
-        Config { failure_persistence: None, ..Config::default() },
-        TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]),
-    );
-    let soak: usize = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1);
-    for case in 0..40 * soak {
-        let points = walk(&mut runner.new_rng(), 60);
+    for case in 0..cases(40) {
+        let points = walk(&mut Random::of_case(case), 60);
         let last = points[points.len() - 1];
         let corner = if case % 2 == 0 { Corner::Stop } else { Corner::Blend(0.05) };
         let run = run(&machine, points.clone(), 15.0, corner, 2e-3);

@@ -1,11 +1,11 @@
 //! Limits of the torch tip: kept in every direction along a weld, under every command of an operator; reported where
 //! they bind.
 
+use crate::planning::{machine_of, plan, read};
 use glam::DVec3;
-use seamwright_machine::{AxisLimits, Joints, Machine, shipped};
+use seamwright_machine::{AxisLimits, Joints, Machine};
 use seamwright_motion::feed_override::{Command, FeedOverride, channel_limits};
 use seamwright_motion::{Binding, LimitKind, PassMotion};
-use seamwright_weld::Welding;
 
 const TIP: AxisLimits = AxisLimits { speed: 25.0, acceleration: 40.0, jerk: 300.0 };
 const PERIOD: f64 = 1e-3;
@@ -19,11 +19,10 @@ fn planned() -> (Machine, PassMotion) {
         _ => format!("{l}\n"),
     };
     let text: String = text.lines().filter(|l| !l.starts_with("on_limit")).map(line).collect();
-    let welding = Welding::read("job", &text).unwrap();
-    let program = &welding.program.value;
-    let mut machine = Machine::read("m", shipped(&program.machine).unwrap().text).unwrap();
+    let welding = read(&text);
+    let mut machine = machine_of(&welding);
     machine.tip = TIP;
-    let motion = PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).unwrap();
+    let motion = plan(&machine, &welding).unwrap();
     (machine, motion)
 }
 

@@ -2,15 +2,13 @@
 
 #![allow(clippy::float_cmp, reason = "ends of legs are met without rounding")]
 
+use crate::planning::shipped_machine;
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
-use seamwright_machine::{AxisSet, Clamped, Course, Joints, Machine, Surroundings, shipped};
+use seamwright_machine::{AxisSet, Clamped, Course, Joints, Machine, Surroundings};
 use seamwright_motion::feed_override::{Command, FeedOverride, Timed, channel_limits};
 use seamwright_motion::transfer::{Leg, TransferMove, route};
-
-fn read(name: &str) -> Machine {
-    Machine::read(name, shipped(name).unwrap().text).unwrap()
-}
+use seamwright_testkit::Random;
 
 fn solid(shape: Shape, at: DVec3) -> Solid {
     Solid::new("wall", shape, DAffine3::from_translation(at)).unwrap()
@@ -36,7 +34,7 @@ fn check_clear(machine: &Machine, around: &Surroundings, way: &[Joints]) {
 
 #[test]
 fn goes_round_a_wall_over_a_table() {
-    let machine = read("torch-5axis");
+    let machine = shipped_machine("torch-5axis");
     // A wall of 1 mm across the table, higher than the torch is at both ends, with room over it.
     let wall = solid(Shape::Box { size: DVec3::new(700.0, 1.0, 300.0) }, DVec3::new(0.0, 0.0, 150.0));
     let clamped = Clamped { part: vec![wall], least_mm: 2.0, ..Clamped::default() };
@@ -54,7 +52,7 @@ fn goes_round_a_wall_over_a_table() {
 
 #[test]
 fn what_cannot_be_gone_round_is_refused() {
-    let machine = read("ellipse-xy");
+    let machine = shipped_machine("ellipse-xy");
     let wall = solid(Shape::Box { size: DVec3::new(5.0, 3000.0, 300.0) }, DVec3::new(50.0, 0.0, 150.0));
     let clamped = Clamped { part: vec![wall], least_mm: 2.0, ..Clamped::default() };
     let around = Surroundings::new(&machine, &clamped).unwrap();
@@ -71,7 +69,7 @@ fn what_cannot_be_gone_round_is_refused() {
 #[test]
 fn legs_keep_every_limit_and_end_where_they_should() {
     for name in ["saddle-4axis", "torch-5axis", "ebw-7axis", "dual-laser-10axis"] {
-        let machine = read(name);
+        let machine = shipped_machine(name);
         for k in 1..200 {
             // Long and short ones.
             let (from, far) = (machine.spread(k), machine.spread(k + 1000));
@@ -102,7 +100,7 @@ fn legs_keep_every_limit_and_end_where_they_should() {
         }
     }
     // Without a maximum jerk the full acceleration takes 20 ms.
-    let mut machine = read("ellipse-xy");
+    let mut machine = shipped_machine("ellipse-xy");
     let (from, mut to) = (machine.home(), machine.home());
     to[0] += 100.0;
     machine.axes[0].max_jerk = f64::INFINITY;
@@ -113,28 +111,18 @@ fn legs_keep_every_limit_and_end_where_they_should() {
     assert!(still.duration() == 0.0 && still.at_time(0.3) == machine.home());
 }
 
-/// Small numbers from a seed.
-struct Dice(u64);
-
-impl Dice {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
 /// A leg held, reversed and slowed at random times keeps to its line and to every limit, by differences.
 #[test]
 fn legs_can_be_held() {
-    let machine = read("torch-5axis");
+    let machine = shipped_machine("torch-5axis");
     let period = 1e-3;
-    let dice = &mut Dice(11);
+    let random = &mut Random::new(11);
     for case in 0..60 {
         let mut at = || {
             let axes = machine.axes.iter().map(|a| a.range.unwrap_or((-3.0, 3.0)));
             let mut q = Joints::default();
             for (i, (low, high)) in axes.enumerate() {
-                q[i] = low + (high - low) * dice.next();
+                q[i] = random.within(low, high);
             }
             q
         };
@@ -148,10 +136,10 @@ fn legs_can_be_held() {
         let mut seen: Vec<Joints> = vec![from; 3];
         let mut steps = 0;
         while !feed_override.at_end() {
-            match (400.0 * dice.next()) as u32 {
+            match random.below(400) {
                 0 => feed_override.command(Command::Hold).unwrap(),
                 1 => feed_override.command(Command::Reverse).unwrap(),
-                2 => feed_override.command(Command::Override(0.2 + 0.8 * dice.next())).unwrap(),
+                2 => feed_override.command(Command::Override(random.within(0.2, 1.0))).unwrap(),
                 _ if steps > 8000 || feed_override.at_rest() => feed_override.command(Command::Resume).unwrap(),
                 _ => {}
             }

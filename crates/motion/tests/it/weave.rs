@@ -2,25 +2,17 @@
 //! maximum.
 
 use crate::number;
+use crate::planning::{self, machine_of, read, shipped_machine};
 use proptest::prelude::*;
 use seamwright_geometry::Pose;
-use seamwright_machine::{Machine, shipped};
+use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_program::{Finding, Groove, TorchPath, WovenPath};
+use seamwright_testkit::cases;
 use seamwright_weld::Welding;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 const WEAVE: &str = include_str!("../../../../examples/weave.toml");
-
-/// More cases with `SEAMWRIGHT_SOAK`.
-fn cases(count: u32) -> ProptestConfig {
-    let times = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|t| t.parse().ok()).unwrap_or(1);
-    ProptestConfig { cases: count * times, ..ProptestConfig::default() }
-}
-
-fn machine() -> Machine {
-    Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap()
-}
 
 /// The example with the keys `weave` instead of its own, over an arc or a line.
 fn text(arc: bool, weave: &str) -> String {
@@ -33,8 +25,8 @@ fn text(arc: bool, weave: &str) -> String {
 }
 
 fn plan(text: &str) -> (Welding, Result<PassMotion, Vec<Finding>>) {
-    let welding = Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}\n{text}"));
-    let motion = PassMotion::plan(&machine(), &welding.path(0), &welding.program.value.passes[0], 1);
+    let welding = read(text);
+    let motion = planning::plan(&machine_of(&welding), &welding);
     (welding, motion)
 }
 
@@ -58,7 +50,7 @@ fn worst(machine: &Machine, motion: &PassMotion, period: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(cases(8))]
+    #![proptest_config(ProptestConfig::with_cases(cases(8)))]
 
     /// For every weave, slowed down if necessary: every set-point is within every limit, the tip is on the woven path,
     /// and the centre line is never passed faster than requested.
@@ -71,7 +63,7 @@ proptest! {
         let keys = format!("figure = \"{figure}\"\nwidth_mm = {width}\npitch_mm = {pitch}\nfade_mm = {fade}");
         let text = text(arc, &keys).replace("speed_mm_s = 2.5", "speed_mm_s = 2.5\non_limit = \"slow\"");
         let (welding, motion) = plan(&text);
-        let (motion, machine) = (motion.unwrap_or_else(|f| panic!("{f:#?}")), machine());
+        let (motion, machine) = (motion.unwrap_or_else(|f| panic!("{f:#?}")), shipped_machine("torch-5axis"));
         for period in [2e-3, 0.02] {
             let worst = worst(&machine, &motion, period);
             prop_assert!(worst <= 1.0 + 1e-6, "{}", worst);
@@ -89,9 +81,9 @@ proptest! {
 fn the_asked_speed_is_that_along_the_seam() {
     let (_, motion) = plan(WEAVE);
     let motion = motion.unwrap_or_else(|f| panic!("{f:#?}"));
-    let (least, greatest) = motion.tip_band(&machine());
+    let (least, greatest) = motion.tip_band(&shipped_machine("torch-5axis"));
     assert!((least - 2.5).abs() < 1e-6 && (greatest - 2.5).abs() < 1e-6, "{least} {greatest}");
-    let (worst, uses) = (worst(&machine(), &motion, 1e-3), &motion.certificate.uses);
+    let (worst, uses) = (worst(&shipped_machine("torch-5axis"), &motion, 1e-3), &motion.certificate.uses);
     assert!(worst <= 1.0 + 1e-6 && worst > 0.5, "{worst} {uses:?}");
 }
 
@@ -106,10 +98,9 @@ fn the_frequency_stays_over_a_ramp_of_the_speed() {
     let text = program.to_toml().unwrap();
     let spans = "[[passes.spans]]\nfrom_mm = 0\nto_mm = 120\nspeed_mm_s = { from = 2, to = 5 }\n";
     let text = format!("{}{weave}{spans}", text.split("[[passes.spans]]").next().unwrap());
-    let welding = Welding::read("p.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}"));
-    let machine = machine();
-    let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1)
-        .unwrap_or_else(|f| panic!("{f:#?}"));
+    let welding = read(&text);
+    let machine = shipped_machine("torch-5axis");
+    let motion = planning::plan(&machine, &welding).unwrap_or_else(|f| panic!("{f:#?}"));
     let legs = motion.profile.legs();
     let steady = |s: f64| s > legs[0].run_up_end + 1.0 && s < legs[0].run_down_start - 1.0;
     let (mut crossings, mut last): (Vec<f64>, Option<(f64, f64)>) = (Vec::new(), None);
@@ -207,10 +198,10 @@ impl WovenPath for Counted<'_> {
 #[test]
 fn the_highest_frequency_costs_about_a_plan() {
     let text = include_str!("../../../../tests/data/field-trial/saddle-weave-8hz.toml").replace("procedure = ", "# ");
-    let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
+    let machine = shipped_machine("saddle-4axis");
     let planned = |frequency: f64| {
         let text = text.replace("frequency_hz = 8", &format!("frequency_hz = {frequency}"));
-        let welding = Welding::read("job.toml", &text).unwrap();
+        let welding = read(&text);
         let poses = AtomicU64::new(0);
         let path = welding.path(0);
         let path = path.along_seam().unwrap();

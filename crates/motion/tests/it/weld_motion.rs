@@ -2,33 +2,12 @@
 //! obstacles are reported or avoided.
 
 use crate::number;
+use crate::planning::{machine_of, plan_weld, several_passes};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
-use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
+use seamwright_machine::{Clamped, Joints, Machine};
 use seamwright_motion::{Phase, WeldMotion};
-use seamwright_program::{Finding, Pass, TorchPath};
-use seamwright_weld::Welding;
-
-/// An example's program with `passes` passes.
-fn program(example: &str, passes: usize) -> Welding {
-    let one = Welding::read("job.toml", example).unwrap();
-    let mut program = one.program.value.clone();
-    let pass = program.passes[0].clone();
-    program.passes = (0..passes).map(|i| Pass { name: format!("pass {}", i + 1), ..pass.clone() }).collect();
-    Welding::read("program.toml", &program.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn machine(welding: &Welding) -> Machine {
-    Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap()
-}
-
-fn plan(machine: &Machine, welding: &Welding, clamped: &Clamped) -> Result<WeldMotion, Vec<Finding>> {
-    let around = Surroundings::new(machine, clamped).unwrap();
-    let paths: Vec<_> = (0..welding.program.value.passes.len()).map(|i| welding.path(i)).collect();
-    let passes: Vec<(&dyn TorchPath, &Pass)> =
-        paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
-    WeldMotion::plan(machine, &around, &passes, 30.0)
-}
+use seamwright_program::{Finding, TorchPath};
 
 /// Plays the whole motion from home to home and checks every set-point by differences: ranges, speeds, accelerations,
 /// reported rates; the last position.
@@ -71,18 +50,18 @@ fn check(machine: &Machine, motion: &WeldMotion) {
 
 #[test]
 fn a_limited_axis_unwinds_between_passes_and_an_endless_one_goes_on() {
-    let saddle = program(include_str!("../../../../examples/saddle.toml"), 3);
-    let machine_4 = machine(&saddle);
-    let motion = plan(&machine_4, &saddle, &Clamped::default()).unwrap();
+    let saddle = several_passes(include_str!("../../../../examples/saddle.toml"), 3);
+    let machine_4 = machine_of(&saddle);
+    let motion = plan_weld(&machine_4, &saddle, &Clamped::default()).unwrap();
     let unwound: Vec<&Finding> = motion.findings.iter().filter(|f| f.kind == "unwind").collect();
     // From -340 deg the second pass goes on to 385; the third has no room and starts again from -340.
     assert!(unwound.len() == 1 && unwound[0].allowed && unwound[0].pass == 2);
     assert!((number(&unwound[0].message, "by") - 364.6).abs() < 0.05, "{}", unwound[0].message);
     check(&machine_4, &motion);
 
-    let trunnion = program(include_str!("../../../../examples/trunnion-saddle.toml"), 3);
-    let machine_5 = machine(&trunnion);
-    let motion = plan(&machine_5, &trunnion, &Clamped::default()).unwrap();
+    let trunnion = several_passes(include_str!("../../../../examples/trunnion-saddle.toml"), 3);
+    let machine_5 = machine_of(&trunnion);
+    let motion = plan_weld(&machine_5, &trunnion, &Clamped::default()).unwrap();
     assert!(motion.findings.iter().all(|f| f.kind != "unwind"), "{:?}", motion.findings);
     let c = machine_5.axis("c").unwrap();
     let turned = motion.passes[2].path.at(motion.passes[2].path.length())[c] - motion.passes[0].path.at(0.0)[c];
@@ -98,9 +77,9 @@ fn seven_and_ten_axes_play_several_passes() {
         include_str!("../../../../examples/head-nozzle.toml"),
         include_str!("../../../../examples/ellipse.toml"),
     ] {
-        let welding = program(text, 2);
-        let machine = machine(&welding);
-        let motion = plan(&machine, &welding, &Clamped::default()).unwrap_or_else(|f| panic!("{f:?}"));
+        let welding = several_passes(text, 2);
+        let machine = machine_of(&welding);
+        let motion = plan_weld(&machine, &welding, &Clamped::default()).unwrap_or_else(|f| panic!("{f:?}"));
         check(&machine, &motion);
         assert!(motion.total_s() > 2.0 * motion.passes[0].total_s());
     }
@@ -109,9 +88,9 @@ fn seven_and_ten_axes_play_several_passes() {
 /// Torch and work both have a nozzle: the names distinguish them.
 #[test]
 fn the_nearest_things_are_named_as_in_findings() {
-    let welding = program(include_str!("../../../../examples/head-nozzle.toml"), 1);
+    let welding = several_passes(include_str!("../../../../examples/head-nozzle.toml"), 1);
     let clamped = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap();
-    let motion = plan(&machine(&welding), &welding, &clamped).unwrap_or_else(|f| panic!("{f:#?}"));
+    let motion = plan_weld(&machine_of(&welding), &welding, &clamped).unwrap_or_else(|f| panic!("{f:#?}"));
     let (_, _, between) = motion.clearance[0].as_ref().unwrap().nearest.as_ref().unwrap();
     assert!(between.iter().any(|solid| solid.code == "machine-solid-of-part"), "{between:?}");
 }
@@ -119,9 +98,9 @@ fn the_nearest_things_are_named_as_in_findings() {
 /// A post beside the seam: the weld passes too near, and the finding names path length and solids.
 #[test]
 fn what_is_too_near_is_told() {
-    let welding = program(include_str!("../../../../examples/head-nozzle.toml"), 1);
-    let machine = machine(&welding);
-    let free = plan(&machine, &welding, &Clamped::default()).unwrap();
+    let welding = several_passes(include_str!("../../../../examples/head-nozzle.toml"), 1);
+    let machine = machine_of(&welding);
+    let free = plan_weld(&machine, &welding, &Clamped::default()).unwrap();
     let length = welding.path(0).length();
     let pose = welding.path(0).pose(0.4 * length);
     // 60 mm up along the torch, 20 mm aside: the torch body of 14 mm radius passes 1 mm from a ball of 5 mm.
@@ -132,7 +111,8 @@ fn what_is_too_near_is_told() {
         let at = pose.point + 100.0 * out + d * across;
         vec![Solid::new("clamp", Shape::Sphere { radius: 5.0 }, DAffine3::from_translation(at)).unwrap()]
     };
-    let with = |d: f64| plan(&machine, &welding, &Clamped { fixtures: ball(d), least_mm: 2.0, ..Clamped::default() });
+    let with =
+        |d: f64| plan_weld(&machine, &welding, &Clamped { fixtures: ball(d), least_mm: 2.0, ..Clamped::default() });
     let findings = with(20.0).unwrap_err();
     let f = findings.iter().find(|f| f.kind == "clearance").unwrap();
     println!("{}: s = {} to {}", f.message, f.from_mm, f.to_mm);
@@ -145,11 +125,12 @@ fn what_is_too_near_is_told() {
     assert!(nearest.at_least.iter().all(|c| c.1 >= 2.0));
     // A required clearance above the maximum reported distance is valid.
     let wide = Clamped { fixtures: ball(500.0), least_mm: 100.0, ..Clamped::default() };
-    assert!(plan(&machine, &welding, &wide).is_ok());
+    assert!(plan_weld(&machine, &welding, &wide).is_ok());
     // A ball round home blocks the transfer moves.
     let home = machine.forward(&machine.home()).point + DVec3::new(0.0, 0.0, 100.0);
     let at_home = Solid::new("hook", Shape::Sphere { radius: 5.0 }, DAffine3::from_translation(home)).unwrap();
-    let blocked = plan(&machine, &welding, &Clamped { fixtures: vec![at_home], least_mm: 2.0, ..Clamped::default() });
+    let blocked =
+        plan_weld(&machine, &welding, &Clamped { fixtures: vec![at_home], least_mm: 2.0, ..Clamped::default() });
     let findings = blocked.unwrap_err();
     assert!(findings.iter().any(|f| f.kind == "air" && f.message.to_string().contains("hook")), "{findings:?}");
 }

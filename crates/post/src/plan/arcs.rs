@@ -73,21 +73,17 @@ pub(crate) fn between(start: DVec3, end: DVec3, centre: DVec3, normal: DVec3) ->
 mod tests {
     use super::*;
     use glam::DQuat;
+    use seamwright_testkit::Random;
 
     /// Arcs made by turning a point give back their centre, normal and angle, in the plane and as a helix.
     #[test]
     fn three_places_make_the_arc() {
-        let mut seed = 1u64;
-        let mut next = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1u64 << 53) as f64
-        };
+        let mut random = Random::new(1);
         for k in 0..4000 {
-            let v = |next: &mut dyn FnMut() -> f64| DVec3::new(next() - 0.5, next() - 0.5, next() - 0.5);
             let climbs = k % 2 == 0;
-            let normal = if climbs { [DVec3::X, DVec3::NEG_Y, DVec3::Z][k % 3] } else { v(&mut next).normalize() };
-            let (centre, radius) = (100.0 * v(&mut next), 0.5 + 50.0 * next());
-            let (sweep, climb) = (0.02 + 5.8 * next(), if climbs { 10.0 * (next() - 0.5) } else { 0.0 });
+            let normal = if climbs { [DVec3::X, DVec3::NEG_Y, DVec3::Z][k % 3] } else { random.direction() };
+            let (centre, radius) = (random.vector(50.0), random.within(0.5, 50.5));
+            let (sweep, climb) = (random.within(0.02, 5.82), if climbs { random.within(-5.0, 5.0) } else { 0.0 });
             let out = normal.any_orthonormal_vector() * radius;
             let at = |f: f64| centre + DQuat::from_axis_angle(normal, f * sweep) * out + f * climb * normal;
             let asked = if climbs { Normal::Along(normal.abs()) } else { Normal::OfPlane };

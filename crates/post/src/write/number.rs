@@ -120,22 +120,18 @@ mod tests {
     /// it.
     #[test]
     fn numbers_are_those_of_format() {
-        let mut seed = 7u64;
-        let mut next = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1u64 << 53) as f64
-        };
+        let mut random = seamwright_testkit::Random::new(7);
         let check = |value: f64| assert_eq!(pushed(value), fixed(value, 6), "{value:?}");
         for _ in 0..200_000 {
-            check((next() - 0.5) * 10f64.powf(14.0 * next() - 3.0));
+            check(random.within(-0.5, 0.5) * 10f64.powf(random.within(-3.0, 11.0)));
             // Halves of a millionth, which are exact only in 128ths.
-            let half = ((next() * 1e9).floor() + 0.5) / 1e6;
-            let tie = (next() * 1e6).floor() / 128.0;
+            let half = (random.within(0.0, 1e9).floor() + 0.5) / 1e6;
+            let tie = random.within(0.0, 1e6).floor() / 128.0;
             for value in [half, half.next_up(), half.next_down(), tie, -tie, tie.next_up(), tie.next_down()] {
                 check(value);
             }
             // A decimal that was read comes back.
-            let decimal = (next() * 1e9).floor() / 1e6;
+            let decimal = random.within(0.0, 1e9).floor() / 1e6;
             assert_eq!(pushed(decimal).parse::<f64>().unwrap().to_bits(), decimal.to_bits());
         }
         for value in [0.0, -0.0, 1e-7, 5e-7, 4e9, 4.1e9, 1e15, -1e300, 0.999_999_5, 0.999_999_499_999] {

@@ -1,8 +1,6 @@
 //! Sinumerik's POLY: the reader follows the control, checked by dense sums; as a program of points it moves the same.
 
 use crate::reading::{self, MACHINE, good, refused};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_document::Positive;
 use seamwright_machine::Machine;
 use seamwright_post::Dialect::{Linuxcnc, Pmac, Sinumerik};
@@ -10,6 +8,7 @@ use seamwright_post::{
     Control, Level, PartProgram, Path, ReadOptions, Segment, What, WriteOptions, play, read, to_program,
 };
 use seamwright_program::Along;
+use seamwright_testkit::Random;
 use std::fmt::Write as _;
 
 const STEPS: usize = 20_000;
@@ -50,12 +49,9 @@ struct Case {
 }
 
 /// A random text that starts at zero.
-fn case(seed: u64) -> Case {
-    let mut random = Pcg64Mcg::seed_from_u64(seed);
-    let mut between = |low: f64, high: f64| {
-        let part = (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
-        ((low + (high - low) * part) * 1e3).round() / 1e3
-    };
+fn case(seed: u32) -> Case {
+    let mut random = Random::of_case(seed);
+    let mut between = |low: f64, high: f64| (random.within(low, high) * 1e3).round() / 1e3;
     let inverse_time = between(0.0, 1.0) < 0.5;
     let feed = if inverse_time { between(2.0, 60.0) } else { between(100.0, 3000.0) };
     let all = between(0.0, 1.0) < 0.5;

@@ -5,7 +5,7 @@
 use crate::reading::{self, events, good, moves, near, rows, sets};
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::Dialect::{Grblhal, Linuxcnc, Pmac, Sinumerik};
-use seamwright_post::{Control, Event, Level, Path, ReadOptions, What, read};
+use seamwright_post::{Control, Event, Level, PartProgram, Path, ReadOptions, What, read};
 
 const FIGURE: &str = include_str!("../../../../examples/ebw-fig1.mpf");
 
@@ -228,6 +228,10 @@ fn expressions() {
     }
 }
 
+fn pass_names(program: &PartProgram) -> Vec<&str> {
+    program.steps.iter().filter_map(|s| if let What::Pass(name) = &s.what { Some(&**name) } else { None }).collect()
+}
+
 #[test]
 fn siemens_sub_programs() {
     let text = "%_N_WELD_MPF\n;$PATH=/_N_WKS_DIR/_N_SEAMWRIGHT_WPD\n;title\nG91 F60\nPASS_1 ; root\nN20 PASS_2 P=2 ; cap\nG0 X1\nM30\n\
@@ -238,12 +242,7 @@ fn siemens_sub_programs() {
     assert_eq!(last, [11.0, 20.0, 3.0]);
     let lines: Vec<u32> = program.steps.iter().filter(|s| matches!(s.what, What::Move(_))).map(|s| s.line).collect();
     assert_eq!(lines, [10, 16, 14, 14, 7]);
-    let passes: Vec<_> = program
-        .steps
-        .iter()
-        .filter_map(|s| if let What::Pass(name) = &s.what { Some(&**name) } else { None })
-        .collect();
-    assert_eq!(passes, ["root", "cap"]);
+    assert_eq!(pass_names(&program), ["root", "cap"]);
 }
 
 #[test]
@@ -252,12 +251,7 @@ fn linuxcnc_sub_programs() {
                 o101 call (again)\nM2\n";
     let program = good(Linuxcnc, text);
     assert_eq!(rows(&program).last().unwrap()[..3], [20.0, 0.0, 6.0]);
-    let passes: Vec<_> = program
-        .steps
-        .iter()
-        .filter_map(|s| if let What::Pass(name) = &s.what { Some(&**name) } else { None })
-        .collect();
-    assert_eq!(passes, ["root", "again"]);
+    assert_eq!(pass_names(&program), ["root", "again"]);
 }
 
 #[test]

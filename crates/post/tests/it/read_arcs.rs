@@ -1,10 +1,11 @@
 //! Arcs: every way to write them, and typical errors of reading. Checked against the circle itself: each point of the
 //! arc is at its radius, it turns the right way, and it takes the time of its length.
 
-use crate::reading::{Uniform, cases, good, moves, near, refused, rows};
+use crate::reading::{good, moves, near, refused, rows};
 use glam::DVec3;
 use seamwright_post::Dialect::{Grblhal, Linuxcnc, Pmac, Sinumerik};
 use seamwright_post::{Arc, Dialect, PartProgram, Path};
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::{PI, TAU};
 
 /// The arc of the last move, with its start and end.
@@ -204,15 +205,14 @@ fn angles_of_arcs() {
 /// Random arcs written in every way a dialect has, against the circle that they were made from.
 #[test]
 fn random_arcs_come_back() {
-    let mut random = Uniform::new(3);
+    let mut random = Random::new(3);
     for case in 0..cases(4000) {
         let dialect = Dialect::ALL[case % 4];
-        let (radius, from) = (random.in_range(1.0, 300.0), random.in_range(0.0, TAU));
-        let sweep = random.in_range(0.002, TAU - 0.002) * if random.chance(0.5) { 1.0 } else { -1.0 };
+        let (radius, from) = (random.within(1.0, 300.0), random.within(0.0, TAU));
+        let sweep = random.within(0.002, TAU - 0.002) * if random.chance(0.5) { 1.0 } else { -1.0 };
         let plane = random.below(3);
         let axes = [[1, 2], [2, 0], [0, 1]][plane];
-        let centre =
-            DVec3::new(random.in_range(-99.0, 99.0), random.in_range(-99.0, 99.0), random.in_range(-99.0, 99.0));
+        let centre = random.vector(99.0);
         let on = |angle: f64| {
             let mut p = centre;
             p[axes[0]] += radius * angle.cos();
@@ -220,7 +220,7 @@ fn random_arcs_come_back() {
             p
         };
         let (start, mut end) = (on(from), on(from + sweep));
-        end[plane] += if random.chance(0.3) { random.in_range(-20.0, 20.0) } else { 0.0 };
+        end[plane] += if random.chance(0.3) { random.within(-20.0, 20.0) } else { 0.0 };
         let (letters, offsets) = (["X", "Y", "Z"], ["I", "J", "K"]);
         let by_centre: String = axes.iter().map(|k| format!(" {}{:.9}", offsets[*k], centre[*k] - start[*k])).collect();
         let signed = if sweep.abs() > PI { -radius } else { radius };

@@ -2,8 +2,9 @@
 //! programs with parts changed, doubled, cut and mixed. `SEAMWRIGHT_FUZZ_S` is the number of seconds; texts that once
 //! failed are in `tests/data/read`.
 
-use crate::reading::{self, Uniform, cases};
+use crate::reading;
 use seamwright_post::{Control, Dialect, Path, ReadOptions, What, read};
+use seamwright_testkit::{Random, cases};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
@@ -117,7 +118,7 @@ fn survives(controls: &[Control; 4], text: &str) -> Result<(), String> {
 }
 
 /// A position between two characters.
-fn place(random: &mut Uniform, text: &str) -> usize {
+fn place(random: &mut Random, text: &str) -> usize {
     let mut at = random.below(text.len() + 1);
     while !text.is_char_boundary(at) {
         at -= 1;
@@ -125,7 +126,7 @@ fn place(random: &mut Uniform, text: &str) -> usize {
     at
 }
 
-fn mutate(random: &mut Uniform, text: &mut String) {
+fn mutate(random: &mut Random, text: &mut String) {
     let (a, b) = (place(random, text), place(random, text));
     let (a, b) = (a.min(b), a.max(b));
     let short = (a..=b.min(a + 12)).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(a);
@@ -187,7 +188,7 @@ fn garbage_and_mutations_never_panic() {
     let seconds = std::env::var("SEAMWRIGHT_FUZZ_S").ok().and_then(|v| v.parse().ok());
     // Long runs start with another seed each day; a failing text is kept, so the seed need not be.
     let seed = seconds.and_then(|_: u64| std::time::UNIX_EPOCH.elapsed().ok()).map_or(1, |t| t.as_secs() as u32);
-    let mut random = Uniform::new(seed);
+    let mut random = Random::of_case(seed);
     let (begin, mut tried) = (Instant::now(), 0);
     let enough = |tried: usize| match seconds {
         Some(s) => begin.elapsed() >= Duration::from_secs(s),

@@ -2,9 +2,10 @@
 
 #![allow(clippy::float_cmp, reason = "numbers as written come back exactly")]
 
-use crate::reading::{self, Uniform, cases, near};
+use crate::reading::{self, near};
 use seamwright_post::Dialect::{self, Grblhal, Linuxcnc, Pmac, Sinumerik};
 use seamwright_post::{ChannelKind, Control, Event, Path, ReadOptions, What, read};
+use seamwright_testkit::{Random, cases};
 use std::fmt::Write;
 
 /// Command written by the test, which the reader must find again.
@@ -19,7 +20,7 @@ enum Told {
 /// A writer: the text so far, the modal state of the control, and the commands written.
 struct Writer<'a> {
     control: &'a Control,
-    random: &'a mut Uniform,
+    random: &'a mut Random,
     text: String,
     told: Vec<Told>,
     row: Vec<f64>,
@@ -157,12 +158,12 @@ impl Writer<'_> {
             any = true;
             let length = self.control.channels[i].kind == ChannelKind::Linear;
             let unit = if self.inch && length { 25.4 } else { 1.0 };
-            let value = (self.random.in_range(-200.0, 200.0) * 1e4).round() / 1e4;
+            let value = (self.random.within(-200.0, 200.0) * 1e4).round() / 1e4;
             to[i] = if self.incremental { self.row[i] + unit * value } else { unit * value };
             let address = self.control.addresses[i].clone();
             said.push(self.word(&address, value));
         }
-        let f = (self.random.in_range(0.01, 900.0) * 1e4).round() / 1e4;
+        let f = (self.random.within(0.01, 900.0) * 1e4).round() / 1e4;
         let needs =
             !rapid && (self.feed.is_none() || self.random.chance(0.5) || (self.inverse && self.dialect() != Sinumerik));
         if needs {
@@ -209,7 +210,7 @@ impl Writer<'_> {
 
     fn value(&mut self) {
         let (at_once, output) = (self.random.chance(0.5), self.random.below(2));
-        let value = (self.random.in_range(0.0, 400.0) * 1e4).round() / 1e4;
+        let value = (self.random.within(0.0, 400.0) * 1e4).round() / 1e4;
         let number = self.number(value);
         let text = match (self.dialect(), at_once) {
             (Sinumerik, true) => format!("$A_OUTA[{}]={number}", output + 1),
@@ -226,7 +227,7 @@ impl Writer<'_> {
     }
 
     fn dwell(&mut self) {
-        let seconds = (self.random.in_range(0.001, 5.0) * 1e4).round() / 1e4;
+        let seconds = (self.random.within(0.001, 5.0) * 1e4).round() / 1e4;
         let text = match self.dialect() {
             Sinumerik => format!("G4 F{seconds:.4}"),
             Pmac => format!("DWELL({:.4})", 1e3 * seconds),
@@ -257,7 +258,7 @@ fn same(told: &Told, what: &What, row: impl Fn(u32) -> Vec<f64>) -> bool {
 
 #[test]
 fn random_programs_come_back() {
-    let mut random = Uniform::new(5);
+    let mut random = Random::new(5);
     let controls = Dialect::ALL.map(reading::control);
     for case in 0..cases(4000) {
         let control = &controls[case % 4];
@@ -298,7 +299,7 @@ fn random_programs_come_back() {
 /// Numbers of any length and form are those of the standard library.
 #[test]
 fn random_numbers_are_rounded_correctly() {
-    let mut random = Uniform::new(9);
+    let mut random = Random::new(9);
     let control = reading::control(Linuxcnc);
     let mut text = String::new();
     let mut expected = Vec::new();

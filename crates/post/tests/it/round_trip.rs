@@ -1,7 +1,5 @@
 //! Random programs of points written for every control, read back and made programs again: equal in effect.
 
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::Rng;
 use seamwright_document::{Document, Positive};
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::{
@@ -9,43 +7,27 @@ use seamwright_post::{
     to_program, write,
 };
 use seamwright_program::Program;
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-/// Programs a dialect; SEAMWRIGHT_SOAK times as many.
-fn cases() -> u64 {
-    250 * std::env::var("SEAMWRIGHT_SOAK").map_or(1, |times| times.parse::<u64>().unwrap())
-}
-
-struct Random(Pcg64Mcg);
-
-impl Random {
-    fn part(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        // Six decimals, as part programs have them.
-        ((low + (high - low) * self.part()) * 1e6).round() / 1e6
-    }
-
-    fn below(&mut self, count: u64) -> u64 {
-        self.0.next_u64() % count
-    }
+/// A number with six decimals, as part programs have them.
+fn between(random: &mut Random, low: f64, high: f64) -> f64 {
+    (random.within(low, high) * 1e6).round() / 1e6
 }
 
 /// A random program of points of the axes x, y, z and two rotary ones, as a document.
 fn program(random: &mut Random, dialect: Dialect, machine: &str, rotary: [&str; 2], process: [&str; 2]) -> String {
     let mut text = format!("schema = 1\ntitle = \"random\"\nmachine = \"{machine}\"\n");
-    let numbered = dialect == Dialect::Sinumerik && random.below(2) == 0;
+    let numbered = dialect == Dialect::Sinumerik && random.yes();
     let mut here = [0.0; 7];
     let mut number = 0.0;
     for pass in 0..=random.below(3) {
         let arc = random.below(4) > 0;
         let _ =
             write!(text, "[[passes]]\nname = \"pass {pass}\"\non_limit = \"slow\"\ncorner = {{ blend_mm = 0.1 }}\n");
-        let preflow = if random.below(2) == 0 { random.between(0.1, 2.0) } else { 0.0 };
-        let delay = if arc && random.below(2) == 0 { random.between(0.1, 2.0) } else { 0.0 };
+        let preflow = if random.yes() { between(random, 0.1, 2.0) } else { 0.0 };
+        let delay = if arc && random.yes() { between(random, 0.1, 2.0) } else { 0.0 };
         let _ = write!(text, "sequence = {{ preflow_s = {preflow}, travel_delay_s = {delay} }}\n[passes.points]\n");
         let n = if numbered { ", \"n\"" } else { "" };
         let names = format!(
@@ -63,21 +45,21 @@ fn program(random: &mut Random, dialect: Dialect, machine: &str, rotary: [&str; 
             format!("[{}]", numbers.join(", "))
         };
         let _ = writeln!(text, "start = {}", row(&here, 0.0, 0.0));
-        let _ = writeln!(text, "events = [{{ after = 0, output = {}, on = {} }}]", 5 + pass, random.below(2) == 0);
+        let _ = writeln!(text, "events = [{{ after = 0, output = {}, on = {} }}]", 5 + pass, random.yes());
         // With the arc off there is at least one rapid move, which distinguishes the pass from one with the arc.
         let spans = 1 + random.below(6);
         for span in 0..spans {
             let mut next = here;
             for (i, value) in next.iter_mut().enumerate() {
                 if random.below(3) > 0 {
-                    *value = if i < 5 { random.between(-80.0, 80.0) } else { random.between(0.0, 300.0) };
+                    *value = if i < 5 { between(random, -80.0, 80.0) } else { between(random, 0.0, 300.0) };
                 }
             }
             // Passes that only rest are the rests of others.
             if span == 0 {
-                next[0] = ((here[0] + random.between(0.1, 20.0)) * 1e6).round() / 1e6;
+                next[0] = ((here[0] + between(random, 0.1, 20.0)) * 1e6).round() / 1e6;
             }
-            let seconds = random.between(0.05, 20.0);
+            let seconds = between(random, 0.05, 20.0);
             number += 1.0;
             let kind = random.below(if dialect == Dialect::Pmac { 5 } else { 4 });
             let stops = kind != 0 && random.below(5) == 0;
@@ -92,11 +74,11 @@ fn program(random: &mut Random, dialect: Dialect, machine: &str, rotary: [&str; 
                 }
                 1 | 2 => {
                     // A circle or helix in one of the planes, or anywhere if the control can.
-                    let plane = random.below(3) as usize;
+                    let plane = random.below(3);
                     let (u, v) = ((plane + 1) % 3, (plane + 2) % 3);
-                    let (radius, from) = (random.between(0.5, 60.0), TAU * random.part());
-                    let sweep = (0.02 + 0.96 * random.part()) * 6.0 * if random.below(2) == 0 { 1.0 } else { -1.0 };
-                    let rise = if random.below(2) == 0 { random.between(-20.0, 20.0) } else { 0.0 };
+                    let (radius, from) = (between(random, 0.5, 60.0), TAU * random.unit());
+                    let sweep = (0.02 + 0.96 * random.unit()) * 6.0 * if random.yes() { 1.0 } else { -1.0 };
+                    let rise = if random.yes() { between(random, -20.0, 20.0) } else { 0.0 };
                     let at = |f: f64| {
                         let mut p = [here[0], here[1], here[2]];
                         p[u] += radius * ((from + f * sweep).cos() - from.cos());
@@ -116,7 +98,7 @@ fn program(random: &mut Random, dialect: Dialect, machine: &str, rotary: [&str; 
                 }
                 4 => {
                     let speeds = |random: &mut Random| {
-                        let v: Vec<String> = (0..5).map(|_| random.between(-5.0, 5.0).to_string()).collect();
+                        let v: Vec<String> = (0..5).map(|_| between(random, -5.0, 5.0).to_string()).collect();
                         format!("[{}]", v.join(", "))
                     };
                     // Begins and ends at rest, so that blocks beside it fit.
@@ -211,9 +193,9 @@ fn round_trip(dialect: Dialect, name: &str, rotary: [&str; 2], process: [&str; 2
     for (i, axis) in machine.axes.iter().enumerate() {
         start[i] = axis.to_file(axis.home);
     }
-    let mut random = Random(Pcg64Mcg::new(0x5ea + dialect as u128));
+    let mut random = Random::new(dialect as u8);
     let (mut compared, mut worst) = (0, 0.0f64);
-    for case in 0..cases() {
+    for case in 0..cases(250) {
         let text = program(&mut random, dialect, name, rotary, process);
         let program: Document<Program> = Program::read("p.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}"));
         let Some(part) = points_part_program(&machine, &control, &program.value) else {
@@ -239,7 +221,7 @@ fn round_trip(dialect: Dialect, name: &str, rotary: [&str; 2], process: [&str; 2
         assert_eq!(outputs(&control, &part), outputs(&control, &part_again), "case {case}\n{written}\n{toml}");
         compared += 1;
     }
-    assert!(compared > cases() * 9 / 10 && worst < 1e-6, "{compared} {worst}");
+    assert!(compared > cases(250) * 9 / 10 && worst < 1e-6, "{compared} {worst}");
 }
 
 #[test]

@@ -65,15 +65,7 @@ fn proven(planned: &Planned, control: &Control, program: &PartProgram, options: 
     let start = vec![0.0; control.channels.len()];
     let read_options = ReadOptions { level: options.level, ..ReadOptions::default() };
     let back = read(control, "p", &written, &read_options).unwrap_or_else(|e| panic!("{e}"));
-    let machine = &planned.machine;
-    let of = seamwright_post::Planned {
-        machine,
-        control,
-        program: &planned.welding.program.value,
-        motion: &planned.motion,
-        tolerance_mm: options.tolerance_mm,
-        speed_percent: options.speed_percent,
-    };
+    let of = planned.within(control, options);
     let proof = verify(program, &back.program, &start, of).unwrap_or_else(|wrong| panic!("{wrong:?}"));
     assert_eq!(proof.passes.len(), planned.motion.passes.len());
     for pass in &proof.passes {
@@ -90,14 +82,7 @@ fn a_wrong_text_is_no_proof() {
     let program = planned.program(&control, &options).unwrap();
     let written = write(&control, &program, &WriteOptions::default()).unwrap();
     let start = vec![0.0; control.channels.len()];
-    let of = seamwright_post::Planned {
-        machine: &planned.machine,
-        control: &control,
-        program: &planned.welding.program.value,
-        motion: &planned.motion,
-        tolerance_mm: options.tolerance_mm,
-        speed_percent: options.speed_percent,
-    };
+    let of = planned.within(&control, &options);
     let judged = |text: &str| {
         let back = read(&control, "p", text, &ReadOptions::default()).unwrap();
         verify(&program, &back.program, &start, of)
@@ -145,23 +130,15 @@ fn inside_blocks_the_tip_keeps_its_speed() {
                 assert!(found <= BOUND, "{name}, {tolerance_mm} mm, {options:?}: {found} %");
                 let written = write(&control, &program, &WriteOptions::default()).unwrap();
                 let back = read(&control, "p", &written, &ReadOptions::default()).unwrap();
-                let of = seamwright_post::Planned {
-                    machine: &planned.machine,
-                    control: &control,
-                    program: &planned.welding.program.value,
-                    motion: &planned.motion,
-                    tolerance_mm,
-                    speed_percent: BOUND,
-                };
-                let proof = verify(&program, &back.program, &vec![0.0; control.channels.len()], of).unwrap();
+                let (of, start) = (planned.within(&control, &options), vec![0.0; control.channels.len()]);
+                let proof = verify(&program, &back.program, &start, of).unwrap();
                 let told = proof.passes[0].speed_inside_percent;
                 assert!(told >= 0.9 * found - 0.02, "{name}, {options:?}: {told} of {found} %");
                 let worst = told.max(proof.passes[0].speed_percent);
                 assert!(proof.lines()[1].contains(&format!("speed {worst:.2} %")), "{:?}", proof.lines());
                 let strict = seamwright_post::Planned { speed_percent: 0.5 * found, ..of };
                 if found > 0.05 {
-                    let wrong =
-                        verify(&program, &back.program, &vec![0.0; control.channels.len()], strict).unwrap_err();
+                    let wrong = verify(&program, &back.program, &start, strict).unwrap_err();
                     assert!(wrong[0].to_string().contains("speed inside a block"), "{wrong:?}");
                 }
             }

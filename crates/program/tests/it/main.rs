@@ -1,6 +1,6 @@
 //! All tests in one program, which is compiled and linked once.
 
-mod common;
+mod editing;
 mod positions;
 mod procedure_files;
 mod windows;

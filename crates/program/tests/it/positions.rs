@@ -1,9 +1,9 @@
 //! Welding positions against welds that are turned into position, and against a second copy of the table.
 
-use crate::common::{Uniform, cases};
 use glam::{DQuat, DVec3};
 use seamwright_program::WeldingPosition::{Pa, Pb, Pc, Pd, Pe, Pf, Pg};
 use seamwright_program::{FilletOrButt, Inclination, PositionLimits, PositionStretch, WeldingPosition};
+use seamwright_testkit::{Random, cases};
 
 const JOINTS: [FilletOrButt; 2] = [FilletOrButt::Butt, FilletOrButt::Fillet];
 
@@ -25,12 +25,12 @@ fn position(joint: FilletOrButt, slope_deg: f64, rotation_deg: f64) -> WeldingPo
 
 #[test]
 fn slope_and_rotation_are_those_a_weld_was_turned_by() {
-    let mut random = Uniform::new(1);
+    let mut random = Random::new(1);
     for _ in 0..cases(20_000) {
-        let (slope, rotation) = (random.in_range(-89.0, 89.0), random.in_range(-180.0, 180.0));
-        let (tangent, face) = turned(slope, rotation, random.in_range(-4.0, 4.0));
+        let (slope, rotation) = (random.within(-89.0, 89.0), random.within(-180.0, 180.0));
+        let (tangent, face) = turned(slope, rotation, random.within(-4.0, 4.0));
         // The face's component along the weld has no effect.
-        let leaning = (face + random.in_range(-2.0, 2.0) * tangent).normalize();
+        let leaning = (face + random.within(-2.0, 2.0) * tangent).normalize();
         let found = Inclination::new(tangent, leaning, DVec3::Z);
         assert!((found.slope.to_degrees() - slope).abs() < 1e-10, "{slope} {rotation}");
         assert!((found.rotation.to_degrees() - rotation.abs()).abs() < 1e-7, "{slope} {rotation} {found:?}");
@@ -39,12 +39,12 @@ fn slope_and_rotation_are_those_a_weld_was_turned_by() {
 
 #[test]
 fn turning_weld_and_gravity_together_changes_nothing() {
-    let mut random = Uniform::new(2);
+    let mut random = Random::new(2);
     for _ in 0..cases(10_000) {
         let (tangent, up) = (random.direction(), random.direction());
         let face = random.direction().cross(tangent).normalize();
         let before = Inclination::new(tangent, face, up);
-        let turn = random.turn();
+        let turn = DQuat::from_axis_angle(random.direction(), random.within(-7.0, 7.0));
         let after = Inclination::new(turn * tangent, turn * face, turn * up);
         let level = before.slope.cos().max(1e-3);
         assert!((before.slope - after.slope).abs() < 1e-13 && (before.rotation - after.rotation).abs() < 1e-12 / level);
@@ -124,11 +124,11 @@ fn by_questions(joint: FilletOrButt, slope: f64, rotation: f64) -> WeldingPositi
 
 #[test]
 fn random_welds_are_where_the_table_has_them() {
-    let mut random = Uniform::new(3);
+    let mut random = Random::new(3);
     let limits = PositionLimits::default();
     let mut seen = [0; 7];
     for i in 0..cases(50_000) {
-        let (slope, rotation) = (random.in_range(-90.0, 90.0), random.in_range(0.0, 180.0));
+        let (slope, rotation) = (random.within(-90.0, 90.0), random.within(0.0, 180.0));
         let joint = JOINTS[i % 2];
         let found = position(joint, slope, rotation);
         assert_eq!(found, by_questions(joint, slope, rotation), "{joint:?} {slope} {rotation}");
@@ -173,12 +173,12 @@ fn check(found: &[PositionStretch], wanted: &[(WeldingPosition, f64, f64)]) {
 
 #[test]
 fn positions_of_random_swings_change_on_limits_and_for_a_reason() {
-    let (mut random, mut changes) = (Uniform::new(5), 0);
+    let (mut random, mut changes) = (Random::new(5), 0);
     for i in 0..cases(300) {
         let terms: Vec<[f64; 4]> = (0..4)
             .map(|_| {
-                let [a, b] = [40.0, 60.0].map(|size| random.in_range(-size, size));
-                [a, b, random.in_range(0.2, 3.0), random.in_range(0.0, 6.0)]
+                let [a, b] = [40.0, 60.0].map(|size| random.within(-size, size));
+                [a, b, random.within(0.2, 3.0), random.within(0.0, 6.0)]
             })
             .collect();
         let swing = |s: f64| {

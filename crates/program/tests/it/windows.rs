@@ -1,8 +1,8 @@
 //! Windows on ramps against closed forms and dense sampling; heat input against closed forms and integration.
 
-use crate::common::{Uniform, cases};
 use seamwright_document::Finite;
 use seamwright_program::{Outside, Procedure, ProcessValue, ProcessValues, Ramp, WeldingProcess, Window};
+use seamwright_testkit::{Random, cases};
 
 fn window(least: f64, greatest: f64) -> Window {
     let text = format!("w = [{least:?}, {greatest:?}]");
@@ -11,13 +11,13 @@ fn window(least: f64, greatest: f64) -> Window {
 
 #[test]
 fn a_ramp_leaves_its_window_exactly_where_it_crosses() {
-    let mut random = Uniform::new(11);
+    let mut random = Random::new(11);
     let mut with = 0;
     for _ in 0..cases(20_000) {
-        let [from, to] = [random.in_range(0.0, 300.0), random.in_range(0.0, 300.0)];
-        let (a, b) = (random.in_range(0.0, 900.0), random.in_range(1000.0, 2000.0));
-        let least = random.in_range(0.0, 200.0);
-        let greatest = least + random.in_range(1.0, 100.0);
+        let [from, to] = [random.within(0.0, 300.0), random.within(0.0, 300.0)];
+        let (a, b) = (random.within(0.0, 900.0), random.within(1000.0, 2000.0));
+        let least = random.within(0.0, 200.0);
+        let greatest = least + random.within(1.0, 100.0);
         let value = |s: f64| from + (to - from) * (s - a) / (b - a);
         let found = window(least, greatest).outside(&[a, b], value);
         let place = |v: f64| a + (v - from) / (to - from) * (b - a);
@@ -99,10 +99,10 @@ fn heat_input_by_hand() {
 fn energy_of_ramps_is_their_integral() {
     // The energy of a pass with U and I ramping along it at constant speed: by Simpson's rule (exact for a quadratic)
     // from the heat input, and in closed form.
-    let mut random = Uniform::new(12);
+    let mut random = Random::new(12);
     for _ in 0..cases(2000) {
-        let [i0, i1, u0, u1] = [300.0, 300.0, 40.0, 40.0].map(|most| random.in_range(0.0, most));
-        let (length, speed) = (random.in_range(1.0, 2000.0), random.in_range(1.0, 30.0));
+        let [i0, i1, u0, u1] = [300.0, 300.0, 40.0, 40.0].map(|most| random.within(0.0, most));
+        let (length, speed) = (random.within(1.0, 2000.0), random.within(1.0, 30.0));
         let p = procedure("process = 135");
         let ramps = values(&[("current_a", i0, i1), ("voltage_v", u0, u1)]);
         let heat = |part: f64| p.heat_input_kj_mm(p.power_w(&ramps, part).unwrap(), speed);

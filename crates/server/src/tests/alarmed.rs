@@ -19,8 +19,7 @@ async fn until(page: &mut Page, name: &str, wanted: Option<&str>) {
 async fn what_nobody_acknowledged_is_there_after_a_restart() {
     let served = Served::new().await;
     let owner = served.bench.owner().await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
+    let mut page = served.page_up(&owner).await;
     page.order("start_jog").await;
     page.mode("jog").await;
     page.jog([0.1, 0.0]).await;
@@ -53,13 +52,11 @@ async fn what_nobody_acknowledged_is_there_after_a_restart() {
 async fn the_next_record_ends_the_alarm_of_the_last() {
     let served = Served::new().await;
     let bench = &served.bench;
-    let mut page = served.page(&bench.owner().await).await;
-    page.up().await;
+    let mut page = served.page_up(&bench.owner().await).await;
     let (welds, away) = (bench.path().join("welds"), bench.path().join("away"));
     std::fs::rename(&welds, &away).unwrap();
     std::fs::write(&welds, "no folder").unwrap();
-    page.order("arm").await;
-    page.order("start_weld").await;
+    page.weld().await;
     until(&mut page, "record failing", Some("unacknowledged")).await;
     page.order("stop").await;
     page.mode("ready").await;
@@ -72,8 +69,7 @@ async fn the_next_record_ends_the_alarm_of_the_last() {
     while bench.ask(owner.request("POST", "/api/load", Some(&load))).await.0 == StatusCode::CONFLICT {
         tokio::time::sleep(Duration::from_millis(50)).await;
     }
-    page.order("arm").await;
-    page.order("start_weld").await;
+    page.weld().await;
     until(&mut page, "record failing", None).await;
     page.order("stop").await;
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;

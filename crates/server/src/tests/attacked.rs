@@ -9,48 +9,28 @@ use crate::wire::{AskView, Role};
 use axum::body::Body;
 use axum::http::{Request, StatusCode};
 use futures_util::StreamExt as _;
+use seamwright_testkit::Random;
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 use tokio_tungstenite::tungstenite::client::IntoClientRequest as _;
 
-/// Random numbers of a seed (SplitMix64).
-struct Random(u64);
+fn random_bytes(random: &mut Random, most: usize) -> Vec<u8> {
+    (0..random.below(most + 1)).map(|_| random.bits() as u8).collect()
+}
 
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n as u64) as usize
-    }
-
-    fn one<'a, T>(&mut self, of: &'a [T]) -> &'a T {
-        &of[self.below(of.len())]
-    }
-
-    fn bytes(&mut self, most: usize) -> Vec<u8> {
-        (0..self.below(most + 1)).map(|_| self.next() as u8).collect()
-    }
-
-    /// Returns nearly valid bytes: some changed, cut or doubled.
-    fn mutated(&mut self, text: &str) -> Vec<u8> {
-        let mut bytes = text.as_bytes().to_vec();
-        for _ in 0..=self.below(4) {
-            let at = self.below(bytes.len().max(1)).min(bytes.len());
-            match self.below(4) {
-                0 => bytes.truncate(at),
-                1 => bytes.insert(at, *self.one(b"\"{}[]\\\0,:-9e.tn\xff")),
-                2 if at < bytes.len() => bytes[at] = self.next() as u8,
-                _ => bytes.extend_from_within(at..),
-            }
+/// Returns nearly valid bytes: some changed, cut or doubled.
+fn mutated(random: &mut Random, text: &str) -> Vec<u8> {
+    let mut bytes = text.as_bytes().to_vec();
+    for _ in 0..=random.below(4) {
+        let at = random.below(bytes.len().max(1)).min(bytes.len());
+        match random.below(4) {
+            0 => bytes.truncate(at),
+            1 => bytes.insert(at, *random.one(b"\"{}[]\\\0,:-9e.tn\xff")),
+            2 if at < bytes.len() => bytes[at] = random.bits() as u8,
+            _ => bytes.extend_from_within(at..),
         }
-        bytes
     }
+    bytes
 }
 
 /// Bodies that one route or another accepts.
@@ -82,7 +62,7 @@ fn takes(method: &str, route: &str) -> &'static str {
 async fn thousands_of_malformed_requests_are_refused() {
     let bench = Bench::new(&[HOST]).await;
     let owner = bench.owner().await;
-    let mut random = Random(10);
+    let mut random = Random::new(10);
     let mut asked = 0;
     for (method, route, _) in all_routes() {
         if route == "/api/logout" || route == "/api/backup" {
@@ -95,10 +75,10 @@ async fn thousands_of_malformed_requests_are_refused() {
                 [PLATE, "", "?", "?most=-1", "?columns=,,,&most=3", "?job=%00", "?from=x&to=%ff", "?text=%25%27"];
             let path = format!("{path}{}", *random.one(&query));
             let body = if random.below(2) == 0 {
-                random.bytes(200)
+                random_bytes(&mut random, 200)
             } else {
                 let body = *random.one(&BODIES);
-                random.mutated(body)
+                mutated(&mut random, body)
             };
             let mut request = owner.request(&method.to_uppercase(), &path, None);
             if route == "/api/login" {
@@ -255,14 +235,14 @@ async fn thousands_of_malformed_messages_move_nothing() {
     all.push(json!({ "kind": "jog", "seq": 1, "of": "tip", "speeds": [1.0, -1.0, 0.0] }).to_string());
     all.extend([json!({ "kind": "beat" }), json!({ "kind": "take_control", "over": true })].map(|m| m.to_string()));
     all.push(json!({ "kind": "why", "ask": "start_weld" }).to_string());
-    let mut random = Random(20);
+    let mut random = Random::new(20);
     let texts: Vec<String> = (0..5000)
         .map(|_| {
             let bytes = match random.below(3) {
-                0 => random.bytes(300),
+                0 => random_bytes(&mut random, 300),
                 _ => {
                     let text = random.one(&all).clone();
-                    random.mutated(&text)
+                    mutated(&mut random, &text)
                 }
             };
             String::from_utf8_lossy(&bytes).into_owned()

@@ -58,9 +58,8 @@ async fn simulated(bench: &Bench, owner: &Visitor) -> bool {
 /// Welds until the source has the requested values, then stops and switches the power off.
 async fn weld(page: &mut Page, server: &TestServer, holding: [u16; 2]) {
     page.up().await;
-    page.order("arm").await;
-    page.order("start_weld").await;
-    page.until("the arc", |v| v["kind"] == "status" && v["process"]["burning"] == true).await;
+    page.weld().await;
+    page.until_status("the arc", |v| v["process"]["burning"] == true).await;
     {
         let bank = server.bank();
         assert_eq!((bank.coils[0], bank.coils[1], &bank.holding[..2]), (true, true, &holding[..]));
@@ -68,9 +67,8 @@ async fn weld(page: &mut Page, server: &TestServer, holding: [u16; 2]) {
     page.order("stop").await;
     page.mode("ready").await;
     let over = |v: &Value| v["process"]["burning"] == false && v["process"]["phase"].is_null();
-    page.until("the end of arc and gas", |v| v["kind"] == "status" && over(v)).await;
-    page.order("switch_off").await;
-    page.mode("off").await;
+    page.until_status("the end of arc and gas", |v| over(v)).await;
+    page.down().await;
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
@@ -97,11 +95,10 @@ async fn programs_find_the_devices_they_need() {
     weld(&mut page, &server, [900, 0]).await;
     // Devices are not changed while powered.
     page.order("switch_on").await;
-    page.until("power", |v| v["kind"] == "status" && v["powered"] == true).await;
+    page.until_status("power", |v| v["powered"] == true).await;
     let (status, refused) = load(bench, &owner, "real.toml").await;
     assert_eq!((status, &refused["key"]), (StatusCode::CONFLICT, &json!("busy")), "{refused}");
-    page.order("switch_off").await;
-    page.mode("off").await;
+    page.down().await;
     // If they do not answer, no real device is left; the next ones that answer are connected.
     server.stop();
     let (status, refused) = load(bench, &owner, "real.toml").await;
@@ -130,11 +127,9 @@ async fn a_shutdown_in_a_weld_leaves_the_device_safe_and_the_record_closed() {
         let owner = bench.owner().await;
         jobs(bench, &owner, &machine).await;
         assert!(load(bench, &owner, "real.toml").await.0.is_success());
-        let mut page = served.page(&owner).await;
-        page.up().await;
-        page.order("arm").await;
-        page.order("start_weld").await;
-        page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 1.0).await;
+        let mut page = served.page_up(&owner).await;
+        page.weld().await;
+        page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 1.0).await;
         assert!(server.bank().coils[1]);
         bench.shutdown.request(cause);
         page.until("its cause", |v| v["kind"] == "event" && v["key"] == "stopped_by").await;
@@ -161,7 +156,7 @@ async fn a_device_let_go_without_an_answer_is_reported_and_holds_nobody_up() {
     let bench = &served.bench;
     let owner = bench.owner().await;
     let mut page = served.page(&owner).await;
-    page.until("a status", |v| v["kind"] == "status").await;
+    page.until_status("a status", |_| true).await;
     server.silence(true);
     let watches = async {
         let (mut last, mut longest) = (Instant::now(), Duration::ZERO);

@@ -66,6 +66,13 @@ impl Served {
     pub(super) async fn page(&self, visitor: &Visitor) -> Page {
         page(&self.address, visitor).await
     }
+
+    /// Returns the visitor's page once the axes are referenced.
+    pub(super) async fn page_up(&self, visitor: &Visitor) -> Page {
+        let mut page = self.page(visitor).await;
+        page.up().await;
+        page
+    }
 }
 
 /// Opens a page at this address.
@@ -143,8 +150,25 @@ impl Page {
         }
     }
 
+    /// Arms and starts the weld.
+    pub(super) async fn weld(&mut self) {
+        self.order("arm").await;
+        self.order("start_weld").await;
+    }
+
+    /// Switches off.
+    pub(super) async fn down(&mut self) {
+        self.order("switch_off").await;
+        self.mode("off").await;
+    }
+
+    /// Returns the next status that fits.
+    pub(super) async fn until_status(&mut self, what: &str, fits: impl Fn(&Value) -> bool) -> Value {
+        self.until(what, |v| v["kind"] == "status" && fits(v)).await
+    }
+
     pub(super) async fn mode(&mut self, mode: &str) {
-        self.until(mode, |v| v["kind"] == "status" && v["mode"] == mode).await;
+        self.until_status(mode, |v| v["mode"] == mode).await;
     }
 
     /// Sends a command; returns the answer.
@@ -202,7 +226,7 @@ impl Page {
     pub(super) async fn up(&mut self) {
         self.control().await;
         self.order("switch_on").await;
-        self.until("power", |v| v["kind"] == "status" && v["powered"] == true).await;
+        self.until_status("power", |v| v["powered"] == true).await;
         self.order("home").await;
         self.mode("ready").await;
     }
@@ -309,7 +333,7 @@ async fn a_hand_that_goes_stops_the_axes() {
         let mut moving = Duration::ZERO;
         let mut place = f64::NAN;
         while last.elapsed() < Duration::from_millis(900) {
-            watcher.until("status", |v| v["kind"] == "status").await;
+            watcher.until_status("status", |_| true).await;
             if (watcher.position() - place).abs() > 1e-9 {
                 moving = last.elapsed();
             }
@@ -346,7 +370,7 @@ async fn another_machine_is_told_to_every_page() {
         // Requests after this message get the new machine.
         let (_, machine) = served.bench.ask(owner.request("GET", "/api/machine", None)).await;
         assert_eq!((machine["name"].as_str(), machine["beam"].as_bool()), (Some("ebw-7axis"), Some(true)));
-        page.until("its axes", |v| v["kind"] == "status" && v["axes"].as_array().is_some_and(|a| a.len() == 7)).await;
+        page.until_status("its axes", |v| v["axes"].as_array().is_some_and(|a| a.len() == 7)).await;
     }
 }
 

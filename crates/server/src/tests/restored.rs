@@ -91,7 +91,7 @@ async fn a_machine_that_is_on_keeps_its_data() {
     let mut page = served.page(&owner).await;
     page.say(&json!({ "kind": "take_control", "over": false })).await;
     page.ask(json!({ "do": "switch_on" })).await;
-    page.until("on", |v| v["kind"] == "status" && v["mode"] != "off").await;
+    page.until_status("on", |v| v["mode"] != "off").await;
     assert_eq!(bench.ask(archive(&owner, whole)).await.0, StatusCode::CONFLICT);
     let begin = owner.request("POST", "/api/restore", Some(&json!({ "own_password": null })));
     assert_eq!(bench.ask(begin).await.0, StatusCode::CONFLICT);

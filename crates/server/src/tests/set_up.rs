@@ -132,8 +132,7 @@ async fn drives_are_set_as_the_loader_allows() {
 async fn alarms_are_acknowledged_one_by_one_and_put_aside() {
     let served = Served::new().await;
     let owner = served.bench.owner().await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
+    let mut page = served.page_up(&owner).await;
     page.order("start_jog").await;
     page.mode("jog").await;
     page.jog([0.1, 0.0]).await;

@@ -1,5 +1,6 @@
 //! Jog steps, and teaching by camera on the simulated beam machine.
 
+use super::Visitor;
 use super::lived::{Page, Served};
 use crate::http::Panel;
 use axum::http::StatusCode;
@@ -26,7 +27,7 @@ async fn rest(served: &Served, page: &mut Page) -> Vec<f64> {
     let mut before = Vec::new();
     loop {
         let begun = served.bench.panel.cell.hub.latest().unwrap().t;
-        page.until("status", |v| v["kind"] == "status" && v["t"].as_f64().unwrap() > begun + 0.3).await;
+        page.until_status("status", |v| v["t"].as_f64().unwrap() > begun + 0.3).await;
         let set = |axis: &Value| axis["set"].as_f64().unwrap();
         let now: Vec<f64> = page.status["axes"].as_array().unwrap().iter().map(set).collect();
         if now == before {
@@ -46,7 +47,7 @@ async fn no_place_is_recorded_while_something_moves() {
     page.up().await;
     page.order("start_jog").await;
     page.mode("jog").await;
-    page.until("rest", |v| v["kind"] == "status" && v["stands"] == true).await;
+    page.until_status("rest", |v| v["stands"] == true).await;
     let (status, place) = position().await;
     assert_eq!((status, place["axes"].as_array().unwrap().len()), (StatusCode::OK, 2), "{place}");
     let jog = json!({ "kind": "jog", "of": "joints", "speeds": [0.1, 0.0] });
@@ -56,7 +57,7 @@ async fn no_place_is_recorded_while_something_moves() {
     assert_eq!(refused["text"], "the axes are still moving: wait a moment");
     hold(&mut page, &json!({ "kind": "jog", "of": "joints", "speeds": [0.0, 0.0] }), 1).await;
     let there = rest(&served, &mut page).await;
-    page.until("rest", |v| v["kind"] == "status" && v["stands"] == true).await;
+    page.until_status("rest", |v| v["stands"] == true).await;
     let (status, place) = position().await;
     assert_eq!(status, StatusCode::OK, "{place}");
     let off = |(at, there): (&Value, &f64)| (at.as_f64().unwrap() - there).abs();
@@ -254,17 +255,22 @@ fn camera(served: &Served, listener: std::net::TcpListener, frames: u32) {
     });
 }
 
-/// A machine file among the jobs may name any address: the cell connects only to allowed ones.
-#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
-async fn a_machine_file_connects_the_cell_to_no_camera_of_its_choice() {
+/// A cell whose machine file names the address of a camera, with the short ring loaded.
+async fn with_camera_at(address: &str) -> (Served, Visitor, Page) {
     let text = super::shipped("ebw-7axis").unwrap().text;
-    let text = text.replacen("latency_ms =", "frames = \"tcp://192.0.2.1:7000\"\nlatency_ms = 1500 #", 1);
+    let text = text.replacen("latency_ms =", &format!("frames = \"tcp://{address}\"\nlatency_ms = 1500 #"), 1);
     let served = Served::bare(tempfile::tempdir().unwrap(), &text).await;
     std::fs::write(served.bench.panel.jobs().join("m.toml"), &text).unwrap();
     let owner = served.bench.owner().await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
+    let page = served.page_up(&owner).await;
     short_ring(&served, &owner, "m.toml").await;
+    (served, owner, page)
+}
+
+/// A machine file among the jobs may name any address: the cell connects only to allowed ones.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_machine_file_connects_the_cell_to_no_camera_of_its_choice() {
+    let (_served, _, mut page) = with_camera_at("192.0.2.1:7000").await;
     page.control().await;
     page.order("start_teach").await;
     page.mode("teach").await;
@@ -279,15 +285,7 @@ async fn a_machine_file_connects_the_cell_to_no_camera_of_its_choice() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_seam_is_taught_by_the_machines_own_camera() {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
-    let frames = format!("frames = \"tcp://{}\"\nlatency_ms = 1500 #", listener.local_addr().unwrap());
-    let text = super::shipped("ebw-7axis").unwrap().text;
-    let text = text.replacen("latency_ms =", &frames, 1);
-    let served = Served::bare(tempfile::tempdir().unwrap(), &text).await;
-    std::fs::write(served.bench.panel.jobs().join("m.toml"), &text).unwrap();
-    let owner = served.bench.owner().await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
-    short_ring(&served, &owner, "m.toml").await;
+    let (served, owner, mut page) = with_camera_at(&listener.local_addr().unwrap().to_string()).await;
     let (_, work) = served.bench.ask(owner.request("GET", "/api/work", None)).await;
     let tip = work["passes"][0]["path"][0]["tip"].clone();
     page.control().await;
@@ -389,8 +387,7 @@ async fn assert_programs_are_stored(served: &Served, owner: &super::Visitor) {
 async fn without_its_page_teaching_stands() {
     let served = Served::without_program("ebw-7axis").await;
     let owner = served.bench.owner().await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
+    let mut page = served.page_up(&owner).await;
     short_ring(&served, &owner, "ebw-7axis").await;
     let (_, work) = served.bench.ask(owner.request("GET", "/api/work", None)).await;
     page.control().await;
@@ -401,8 +398,7 @@ async fn without_its_page_teaching_stands() {
     page.phase("places").await;
     let begun = rest(&served, &mut page).await;
     page.taken(json!({ "do": "here", "px": null, "at": work["passes"][0]["path"][0]["tip"] })).await;
-    page.until("motion", |v| v["kind"] == "status" && (v["axes"][0]["set"].as_f64().unwrap() - begun[0]).abs() > 1.0)
-        .await;
+    page.until_status("motion", |v| (v["axes"][0]["set"].as_f64().unwrap() - begun[0]).abs() > 1.0).await;
     drop(page);
     let mut other = served.page(&owner).await;
     other.until("a pause", |v| v["kind"] == "teach" && v["phase"] == "paused" && v["key"] == "control").await;

@@ -33,10 +33,8 @@ async fn a_part_that_lies_elsewhere_is_tracked_and_its_corrections_recorded() {
     let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load("short.toml", SHIFT)))).await;
     assert!(status.is_success(), "{work}");
     assert_eq!((&work["tracked"], &work["distortion"]), (&json!(1), &json!(SHIFT)));
-    let mut page = served.page(&owner).await;
-    page.up().await;
-    page.order("arm").await;
-    page.order("start_weld").await;
+    let mut page = served.page_up(&owner).await;
+    page.weld().await;
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
     let (_, records) = bench.ask(owner.request("GET", "/api/records?part=T-1", None)).await;
     assert_eq!(records[0]["result"], "good", "{records}");
@@ -56,7 +54,7 @@ async fn a_part_that_lies_elsewhere_is_tracked_and_its_corrections_recorded() {
     let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
     assert!(status.is_success() && work["tracked"] == 0, "{work}");
     page.order("start_dry_run").await;
-    let seen = page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap_or(0.0) > 1.0).await;
+    let seen = page.until_status("travel", |v| v["s_mm"].as_f64().unwrap_or(0.0) > 1.0).await;
     assert_eq!(seen["mode"], "dry_run", "{seen}");
     page.order("stop").await;
 }

@@ -6,41 +6,39 @@ use http_body_util::BodyExt as _;
 use serde_json::{Value, json};
 use std::time::Duration;
 
-const SHORT: &str = "end_phi_deg = 60";
+/// Saves a part of the ellipse as `short.toml`.
+async fn short_job(bench: &Bench, owner: &Visitor) {
+    let example = bench.did(owner, "GET", "/api/jobs/ellipse.toml", Value::Null).await;
+    let text = example["text"].as_str().unwrap();
+    let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
+    let text = text.replace(line, "end_phi_deg = 60");
+    bench.did(owner, "PUT", "/api/jobs/short.toml", json!({ "text": text })).await;
+}
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     let served = Served::new().await;
     let bench = &served.bench;
     let owner = bench.owner().await;
-    let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
-    let text = example["text"].as_str().unwrap();
-    assert!(text.contains("overlap_mm"), "{text}");
-    let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
-    let text = text.replace(line, SHORT);
-    bench.ask(owner.request("PUT", "/api/jobs/short.toml", Some(&json!({ "text": text })))).await;
+    short_job(bench, &owner).await;
     let load = json!({ "job": "short.toml", "from": null, "part": "N-17" });
-    let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
-    assert!(status.is_success(), "{work}");
-    let mut page = served.page(&owner).await;
-    page.up().await;
+    bench.did(&owner, "POST", "/api/load", load.clone()).await;
+    let mut page = served.page_up(&owner).await;
     // Not armed: refused with the reason.
     assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "arming");
-    page.order("arm").await;
-    page.order("start_weld").await;
-    page.until("the arc", |v| v["kind"] == "status" && v["process"]["burning"] == true).await;
+    page.weld().await;
+    page.until_status("the arc", |v| v["process"]["burning"] == true).await;
     // Loading is refused during a weld.
     let (status, refused) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
     assert_eq!((status.as_u16(), &refused["key"]), (409, &json!("busy")));
-    page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 3.0).await;
+    page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 3.0).await;
     page.order("hold").await;
-    page.until("rest", |v| v["kind"] == "status" && v["process"]["phase"] == "held").await;
+    page.until_status("rest", |v| v["process"]["phase"] == "held").await;
     page.order("arm").await;
     page.order("resume").await;
-    page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 6.0 && v["process"]["on"] == true)
-        .await;
+    page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 6.0 && v["process"]["on"] == true).await;
     page.order("stop").await;
-    let left = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_object()).await;
+    let left = page.until_status("where it was left", |v| v["left"].is_object()).await;
     let (pass, mm) = (left["left"]["pass"].as_u64().unwrap(), left["left"]["s_mm"].as_f64().unwrap());
     assert!(pass == 1 && mm > 6.0, "{left}");
     assert_eq!(
@@ -60,19 +58,16 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
         let load = json!({ "job": job, "from": null, "part": part });
         assert!(bench.ask(owner.request("POST", "/api/load", Some(&load))).await.0.is_success());
         let of = part.as_str().unwrap_or_default();
-        let now =
-            page.until("the part", |v| v["kind"] == "status" && v["part"] == of && v["left"]["here"] == here).await;
+        let now = page.until_status("the part", |v| v["part"] == of && v["left"]["here"] == here).await;
         assert_eq!(now["left"]["s_mm"].as_f64().unwrap().to_bits(), mm.to_bits(), "{now}");
     }
     // Continues from there to the end.
     let load = json!({ "job": "short.toml", "from": [pass, mm], "part": "N-17" });
-    let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
-    assert!(status.is_success(), "{work}");
-    page.order("arm").await;
-    page.order("start_weld").await;
+    bench.did(&owner, "POST", "/api/load", load).await;
+    page.weld().await;
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
     // The part is complete: the next weld is another part.
-    page.until("no part", |v| v["kind"] == "status" && v["part"] == "" && v["left"].is_null()).await;
+    page.until_status("no part", |v| v["part"] == "" && v["left"].is_null()).await;
     let (_, records) = bench.ask(owner.request("GET", "/api/records?part=N-17", None)).await;
     let results: Vec<&str> = records.as_array().unwrap().iter().map(|r| r["result"].as_str().unwrap()).collect();
     assert_eq!(results, ["good", "stopped"], "{records}");
@@ -130,22 +125,18 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
 
 /// Welds the part beyond `mm` and stops; returns the position where it was left.
 async fn weld_to(page: &mut Page, part: &str, mm: f64) -> f64 {
-    page.order("arm").await;
-    page.order("start_weld").await;
-    page.until("travel", |v| v["kind"] == "status" && v["mode"] == "weld" && v["welded_mm"].as_f64().unwrap() > mm)
-        .await;
+    page.weld().await;
+    page.until_status("travel", |v| v["mode"] == "weld" && v["welded_mm"].as_f64().unwrap() > mm).await;
     page.order("stop").await;
     let farther = |v: &Value| v["left"]["part"] == part && v["left"]["s_mm"].as_f64().unwrap() > mm;
-    let left = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_object() && farther(v)).await;
+    let left = page.until_status("where it was left", |v| v["left"].is_object() && farther(v)).await;
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
     left["left"]["s_mm"].as_f64().unwrap()
 }
 
 /// Loads the short job for a part and waits until the cell has it; returns the view of the weld that was left.
 async fn load_part(bench: &Bench, owner: &Visitor, page: &mut Page, part: &str, from: &Value) -> Value {
-    let load = json!({ "job": "short.toml", "from": from, "part": part });
-    let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
-    assert!(status.is_success(), "{work}");
+    bench.did(owner, "POST", "/api/load", json!({ "job": "short.toml", "from": from, "part": part })).await;
     let there = |v: &Value| {
         v["kind"] == "status"
             && v["part"] == part
@@ -160,13 +151,8 @@ async fn load_part(bench: &Bench, owner: &Visitor, page: &mut Page, part: &str, 
 async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     let served = Served::new().await;
     let owner = served.bench.owner().await;
-    let (_, example) = served.bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
-    let text = example["text"].as_str().unwrap();
-    let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
-    let text = text.replace(line, SHORT);
-    served.bench.ask(owner.request("PUT", "/api/jobs/short.toml", Some(&json!({ "text": text })))).await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
+    short_job(&served.bench, &owner).await;
+    let mut page = served.page_up(&owner).await;
     let none = Value::Null;
     load_part(&served.bench, &owner, &mut page, "A", &none).await;
     let at_a = weld_to(&mut page, "A", 6.0).await;
@@ -183,12 +169,10 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     let text = refused["why"]["text"].as_str().unwrap();
     assert!(text.contains("part “A”") && text.contains(&format!("pass 1, {at_a:.2} mm")), "{text}");
     // The same after a restart.
-    page.order("switch_off").await;
-    page.mode("off").await;
+    page.down().await;
     let served = Served::on(served.bench.end()).await;
     let owner = served.bench.owner().await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
+    let mut page = served.page_up(&owner).await;
     let left = load_part(&served.bench, &owner, &mut page, "B", &none).await;
     assert!((left["s_mm"].as_f64().unwrap() - at_b).abs() < 0.01 && left["here"] == true, "{left}");
     let left = load_part(&served.bench, &owner, &mut page, "A", &none).await;
@@ -226,13 +210,8 @@ async fn a_part_that_was_welded_without_a_record_is_finished() {
     let served = Served::new().await;
     let bench = &served.bench;
     let owner = bench.owner().await;
-    let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
-    let text = example["text"].as_str().unwrap();
-    let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
-    let text = text.replace(line, SHORT);
-    bench.ask(owner.request("PUT", "/api/jobs/short.toml", Some(&json!({ "text": text })))).await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
+    short_job(bench, &owner).await;
+    let mut page = served.page_up(&owner).await;
     load_part(bench, &owner, &mut page, "A", &Value::Null).await;
     let at = weld_to(&mut page, "A", 3.0).await;
     load_part(bench, &owner, &mut page, "A", &json!([1, at])).await;
@@ -240,16 +219,14 @@ async fn a_part_that_was_welded_without_a_record_is_finished() {
     let (welds, away) = (bench.path().join("welds"), bench.path().join("away"));
     std::fs::rename(&welds, &away).unwrap();
     std::fs::write(&welds, "no folder").unwrap();
-    page.order("arm").await;
-    page.order("start_weld").await;
-    page.until("the end", |v| v["kind"] == "status" && v["mode"] == "ready" && v["part"] == "" && v["left"].is_null())
-        .await;
+    page.weld().await;
+    page.until_status("the end", |v| v["mode"] == "ready" && v["part"] == "" && v["left"].is_null()).await;
     assert!(page.events.iter().any(|event| event.contains("not recorded")), "{:#?}", page.events);
     std::fs::remove_file(&welds).unwrap();
     std::fs::rename(&away, &welds).unwrap();
     page.control().await;
     page.order("acknowledge").await;
-    page.until("rest", |v| v["kind"] == "status" && v["process"]["phase"].is_null() && v["stands"] == true).await;
+    page.until_status("rest", |v| v["process"]["phase"].is_null() && v["stands"] == true).await;
     load_part(bench, &owner, &mut page, "A", &json!([1, at])).await;
     page.control().await;
     page.order("arm").await;
@@ -264,18 +241,16 @@ async fn what_was_stopped_is_known_after_a_restart() {
     let owner = served.bench.owner().await;
     let load = json!({ "job": "ellipse.toml", "from": null, "part": "N-3" });
     served.bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
-    page.order("arm").await;
-    page.order("start_weld").await;
-    page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 3.0).await;
+    let mut page = served.page_up(&owner).await;
+    page.weld().await;
+    page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 3.0).await;
     page.order("stop").await;
-    let before = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_object()).await;
+    let before = page.until_status("where it was left", |v| v["left"].is_object()).await;
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
     let served = Served::on(served.bench.end()).await;
     let owner = served.bench.owner().await;
     let mut page = served.page(&owner).await;
-    let after = page.until("where it was left", |v| v["kind"] == "status" && v["left"]["here"] == true).await;
+    let after = page.until_status("where it was left", |v| v["left"]["here"] == true).await;
     assert_eq!(after["left"], before["left"]);
     assert_eq!((&after["left"]["part"], &after["part"]), (&json!("N-3"), &json!("")));
 }
@@ -286,10 +261,9 @@ async fn whoever_is_not_logged_in_stops() {
     let served = Served::new().await;
     let bench = &served.bench;
     let owner = bench.owner().await;
-    let mut page = served.page(&owner).await;
-    page.up().await;
+    let mut page = served.page_up(&owner).await;
     page.order("start_dry_run").await;
-    page.until("travel", |v| v["kind"] == "status" && v["mode"] == "dry_run").await;
+    page.until_status("travel", |v| v["mode"] == "dry_run").await;
     let stranger = super::Visitor { cookie: String::new(), token: String::new() };
     let foreign = stranger.request("POST", "/api/stop", Some(&json!({})));
     let (mut parts, body) = foreign.into_parts();
@@ -314,7 +288,7 @@ async fn a_stop_that_no_cycle_takes_is_not_answered_as_taken() {
     let bench = &served.bench;
     let owner = bench.owner().await;
     let mut page = served.page(&owner).await;
-    page.until("a status", |v| v["kind"] == "status").await;
+    page.until_status("a status", |_| true).await;
     page.order("stop").await;
     let panel = std::sync::Arc::clone(&bench.panel);
     tokio::task::spawn_blocking(move || panel.cell.end()).await.unwrap();

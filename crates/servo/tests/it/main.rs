@@ -1,7 +1,8 @@
-//! All tests in one program, compiled and linked once. Tests that count allocations are separate programs.
+//! All tests in one program, which is compiled and linked once.
 
 mod axis;
 mod drive;
+mod no_alloc;
 mod random;
 mod response;
 mod tune;

@@ -9,64 +9,53 @@ use seamwright_servo::{
     DriveParameters, DriveTuning, EncoderSide, Error, LinearLoad, REQUIRED, ServoAxis, SetPoint, Transmission, Tuned,
     tune,
 };
+use seamwright_testkit::{Random, cases};
 
 const PERIOD: f64 = 1e-3;
 const MAX_SPEED: f64 = 50.0;
 
-/// 64-bit linear congruential generator (Knuth, MMIX): uniform in 0..1.
-fn random(state: &mut u64) -> f64 {
-    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    (*state >> 11) as f64 / (1u64 << 53) as f64
-}
-
-/// Number of random drives, multiplied by SEAMWRIGHT_SOAK.
-fn cases() -> u32 {
-    let soak = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1);
-    24 * soak
-}
-
-fn random_drive(state: &mut u64) -> (DriveParameters, String) {
-    let mut logarithmic = |low: f64, high: f64| low * (high / low).powf(random(state));
-    let mass_kg = logarithmic(5.0, 500.0);
-    let peak_force_n = mass_kg * logarithmic(2.0, 20.0);
-    let hz = logarithmic(15.0, 120.0);
-    let (lag, delay) = (logarithmic(0.1, 1.0), logarithmic(0.1, 1.0));
+fn random_drive(random: &mut Random) -> (DriveParameters, String) {
+    let mass_kg = random.decades(5.0, 500.0);
+    let peak_force_n = mass_kg * random.decades(2.0, 20.0);
+    let hz = random.decades(15.0, 120.0);
+    let (lag, delay) = (random.decades(0.1, 1.0), random.decades(0.1, 1.0));
     let part = 0.24 / (TAU * hz * (lag + delay) * 1e-3);
-    let part = part.min(logarithmic(0.2, 1.0));
+    let part = part.min(random.decades(0.2, 1.0));
     let tuning = DriveTuning {
         velocity_bandwidth_hz: hz,
         current_time_constant_s: part * lag * 1e-3,
         current_delay_s: part * delay * 1e-3,
-        encoder_counts_per_unit: logarithmic(500.0, 10_000.0),
+        encoder_counts_per_unit: random.decades(500.0, 10_000.0),
     };
-    let (ratio, resonance, damping) = (logarithmic(0.2, 10.0), logarithmic(15.0, 300.0), logarithmic(0.005, 0.1));
+    let (ratio, resonance, damping) =
+        (random.decades(0.2, 10.0), random.decades(15.0, 300.0), random.decades(0.005, 0.1));
     let load = LinearLoad {
         mass_kg,
         peak_force_n,
-        coulomb_n: peak_force_n * 0.1 * random(state),
-        viscous_n_s_per_m: mass_kg * 5.0 * random(state),
+        coulomb_n: peak_force_n * 0.1 * random.unit(),
+        viscous_n_s_per_m: mass_kg * 5.0 * random.unit(),
     };
     let drive = DriveParameters::linear(load, tuning).unwrap();
-    if random(state) < 0.2 {
+    if random.chance(0.2) {
         return (drive, format!("{load:?} {tuning:?}"));
     }
     let transmission = Transmission {
         resonance_hz: resonance,
         damping,
         load_ratio: ratio,
-        backlash: if random(state) < 0.3 { 0.01 * random(state) } else { 0.0 },
-        motor_friction: random(state),
-        encoder_on: if random(state) < 0.5 { EncoderSide::Motor } else { EncoderSide::Load },
+        backlash: if random.chance(0.3) { 0.01 * random.unit() } else { 0.0 },
+        motor_friction: random.unit(),
+        encoder_on: if random.chance(0.5) { EncoderSide::Motor } else { EncoderSide::Load },
     };
     (drive.with_transmission(transmission).unwrap(), format!("{load:?} {tuning:?} {transmission:?}"))
 }
 
 #[test]
 fn random_drives_have_their_margins_or_say_why_not() {
-    let mut state = 20_261_121;
+    let mut random = Random::new(21);
     let mut refused = 0;
-    for case in 0..cases() {
-        let (drive, text) = random_drive(&mut state);
+    for case in 0..cases(24) {
+        let (drive, text) = random_drive(&mut random);
         match tune(&drive, PERIOD, MAX_SPEED) {
             Ok(tuned) => {
                 assert!(tuned.margins.reach(REQUIRED.0, REQUIRED.1), "{case} {text}: {:?}", tuned.margins);
@@ -87,8 +76,8 @@ fn random_drives_have_their_margins_or_say_why_not() {
             }
         }
     }
-    println!("{refused} of {} refused", cases());
-    assert!(refused <= 1 + cases() / 50);
+    println!("{refused} of {} refused", cases(24));
+    assert!(refused <= 1 + cases(24) / 50);
 }
 
 /// A step of a few counts does not end in a growing oscillation.
@@ -110,8 +99,7 @@ fn comes_to_rest(tuned: &Tuned, drive: &DriveParameters, text: &str) {
 
 #[test]
 fn tuning_is_repeatable() {
-    let mut state = 7;
-    let (drive, _) = random_drive(&mut state);
+    let (drive, _) = random_drive(&mut Random::new(7));
     assert!(tune(&drive, PERIOD, MAX_SPEED) == tune(&drive, PERIOD, MAX_SPEED));
 }
 

@@ -126,19 +126,14 @@ impl Slide {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rand_pcg::Pcg64Mcg;
-    use rand_pcg::rand_core::{Rng, SeedableRng};
     use seamwright_machine::AxisLimits;
+    use seamwright_testkit::Random;
 
     const CYCLE: f64 = 1e-3;
     const MOTION: AxisLimits = AxisLimits { speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
 
-    fn uniform(random: &mut Pcg64Mcg) -> f64 {
-        (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
-    }
-
-    fn limits(random: &mut Pcg64Mcg) -> SlideLimits {
-        let mut scale = |middle: f64| middle * 10f64.powf(0.7 * uniform(random));
+    fn limits(random: &mut Random) -> SlideLimits {
+        let mut scale = |middle: f64| middle * 10f64.powf(0.7 * random.within(-1.0, 1.0));
         let stroke_mm = scale(8.0);
         let motion = AxisLimits { speed: scale(40.0), acceleration: scale(800.0), jerk: scale(20_000.0) };
         SlideLimits { stroke_mm, motion }
@@ -147,19 +142,19 @@ mod tests {
     /// Differences of set-points keep all limits for any target.
     #[test]
     fn limits_hold() {
-        let mut random = Pcg64Mcg::seed_from_u64(1);
+        let mut random = Random::new(1);
         for case in 0..150 {
             let limits = limits(&mut random);
             let mut slide = Slide::new(limits, CYCLE).unwrap();
             let (mut p, mut target, mut rate, mut braked) = ([0.0; 4], 0.0, 0.0, 0u32);
             for cycle in 0..4000 {
-                match random.next_u64() % 200 {
-                    0 => target = 1.5 * limits.stroke_mm * uniform(&mut random),
-                    1 => rate = 2.0 * limits.motion.speed * uniform(&mut random),
+                match random.below(200) {
+                    0 => target = 1.5 * limits.stroke_mm * random.within(-1.0, 1.0),
+                    1 => rate = 2.0 * limits.motion.speed * random.within(-1.0, 1.0),
                     2 => rate = 0.0,
-                    _ => target += rate * CYCLE + 1e-3 * uniform(&mut random),
+                    _ => target += rate * CYCLE + 1e-3 * random.within(-1.0, 1.0),
                 }
-                braked = if random.next_u64() % 400 == 0 { 100 } else { braked.max(1) - 1 };
+                braked = if random.one_in(400) { 100 } else { braked.max(1) - 1 };
                 p = [p[1], p[2], p[3], if braked > 0 { slide.brake() } else { slide.step(target) }];
                 let v = |i: usize| (p[i + 1] - p[i]) / CYCLE;
                 let a = |i: usize| (v(i + 1) - v(i)) / CYCLE;

@@ -99,14 +99,13 @@ const FEWEST: usize = 4;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rand_pcg::Pcg64Mcg;
-    use rand_pcg::rand_core::{Rng, SeedableRng};
+    use seamwright_testkit::Random;
 
     /// Outliers of a line are identified; random points have no line.
     #[test]
     fn most_lie_on_a_line() {
-        let mut random = Pcg64Mcg::seed_from_u64(8);
-        let mut number = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0;
+        let mut random = Random::new(8);
+        let mut number = || random.within(-1.0, 1.0);
         for case in 0..2000 {
             let (a, b, wild) = (3.0 * number(), 0.2 * number(), case % 5 == 0);
             let out = |k: usize| wild || k % 4 == case % 4;

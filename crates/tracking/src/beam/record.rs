@@ -203,8 +203,7 @@ impl Recorder {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rand_pcg::Pcg64Mcg;
-    use rand_pcg::rand_core::{Rng, SeedableRng};
+    use seamwright_testkit::Random;
 
     fn recorded() -> DeviationRecord {
         let mut recorder = Recorder::new(100.0, 0.5, 0.03);
@@ -293,14 +292,14 @@ mod tests {
     #[test]
     fn broken_files() {
         let whole = recorded().to_csv().into_bytes();
-        let mut random = Pcg64Mcg::seed_from_u64(5);
+        let mut random = Random::new(5);
         let mut read = 0;
         for _ in 0..3000 {
-            let lines = whole.split_inclusive(|b| *b == b'\n').take(3 + (random.next_u64() % 30) as usize);
+            let lines = whole.split_inclusive(|b| *b == b'\n').take(3 + random.below(30));
             let mut text: Vec<u8> = lines.flatten().copied().collect();
-            for _ in 0..random.next_u64() % 4 {
-                let at = (random.next_u64() % text.len() as u64) as usize;
-                text[at] = b"0123456789.,-e\nnaif \xff"[(random.next_u64() % 20) as usize];
+            for _ in 0..random.below(4) {
+                let at = random.below(text.len());
+                text[at] = b"0123456789.,-e\nnaif \xff"[random.below(20)];
             }
             if let Ok(record) = DeviationRecord::from_csv("d.csv", &String::from_utf8_lossy(&text)) {
                 read += 1;

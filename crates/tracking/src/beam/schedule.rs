@@ -94,8 +94,7 @@ impl Schedule {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rand_pcg::Pcg64Mcg;
-    use rand_pcg::rand_core::{Rng, SeedableRng};
+    use seamwright_testkit::Random;
 
     #[test]
     fn what_is_not_allowed_is_refused() {
@@ -117,15 +116,15 @@ mod tests {
     /// after its time, and the exposure time is its middle.
     #[test]
     fn never_more_often_nor_longer() {
-        let mut random = Pcg64Mcg::seed_from_u64(3);
+        let mut random = Random::new(3);
         for case in 0..200 {
             let mut schedule = Schedule::new(Allowed::EBW_2004, 0.3, 0.005).unwrap();
             let even = case % 2 == 0;
             let (mut t, mut begins, mut scanning, mut frames) = (0.0f64, Vec::new(), false, 0);
             for _ in 0..5000 {
-                let late = if even || random.next_u64() % 50 > 0 { 1.0 } else { (random.next_u64() % 400) as f64 };
+                let late = if even || !random.one_in(50) { 1.0 } else { random.below(400) as f64 };
                 t += 1e-3 * late;
-                let wanted = even || random.next_u64() % 100 < 30;
+                let wanted = even || random.chance(0.3);
                 match schedule.at(t, wanted) {
                     Beam::Scan if !scanning => {
                         assert!(wanted);

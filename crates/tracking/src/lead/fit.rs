@@ -79,23 +79,18 @@ fn huber([x, y]: &[Vector3<f64>; 2], u: f64, p: &Seen) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rand_pcg::Pcg64Mcg;
-    use rand_pcg::rand_core::{Rng, SeedableRng};
-
-    fn uniform(random: &mut Pcg64Mcg) -> f64 {
-        (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
-    }
+    use seamwright_testkit::Random;
 
     /// The fit reproduces exact parabolas, except for the small pull of the prior.
     #[test]
     fn parabolas_are_met() {
-        let mut random = Pcg64Mcg::seed_from_u64(1);
+        let mut random = Random::new(1);
         for _ in 0..2000 {
-            let [a, b, c, d] = std::array::from_fn(|_| uniform(&mut random));
+            let [a, b, c, d] = std::array::from_fn(|_| random.within(-1.0, 1.0));
             let truth = |s: f64| DVec2::new(a + 0.1 * b * s + 0.02 * c * s * s, d - 0.1 * a * s + 0.02 * b * s * s);
             let seen: Vec<Seen> = (0..20)
                 .map(|_| {
-                    let s = 5.0 * uniform(&mut random);
+                    let s = 5.0 * random.within(-1.0, 1.0);
                     Seen { s, value: truth(s), weight: 1e6 }
                 })
                 .collect();
@@ -108,13 +103,13 @@ mod tests {
     /// With errors of the stated size the reported variance is right, and 10 % outliers shift the fit little.
     #[test]
     fn variance_and_outliers() {
-        let mut random = Pcg64Mcg::seed_from_u64(2);
+        let mut random = Random::new(2);
         let (mut squares, mut told, mut worst) = (0.0, 0.0, 0.0f64);
         let n = 2000;
         for _ in 0..n {
             // The sum of three is nearly normal, of variance 1.
             let mut point = |i: usize, wild: bool| {
-                let error = DVec2::from_array(std::array::from_fn(|_| (0..3).map(|_| uniform(&mut random)).sum()));
+                let error = DVec2::from_array(std::array::from_fn(|_| (0..3).map(|_| random.within(-1.0, 1.0)).sum()));
                 let value = if wild { DVec2::new(1.0, -1.0) } else { 0.02 * error };
                 Seen { s: 0.5 * (i as f64 - 9.5), value, weight: 2500.0 }
             };

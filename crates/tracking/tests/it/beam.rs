@@ -1,9 +1,8 @@
 //! Beam mode: joint detection in short interruptions of the weld, and its corrections, for many seams and cameras.
 
 use glam::{DVec2, DVec3};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_machine::{AxisLimits, BeamDeflection};
+use seamwright_testkit::Random;
 use seamwright_tracking::actuator::{Alarm, SlideLimits};
 use seamwright_tracking::beam::{
     Beam, BeamReplay, BeamTracking, DeviationRecord, Error, Misfit, Orders, Picture, Point, Recorder, Replay,
@@ -16,10 +15,6 @@ const AXES: SlideLimits =
     SlideLimits { stroke_mm: 5.0, motion: AxisLimits { speed: 5.0, acceleration: 30.0, jerk: 300.0 } };
 const CYCLE: f64 = 1e-3;
 const RADIUS: f64 = 150.0;
-
-fn uniform(random: &mut Pcg64Mcg) -> f64 {
-    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
-}
 
 /// A ring in the plane; lateral is towards its centre.
 fn ring(s: f64) -> SeamFrame {
@@ -65,7 +60,7 @@ struct Weld {
     misses: Vec<(f64, f64)>,
     taken: Vec<Taken>,
     alarms: Vec<(f64, Alarm)>,
-    random: Pcg64Mcg,
+    random: Random,
 }
 
 type Wrong<'a> = &'a mut dyn FnMut(f64, &mut f64, &mut f64, &mut Vec<Point>);
@@ -78,8 +73,8 @@ struct Stretch {
 }
 
 impl Weld {
-    fn new(seed: u64) -> Self {
-        let random = Pcg64Mcg::seed_from_u64(seed);
+    fn new(seed: u32) -> Self {
+        let random = Random::of_case(seed);
         let (under_way, misses, taken, alarms) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         Self { cycle: 0, s: 0.0, carried: 0.0, under_way, misses, taken, alarms, random }
     }
@@ -101,7 +96,8 @@ impl Weld {
             if let Beam::Seen(mut exposed) = orders.beam {
                 let then = self.s - v * (t - exposed);
                 let random = &mut self.random;
-                let mut error = || 0.03 * (uniform(random) + uniform(random) + uniform(random));
+                let mut error =
+                    || 0.03 * (random.within(-1.0, 1.0) + random.within(-1.0, 1.0) + random.within(-1.0, 1.0));
                 let mut seen = points(then, self.carried, &mut error);
                 let mut due = t + 0.045;
                 wrong(self.s, &mut exposed, &mut due, &mut seen);
@@ -152,12 +148,12 @@ fn outliers_and_tacks() {
     for seed in 0..40 {
         let mut head = BeamTracking::new(Settings::usual(10.0), &ring, BEAM, AXES).unwrap();
         let mut weld = Weld::new(seed);
-        let mut random = Pcg64Mcg::seed_from_u64(seed + 100);
+        let mut random = Random::of_case(seed + 100);
         let mut wrong = |s: f64, _: &mut f64, _: &mut f64, seen: &mut Vec<Point>| {
             seen.retain(|p| !(100.0..105.0).contains(&(s + p.along_mm)));
             for point in seen {
-                if random.next_u64() % 20 == 0 {
-                    point.lateral_mm += 3.0 * uniform(&mut random);
+                if random.one_in(20) {
+                    point.lateral_mm += 3.0 * random.within(-1.0, 1.0);
                 }
             }
         };
@@ -221,8 +217,8 @@ fn eyes_that_fail() {
             }
         }
     };
-    for seed in 0..5u64 {
-        let mut random = Pcg64Mcg::seed_from_u64(seed);
+    for seed in 0..5 {
+        let mut random = Random::of_case(seed);
         let mut frozen = frozen();
         let mut silent = |s: f64, _: &mut f64, due: &mut f64, _: &mut Vec<Point>| {
             if s >= THERE {
@@ -231,7 +227,7 @@ fn eyes_that_fail() {
         };
         let mut wild = |s: f64, _: &mut f64, _: &mut f64, seen: &mut Vec<Point>| {
             if s >= THERE {
-                seen.iter_mut().for_each(|p| p.lateral_mm = 15.0 * uniform(&mut random));
+                seen.iter_mut().for_each(|p| p.lateral_mm = 15.0 * random.within(-1.0, 1.0));
             }
         };
         let mut late =
@@ -285,11 +281,11 @@ fn recorded(length: f64) -> DeviationRecord {
 
 /// Replays a pass from 40 mm on of a stored seam displaced by `moved`. Returns the position of a stop, the fit, the
 /// maximum error and the number of frames.
-fn replayed(moved: f64, settings: ReplaySettings, seed: u64) -> (f64, Option<Result<f64, Misfit>>, f64, u32) {
+fn replayed(moved: f64, settings: ReplaySettings, seed: u32) -> (f64, Option<Result<f64, Misfit>>, f64, u32) {
     let replay = Replay::new(recorded(200.0), 40.0, 150.0, 0.03).unwrap();
     let later = |s: f64| ring(s + 40.0);
     let mut head = BeamReplay::new(settings, replay, &later, BEAM, AXES).unwrap();
-    let (mut random, mut s, mut carried, mut worst, mut looks) = (Pcg64Mcg::seed_from_u64(seed), 0.0, 0.0, 0.0f64, 0);
+    let (mut random, mut s, mut carried, mut worst, mut looks) = (Random::of_case(seed), 0.0, 0.0, 0.0f64, 0);
     for cycle in 0..16_000 {
         let t = f64::from(cycle) * CYCLE;
         let v = if t > 1.2 { 10.0 } else { 0.0 };
@@ -297,7 +293,7 @@ fn replayed(moved: f64, settings: ReplaySettings, seed: u64) -> (f64, Option<Res
         let orders = head.cycle(Moment { t_s: t, s_mm: s, slide: DVec2::new(carried, 0.0) }, v);
         if let Beam::Seen(exposed_s) = orders.beam {
             looks += 1;
-            let mut error = || moved + 0.03 * (uniform(&mut random) + uniform(&mut random));
+            let mut error = || moved + 0.03 * (random.within(-1.0, 1.0) + random.within(-1.0, 1.0));
             let seen = points(s + 40.0 - v * (t - exposed_s), carried, &mut error);
             head.take(&Picture { exposed_s, height_mm: 0.0, points: &seen }, t);
         }

@@ -1,5 +1,7 @@
-//! All tests in one program, compiled and linked once. Tests that count the allocations of a process are beside it.
+//! All tests in one program, which is compiled and linked once.
 
 mod beam;
+mod beam_no_alloc;
 mod lead;
+mod lead_no_alloc;
 mod over_axes;

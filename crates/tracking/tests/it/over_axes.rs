@@ -1,33 +1,23 @@
 //! Corrections over the machine's own axes, on the machines that ship.
 
 use glam::{DVec2, DVec3};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisSet, Joints, Machine, shipped};
+use seamwright_testkit::Random;
 use seamwright_tracking::actuator::{OverAxes, RESERVE};
 
 fn machine(name: &str) -> Machine {
     Machine::read(name, shipped(name).unwrap().text).unwrap()
 }
 
-fn uniform(random: &mut Pcg64Mcg) -> f64 {
-    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-}
-
 /// Returns random axis positions in the middle half of the ranges.
-fn somewhere(machine: &Machine, random: &mut Pcg64Mcg) -> Joints {
+fn somewhere(machine: &Machine, random: &mut Random) -> Joints {
     let mut q = Joints::default();
     for (q, axis) in q.iter_mut().zip(&machine.axes) {
         let (low, high) = axis.range.unwrap_or((-3.0, 3.0));
-        *q = low + (high - low) * (0.25 + 0.5 * uniform(random));
+        *q = low + (high - low) * random.within(0.25, 0.75);
     }
     q
-}
-
-fn to_a_side(random: &mut Pcg64Mcg, most: f64) -> DVec3 {
-    let mut by = || (2.0 * uniform(random) - 1.0) * most;
-    DVec3::new(by(), by(), by())
 }
 
 const CARRIERS: [&str; 4] = ["saddle-4axis", "torch-5axis", "table-tilting-xyzac", "ebw-7axis"];
@@ -38,12 +28,12 @@ const CARRIERS: [&str; 4] = ["saddle-4axis", "torch-5axis", "table-tilting-xyzac
 fn the_tip_is_shifted_and_the_torch_keeps_its_direction() {
     for name in CARRIERS {
         let machine = machine(name);
-        let mut random = Pcg64Mcg::seed_from_u64(7);
+        let mut random = Random::new(7);
         let (mut done, mut turned) = (0, 0.0f64);
         while done < 1000 {
             let q = somewhere(&machine, &mut random);
             let mut over = OverAxes::new(&machine);
-            let by = to_a_side(&mut random, 3.0);
+            let by = random.vector(3.0);
             // A correction grows over cycles.
             let Some(x) = (1..=30).map(|i| over.shifted(&q, by * f64::from(i) / 30.0).ok()).last().flatten() else {
                 continue;
@@ -63,11 +53,11 @@ fn the_tip_is_shifted_and_the_torch_keeps_its_direction() {
 fn five_axes_go_where_the_inverse_says() {
     for name in ["torch-5axis", "table-tilting-xyzac"] {
         let machine = machine(name);
-        let mut random = Pcg64Mcg::seed_from_u64(11);
+        let mut random = Random::new(11);
         let mut compared = 0;
         for _ in 0..1000 {
             let q = somewhere(&machine, &mut random);
-            let by = to_a_side(&mut random, 2.0);
+            let by = random.vector(2.0);
             let mut over = OverAxes::new(&machine);
             let planned = machine.forward(&q);
             let target = Pose { point: planned.point + by, ..planned };
@@ -86,16 +76,16 @@ fn five_axes_go_where_the_inverse_says() {
 #[test]
 fn the_way_does_not_matter() {
     let machine = machine("ebw-7axis");
-    let mut random = Pcg64Mcg::seed_from_u64(13);
+    let mut random = Random::new(13);
     let mut compared = 0;
     for _ in 0..500 {
         let q = somewhere(&machine, &mut random);
-        let by = to_a_side(&mut random, 2.0);
+        let by = random.vector(2.0);
         let settled = |ways: &[DVec3]| {
             let mut over = OverAxes::new(&machine);
             ways.iter().map(|by| over.shifted(&q, *by).ok()).last().flatten()
         };
-        let round = [to_a_side(&mut random, 2.0), to_a_side(&mut random, 2.0), by, by, by];
+        let round = [random.vector(2.0), random.vector(2.0), by, by, by];
         let (Some(a), Some(b)) = (settled(&[0.5 * by, by, by, by]), settled(&round)) else { continue };
         compared += 1;
         let apart = (0..machine.axes.len()).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
@@ -109,11 +99,11 @@ fn the_way_does_not_matter() {
 fn held_axes_stand_still_while_the_others_shift_the_tip() {
     let machine = machine("ebw-7axis");
     let held: AxisSet = ["u", "w"].into_iter().map(|name| machine.axis(name).unwrap()).collect();
-    let mut random = Pcg64Mcg::seed_from_u64(23);
+    let mut random = Random::new(23);
     let (mut done, mut used) = (0, 0);
     while done < 500 {
         let q = somewhere(&machine, &mut random);
-        let by = to_a_side(&mut random, 3.0);
+        let by = random.vector(3.0);
         let settled =
             |mut over: OverAxes<'_>| (1..=30).map(|i| over.shifted(&q, by * f64::from(i) / 30.0).ok()).last()?;
         let Some(x) = settled(OverAxes::new(&machine).holding(held)) else { continue };
@@ -132,10 +122,10 @@ fn held_axes_stand_still_while_the_others_shift_the_tip() {
 #[test]
 fn all_heads_are_carried_along() {
     let machine = machine("dual-laser-10axis");
-    let mut random = Pcg64Mcg::seed_from_u64(19);
+    let mut random = Random::new(19);
     for _ in 0..500 {
         let q = somewhere(&machine, &mut random);
-        let by = to_a_side(&mut random, 3.0);
+        let by = random.vector(3.0);
         let mut over = OverAxes::carrying_all(&machine);
         let x = over.shifted(&q, by).unwrap();
         for head in 0..2 {
@@ -150,11 +140,11 @@ fn all_heads_are_carried_along() {
 fn corrections_keep_the_reserve() {
     for name in CARRIERS {
         let machine = machine(name);
-        let mut random = Pcg64Mcg::seed_from_u64(17);
+        let mut random = Random::new(17);
         let mut steps = 0;
         for _ in 0..200 {
             let q = somewhere(&machine, &mut random);
-            let along = to_a_side(&mut random, 1.0).normalize();
+            let along = random.vector(1.0).normalize();
             let lateral = along.any_orthonormal_vector();
             let directions = [lateral, along.cross(lateral)];
             let Ok(limits) = OverAxes::new(&machine).limits(std::iter::once((q, directions)), 5.0) else { continue };

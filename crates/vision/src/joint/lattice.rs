@@ -208,7 +208,7 @@ pub(super) fn column_about(path: &[usize], i: usize, reach: usize) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::random;
+    use seamwright_testkit::Random;
 
     /// Best score by exhaustive dynamic programming, over all paths in allowed columns of one row.
     fn best_through(evidence: &[[f64; SPAN]], cost: &[f64; SPAN], row: usize, columns: &dyn Fn(usize) -> bool) -> f64 {
@@ -225,19 +225,19 @@ mod tests {
 
     #[test]
     fn the_best_path_and_its_margins_are_those_of_all_paths() {
-        let mut random = random();
+        let mut random = Random::new(7);
         let mut lattice = Lattice::default();
         for _ in 0..60 {
-            let rows = 1 + (20.0 * random()) as usize;
-            let contrast: Vec<f32> = (0..rows).map(|_| 10.0 + 20.0 * random()).collect();
-            let depth: Vec<Line> = (0..rows).map(|_| Line::from_fn(|_| 30.0 * random() - 8.0)).collect();
+            let rows = 1 + random.below(20);
+            let contrast: Vec<f32> = (0..rows).map(|_| random.within(10.0, 30.0) as f32).collect();
+            let depth: Vec<Line> = (0..rows).map(|_| Line::from_fn(|_| random.within(-8.0, 22.0) as f32)).collect();
             let strip = Strip {
                 depth,
-                noise: 2.0 + random(),
+                noise: random.within(2.0, 3.0) as f32,
                 columns: Columns { first: 9, last: COLS - 10 },
                 ..Strip::default()
             };
-            let costs = Span::from_fn(|_| 3.0 * random());
+            let costs = Span::from_fn(|_| random.within(0.0, 3.0) as f32);
             let mut path = Vec::new();
             let score = lattice.best(&strip, |i| contrast[i], |j| costs[j - FROM], &mut path);
             let evidence = |i: usize, j: usize| {

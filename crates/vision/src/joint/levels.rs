@@ -227,13 +227,13 @@ pub(super) fn from_level(at: f32, level: usize) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::random;
+    use seamwright_testkit::Random;
 
     /// The top-hat is reused for the same key and recomputed for any other.
     #[test]
     fn a_top_hat_is_of_this_frame_level_width_and_depth() {
-        let mut random = random();
-        let mut frame = || (0..96 * 80).map(|_| (200.0 * random()) as u8).collect::<Vec<u8>>();
+        let mut random = Random::new(7);
+        let mut frame = || (0..96 * 80).map(|_| random.below(200) as u8).collect::<Vec<u8>>();
         let frames = [frame(), frame()];
         let frames = frames.each_ref().map(|pixels| Frame::new(96, 80, Pixels::U8(pixels)).unwrap());
         let shown = |levels: &Levels, frame: &Frame, level: usize| match levels.picture(frame, level).grey {

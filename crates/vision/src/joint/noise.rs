@@ -95,17 +95,16 @@ impl Strip {
 mod tests {
     use super::*;
     use crate::joint::strip::{Line, MID, SIDE, box_columns};
-    use crate::testing::random;
+    use seamwright_testkit::Random;
 
     const ROWS: usize = 480;
 
     /// A strip along a joint of this width in noise of this deviation, wavy by `bent` pixels, and the joint's path.
     fn along(width: f32, deviation: f32, bent: f32) -> (Strip, Vec<usize>) {
-        let mut even = random();
-        let mut random = || (0..12).map(|_| even() - 0.5).sum::<f32>();
+        let mut random = Random::new(7);
         let middle = |i: usize| MID as f32 + bent * (i as f32 / 40.0).sin();
         let dark = |off: f32| 60.0 * (-4.0 * std::f32::consts::LN_2 * (off / width).powi(2)).exp();
-        let mut row = |i| Line::from_fn(|j| 150.0 - dark(j as f32 - middle(i)) + deviation * random());
+        let mut row = |i| Line::from_fn(|j| 150.0 - dark(j as f32 - middle(i)) + deviation * random.normal() as f32);
         let mut strip = Strip { grey: (0..ROWS).map(&mut row).collect(), ..Strip::default() };
         strip.measure(width, f32::INFINITY);
         (strip, (0..ROWS).map(|i| middle(i).round() as usize).collect())

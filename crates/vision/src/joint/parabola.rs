@@ -84,18 +84,20 @@ impl Parabola {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::random;
     use nalgebra::{DMatrix, DVector};
+    use seamwright_testkit::Random;
 
     /// Reference by definition: weighted least squares with the stiffness as a row of its own, solved by singular
     /// values.
     #[test]
     fn it_is_of_least_squares() {
-        let mut random = random();
+        let mut random = Random::new(7);
         for _ in 0..3000 {
-            let (count, from) = (3 + (40.0 * random()) as usize, 30.0 * random() - 30.0);
-            let places: Vec<_> = (0..count).map(|k| (from + k as f32, 4.0 * random(), 0.1 + random())).collect();
-            let stiff = 200.0 * random();
+            let (count, from) = (3 + random.below(40), random.within(-30.0, 0.0) as f32);
+            let places: Vec<_> = (0..count)
+                .map(|k| (from + k as f32, random.within(0.0, 4.0) as f32, random.within(0.1, 1.1) as f32))
+                .collect();
+            let stiff = random.within(0.0, 200.0) as f32;
             let rows = count + 1;
             let row = |k: usize| places.get(k).map_or((0.0, 0.0, stiff), |(x, y, w)| (*x, *y, *w));
             let root = |k: usize| f64::from(row(k).2).sqrt();

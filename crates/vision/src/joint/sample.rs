@@ -186,13 +186,13 @@ impl Places {
 mod tests {
     use super::*;
     use crate::joint::axis::Axis;
-    use crate::testing::random;
+    use seamwright_testkit::Random;
 
     #[test]
     fn rows_are_of_nearest_pixels_and_of_those_around_each_place() {
-        let mut random = random();
+        let mut random = Random::new(7);
         let (width, height) = (90, 70);
-        let pixels: Vec<u8> = (0..width * height).map(|_| (255.0 * random()) as u8).collect();
+        let pixels: Vec<u8> = (0..width * height).map(|_| random.below(255) as u8).collect();
         let grey = |x: i32, y: i32| {
             let (x, y) = (x.clamp(0, width as i32 - 1) as usize, y.clamp(0, height as i32 - 1) as usize);
             f32::from(pixels[y * width + x])
@@ -201,8 +201,8 @@ mod tests {
         for i in 0..3000 {
             // Beyond the borders too, and far away.
             let far = if i % 10 == 0 { 1e6 } else { 1.0 };
-            let at = [far * (120.0 * random() - 15.0), far * (100.0 * random() - 15.0)];
-            let station = Axis { at, heading: 7.0 * random(), curvature: 0.0 }.station(0.0);
+            let at = [far * random.within(-15.0, 105.0) as f32, far * random.within(-15.0, 85.0) as f32];
+            let station = Axis { at, heading: random.within(0.0, 7.0) as f32, curvature: 0.0 }.station(0.0);
             let (mut nearest, mut between) = (Line::default(), Line::default());
             sampler.row_of_nearest(&mut nearest, &station);
             sampler.row(&mut between, &station);

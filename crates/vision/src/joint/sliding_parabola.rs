@@ -163,7 +163,7 @@ fn lanes(stations: &[Station]) -> [[f32; LANES]; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::random;
+    use seamwright_testkit::Random;
 
     #[test]
     fn it_is_the_parabola_of_least_squares() {
@@ -198,13 +198,13 @@ mod tests {
 
     #[test]
     fn what_is_not_seen_or_not_there_does_not_count() {
-        let (mut even, mut random) = (SlidingParabola::default(), random());
+        let (mut even, mut random) = (SlidingParabola::default(), Random::new(7));
         for _ in 0..2000 {
-            let (reach, count) = (6 + (19.0 * random()) as usize, 1 + (70.0 * random()) as usize);
+            let (reach, count) = (6 + random.below(19), 1 + random.below(70));
             even.prepare(reach);
-            let seen: Vec<bool> = (0..count).map(|_| random() < 0.6).collect();
-            let across: Vec<f32> = (0..count).map(|_| 3.0 * random()).collect();
-            let (sin, cos) = (7.0 * random()).sin_cos();
+            let seen: Vec<bool> = (0..count).map(|_| random.chance(0.6)).collect();
+            let across: Vec<f32> = (0..count).map(|_| random.within(0.0, 3.0) as f32).collect();
+            let (sin, cos) = (random.within(0.0, 7.0) as f32).sin_cos();
             let at = |k: usize, off: f32| [200.0 + cos * k as f32 - sin * off, 90.0 + sin * k as f32 + cos * off];
             let mut rows = Rows::default();
             rows.put((0..count).map(|k| (at(k, across[k]), seen[k])));

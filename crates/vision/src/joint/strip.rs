@@ -345,7 +345,7 @@ impl Strip {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::random;
+    use seamwright_testkit::Random;
 
     /// Reference: clips each pixel to `most` from the mean of up to nine rows before it in its column.
     fn clip(grey: &mut [Line], most: f32) {
@@ -383,9 +383,10 @@ mod tests {
     /// part consists of whole [`LIT`] stretches.
     #[test]
     fn a_begin_of_a_strip_is_measured_like_the_whole() {
-        let mut random = random();
+        let mut random = Random::new(7);
         for width in [1.0, 3.0, 5.0, 7.0] {
-            let grey: Vec<Line> = (0..2 * LIT).map(|_| Line::from_fn(|j| 2.0 * j as f32 + 90.0 * random())).collect();
+            let grey: Vec<Line> =
+                (0..2 * LIT).map(|_| Line::from_fn(|j| 2.0 * j as f32 + random.within(0.0, 90.0) as f32)).collect();
             let measured = |rows: usize| {
                 let mut strip = Strip { grey: grey[..rows].to_vec(), ..Strip::default() };
                 strip.measure(width, 30.0);
@@ -400,10 +401,11 @@ mod tests {
 
     #[test]
     fn depths_are_those_of_means_in_strips_of_any_length() {
-        let mut random = random();
+        let mut random = Random::new(7);
         for rows in 1..60 {
             for width in [1.0, 3.0, 5.0, 7.0] {
-                let grey: Vec<Line> = (0..rows).map(|_| Line::from_fn(|_| 100.0 + 50.0 * random())).collect();
+                let grey: Vec<Line> =
+                    (0..rows).map(|_| Line::from_fn(|_| random.within(100.0, 150.0) as f32)).collect();
                 let measured = |most: f32| {
                     let mut strip = Strip { grey: grey.clone(), ..Strip::default() };
                     strip.measure(width, most);
@@ -425,20 +427,16 @@ mod tests {
 
     #[test]
     fn no_path_shows_more_than_the_greatest_depths() {
-        let mut state = 7u32;
-        let mut random = |below: u32| {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (state >> 8) % below
-        };
+        let mut random = Random::new(7);
         let mut shown = 0;
         for _ in 0..2000 {
-            let most = 1 + random(40);
-            let mut strip = Strip { noise: 0.5 + random(50) as f32 * 0.1, ..Strip::default() };
-            strip.depth = (0..48).map(|_| Line::from_fn(|_| random(10 * most) as f32 * 0.1)).collect();
+            let most = 1 + random.below(40);
+            let mut strip = Strip { noise: 0.5 + random.below(50) as f32 * 0.1, ..Strip::default() };
+            strip.depth = (0..48).map(|_| Line::from_fn(|_| random.below(10 * most) as f32 * 0.1)).collect();
             let deepest: Vec<f32> = strip.depth.iter().map(|row| greatest(row)).collect();
             assert!(strip.depth.iter().zip(&deepest).all(|(row, d)| row.iter().all(|v| v <= d) && row.contains(d)));
-            let path: Vec<usize> = (0..48).map(|_| random(COLS as u32) as usize).collect();
-            let contrast = random(20 * most) as f32 * 0.1;
+            let path: Vec<usize> = (0..48).map(|_| random.below(COLS)).collect();
+            let contrast = random.below(20 * most) as f32 * 0.1;
             let mut seen = Vec::new();
             strip.shows(&path, |_| contrast, &mut seen);
             let count = seen.iter().filter(|s| **s).count();

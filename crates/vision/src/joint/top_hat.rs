@@ -217,7 +217,7 @@ fn bend(out: &mut [f32], smooth: &[i16], metal: &[i16], most: f32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::random;
+    use seamwright_testkit::Random;
 
     /// Reference by definition: the minimum of the maximum over squares, of 3 x 3 means with weights 1, 2, 1.
     fn slowly(pixels: &[f32], size: Size, around: isize) -> Vec<f32> {
@@ -238,11 +238,11 @@ mod tests {
 
     #[test]
     fn it_is_the_closing_less_the_picture() {
-        let mut random = random();
+        let mut random = Random::new(7);
         let mut hat = TopHat::default();
         for around in 1..=5 {
-            let size = Size { width: 17 + (20.0 * random()) as usize, height: 17 + (20.0 * random()) as usize };
-            let pixels: Vec<f32> = (0..size.width * size.height).map(|_| 200.0 * random()).collect();
+            let size = Size { width: 17 + random.below(20), height: 17 + random.below(20) };
+            let pixels: Vec<f32> = (0..size.width * size.height).map(|_| random.within(0.0, 200.0) as f32).collect();
             hat.take(&pixels, size, around, 50.0);
             for (found, depth) in hat.pixels.iter().zip(slowly(&pixels, size, around as isize)) {
                 let told = METAL - depth / (1.0 + (depth / 40.0).powi(2)).sqrt();

@@ -176,7 +176,7 @@ impl<'a> Light<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::random;
+    use seamwright_testkit::Random;
 
     const SIZE: (usize, usize) = (64, 200);
     const HEIGHT: f64 = 120.0;
@@ -264,17 +264,16 @@ mod tests {
 
     #[test]
     fn light_is_the_sum_of_pixels_by_the_parts_of_them_in_the_strip() {
-        let mut even = random();
-        let mut random = || f64::from(even());
-        let pixels: Vec<u16> = (0..40).map(|_| (65535.0 * random()) as u16).collect();
+        let mut random = Random::new(7);
+        let pixels: Vec<u16> = (0..40).map(|_| random.below(65535) as u16).collect();
         let frame = Frame::new(1, 40, Pixels::U16(&pixels)).unwrap();
         let blobs = Blobs::default();
         let (mut beside, mut on) = (0, 0);
         for _ in 0..5000 {
             // Also strip borders at pixel borders, and strips across the image's borders.
             let snap = |v: f64| if v.fract() < 0.2 { (2.0 * v).round() / 2.0 } else { v };
-            let (row, half) = (snap(39.0 * random()), snap(1.0 + 12.0 * random()));
-            let background = 200.0 * random();
+            let (row, half) = (snap(random.within(0.0, 39.0)), snap(random.within(1.0, 13.0)));
+            let background = random.within(0.0, 200.0);
             let light = Light { frame: &frame, blobs: &blobs, to_px: None, half, bright: 40.0 };
             let found = light.centred(row, GreyScale { background, unit: 257.0 }, |r| u32::from(pixels[r]));
             let (mut all, mut above, mut below) = (0.0, 0.0, 0.0);

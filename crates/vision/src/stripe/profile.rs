@@ -181,7 +181,7 @@ mod tests {
     use super::*;
     use crate::stripe::fit::StripeLine;
     use crate::stripe::segments::Segment;
-    use crate::testing::random;
+    use seamwright_testkit::Random;
 
     /// A level segment at this height, 1 mm per column.
     fn level(z: f64, columns: Columns) -> Segment {
@@ -192,27 +192,26 @@ mod tests {
 
     #[test]
     fn blobs_on_a_longer_line_are_taken_and_no_others() {
-        let mut even = random();
-        let mut random = || f64::from(even());
+        let mut random = Random::new(7);
         let (mut taken, mut stayed) = (0, 0);
         for _ in 0..300 {
             let mut profile = Profile { grain: 1.0, ..Profile::default() };
             for column in 0..120 {
-                if random() < 0.2 {
+                if random.chance(0.2) {
                     continue;
                 }
                 // One to three blobs, one of them in the chain; some near a line, all at different heights.
-                let count = 1 + (3.0 * random()) as usize;
+                let count = 1 + random.below(3);
                 let blob = |z: f64| {
                     let at = DVec2::new(f64::from(column), z);
                     Sample { column, at, strength: None, covers: 0.0 }
                 };
                 let blobs: Vec<Sample> =
-                    (0..count).map(|_| blob(10.0 * (4.0 * random()).floor() + 2.0 * random())).collect();
-                profile.samples.push(blobs[(count as f64 * random()) as usize]);
+                    (0..count).map(|_| blob(10.0 * random.below(4) as f64 + random.within(0.0, 2.0))).collect();
+                profile.samples.push(blobs[random.below(count)]);
                 profile.all.extend(blobs);
             }
-            let cut = 20 + (80.0 * random()) as i32;
+            let cut = 20 + random.below(80) as i32;
             let segments = [level(10.0, Columns { from: 0, to: cut - 1 }), level(20.0, Columns { from: cut, to: 119 })];
             let before = profile.clone();
             let changed = profile.repick(&segments);

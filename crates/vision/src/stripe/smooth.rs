@@ -90,9 +90,9 @@ impl Work for Lines<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::random;
     use glam::DVec2;
     use nalgebra::{DMatrix, DVector};
+    use seamwright_testkit::Random;
 
     /// Reference: least-squares line through the points of a window, by singular values. Returns its row in the middle,
     /// and true if all points are near it.
@@ -107,8 +107,7 @@ mod tests {
 
     #[test]
     fn centres_are_on_the_line_through_their_neighbours_where_these_are_straight() {
-        let mut even = random();
-        let mut random = || f64::from(even());
+        let mut random = Random::new(7);
         let mut smoother = Smoother::default();
         let (mut moved, mut kept) = (0, 0);
         for length in (0..300).chain([2000]) {
@@ -116,12 +115,12 @@ mod tests {
             let chain: Vec<StripePoint> = (0..length)
                 .map(|_| {
                     // Missing columns, corners, steps and grains.
-                    column += if random() < 0.05 { 1.0 + (4.0 * random()).floor() } else { 1.0 };
-                    slope = if random() < 0.03 { 4.0 * random() - 2.0 } else { slope };
-                    row += slope + if random() < 0.02 { 9.0 } else { 0.6 * random() };
+                    column += if random.chance(0.05) { 1.0 + random.below(4) as f64 } else { 1.0 };
+                    slope = if random.chance(0.03) { random.within(-2.0, 2.0) } else { slope };
+                    row += slope + if random.chance(0.02) { 9.0 } else { random.within(0.0, 0.6) };
                     StripePoint {
                         at: DVec2::new(column, row),
-                        strength: 500.0 * random(),
+                        strength: random.within(0.0, 500.0),
                         width: 8.0,
                         saturated: false,
                     }

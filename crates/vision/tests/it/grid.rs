@@ -1,24 +1,11 @@
 //! Maps identified from rendered pictures of grids, compared with the maps they were rendered with.
 
 use glam::DVec2;
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
+use seamwright_testkit::{Random, cases};
 use seamwright_vision::camera::{Grid, GridError, MapParameters, PlaneMap, identify};
 use seamwright_vision::{Frame, Pixels};
 
 const SIZE: (usize, usize) = (480, 400);
-
-struct Random(Pcg64Mcg);
-
-impl Random {
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn noise(&mut self) -> f64 {
-        (0..4).map(|_| self.within(-1.0, 1.0)).sum::<f64>() * 0.75f64.sqrt()
-    }
-}
 
 /// A plate with dark dots every `pitch` mm, whose grid has its origin at `origin`.
 struct Plate {
@@ -43,7 +30,7 @@ impl Plate {
                     covered += f64::from(u8::from(off.length() < self.radius)) / 16.0;
                 }
                 let light = 170.0 + self.ramp * (x as f64 / SIZE.0 as f64 - 0.5);
-                pixels.push((light * (1.0 - 0.6 * covered) + self.noise * random.noise()).clamp(0.0, 255.0) as u8);
+                pixels.push((light * (1.0 - 0.6 * covered) + self.noise * random.normal()).clamp(0.0, 255.0) as u8);
             }
         }
         pixels
@@ -68,10 +55,9 @@ fn plate(random: &mut Random) -> Plate {
 
 #[test]
 fn rendered_grids_give_their_maps_back() {
-    let soak: u64 = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|s| s.parse().ok()).unwrap_or(1);
     let mut worst: f64 = 0.0;
-    for seed in 0..12 * soak {
-        let mut random = Random(Pcg64Mcg::seed_from_u64(seed));
+    for seed in 0..cases(12) {
+        let mut random = Random::of_case(seed);
         let plate = plate(&mut random);
         let pixels = plate.picture(&mut random);
         let frame = Frame::new(SIZE.0, SIZE.1, Pixels::U8(&pixels)).unwrap();
@@ -99,14 +85,14 @@ fn rendered_grids_give_their_maps_back() {
 
 #[test]
 fn pictures_of_no_grid_are_refused() {
-    let mut random = Random(Pcg64Mcg::seed_from_u64(7));
+    let mut random = Random::new(7);
     let grid = Grid { pitch_mm: 2.0, centre_px: None, limit_px: 0.3 };
     let refused =
         |pixels: &[u8]| identify(&Frame::new(SIZE.0, SIZE.1, Pixels::U8(pixels)).unwrap(), &grid).unwrap_err();
     let count = SIZE.0 * SIZE.1;
     assert!(matches!(refused(&vec![128; count]), GridError::Plain(_)));
     assert!(matches!(refused(&vec![0; count]), GridError::Plain(_)));
-    let noisy: Vec<u8> = (0..count).map(|_| (120.0 + 8.0 * random.noise()) as u8).collect();
+    let noisy: Vec<u8> = (0..count).map(|_| (120.0 + 8.0 * random.normal()) as u8).collect();
     refused(&noisy);
     let wild: Vec<u8> = (0..count).map(|_| random.within(0.0, 255.9) as u8).collect();
     refused(&wild);

@@ -1,5 +1,6 @@
 //! Tests of the follower on synthetic pictures.
 
+use seamwright_testkit::Random;
 use seamwright_vision::joint::{CONFIDENT, End, Follower, Options, Start, State};
 use seamwright_vision::{Frame, Pixels};
 
@@ -179,11 +180,8 @@ fn starts_outside_and_frames_without_a_joint_give_no_rows() {
 #[test]
 fn a_rib_in_a_wide_gap_does_not_draw_the_middle_to_one_side() {
     let mut follower = Follower::new(Options::default());
-    let mut state = 11usize;
-    let mut random = |from: f64, to: f64| {
-        state += 1;
-        from + (to - from) * (0.5 + noise(state.wrapping_mul(7919)) / 40.0)
-    };
+    let mut numbers = Random::new(11);
+    let mut random = |low: f64, high: f64| numbers.within(low, high);
     let (mut rows, mut near) = (0, 0);
     for _ in 0..200 {
         let (width, a, b) = (random(20.0, 50.0), random(220.0, 290.0), random(-0.1, 0.1));
@@ -215,11 +213,8 @@ fn a_rib_in_a_wide_gap_does_not_draw_the_middle_to_one_side() {
 /// same joint after any other.
 #[test]
 fn any_frame_gives_rows_of_numbers_and_the_same_ones_again() {
-    let mut state = 11u32;
-    let mut random = |most: f64| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        f64::from(state >> 8) / f64::from(1 << 24) * most
-    };
+    let mut numbers = Random::new(11);
+    let mut random = |most: f64| numbers.within(0.0, most);
     let mut follower = Follower::new(Options::default());
     let mut found = 0;
     for case in 0..1500 {

@@ -1,4 +1,6 @@
-//! All tests in one program, compiled and linked once. Tests that count allocations are separate programs.
+//! All tests in one program, which is compiled and linked once.
 
 mod grid;
 mod joint;
+mod joint_no_alloc;
+mod stripe_no_alloc;

@@ -5,17 +5,13 @@ use glam::DVec3;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use seamwright_program::{ArcTime, Pass, Program, Role, TorchPath};
+use seamwright_testkit::cases;
 
 const RADIATOR: &str = include_str!("../../../../examples/radiator.toml");
 
 const LINE: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [100, 0, 0]\n\
     first_normal = [0, 0, 1]\nsecond_normal = [0, 1, 0]\n[weld]\nspeed_mm_s = 5\n\
     process = { current_a = { from = 100, to = 200 } }\n";
-
-/// Cases of a property: more with SEAMWRIGHT_SOAK.
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse::<u32>().ok()).unwrap_or(1)
-}
 
 fn read(text: &str) -> Welding {
     Welding::read("job.toml", text).unwrap()
@@ -87,7 +83,7 @@ fn the_shortest_way_is_seldom_longer_than_the_best_of_all_and_never_much() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: cases(200), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(cases(200)))]
 
     #[test]
     fn every_stop_is_there_once_and_rows_change_as_often_as_they_can(stops in stops(1..=24), every in 2..6usize) {

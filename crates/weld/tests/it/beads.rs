@@ -1,22 +1,12 @@
 //! Jobs with beads as programs: the metal deposited by the passes, from their speeds and wire feeds alone, fills the
 //! joint.
 
+use crate::jobs::{WithSeam, changed, read, refusal};
 use seamwright_program::{ArcTime, Pass, Program, Role};
 use seamwright_weld::Welding;
 use std::f64::consts::FRAC_PI_4;
 
 const HILLSIDE: &str = include_str!("../../../../examples/hillside.toml");
-
-fn read(text: &str) -> Welding {
-    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn with(changes: &[(&str, &str)]) -> String {
-    changes.iter().fold(HILLSIDE.to_owned(), |text, (from, to)| {
-        assert!(text.contains(from), "{from}");
-        text.replacen(from, to, 1)
-    })
-}
 
 /// Metal that a pass deposits per mm of seam at path length `seam_s`, mm^2; once, not again where it overlaps itself.
 fn deposited(pass: &Pass, seam_s: f64, turn: f64) -> Option<f64> {
@@ -33,11 +23,11 @@ fn deposited(pass: &Pass, seam_s: f64, turn: f64) -> Option<f64> {
 /// Maximum relative difference of the deposited metal from groove and cap, along the seam.
 fn off(welding: &Welding) -> f64 {
     let joint = welding.joint.as_ref().unwrap();
-    let turn = welding.seam.as_ref().unwrap().length();
+    let turn = welding.seam().length();
     let passes = &welding.program.value.passes;
     let off = |i: i32| {
         let s = turn * (f64::from(i) + 0.37) / 1000.0;
-        let section = joint.section(&welding.seam.as_ref().unwrap().at(s)).unwrap();
+        let section = joint.section(&welding.seam().at(s)).unwrap();
         let sum: f64 = passes.iter().filter_map(|pass| deposited(pass, s, turn)).sum();
         (sum / section.total() - 1.0).abs()
     };
@@ -51,7 +41,7 @@ fn welds_whose_last_station_rounds_up_are_planned() {
         include_str!("../../../../tests/data/field-trial/11-nozzle.toml"),
     ] {
         let welding = read(text);
-        let (seam, passes) = (welding.seam.as_ref().unwrap(), &welding.program.value.passes);
+        let (seam, passes) = (welding.seam(), &welding.program.value.passes);
         assert!(!seam.all_round() && passes.len() > 1);
         for pass in passes {
             assert!(pass.bead.as_ref().unwrap().s_mm.iter().all(|s| s.get() <= seam.weld_length()), "{}", pass.name);
@@ -87,7 +77,7 @@ fn what_is_deposited_fills_the_joint_within_one_percent() {
         vec![more, ("adapt = \"speed\"", "adapt = \"wire_feed\"")],
         vec![more, ("stagger_mm = 40", "stagger_mm = 133\nalternate = true\norder = \"from_second\"")],
     ] {
-        let welding = read(&with(&changes));
+        let welding = read(&changed(HILLSIDE, &changes));
         assert!(off(&welding) < 0.01, "{changes:?}: {}", off(&welding));
         assert!(welding.findings().is_empty(), "{changes:?}: {:#?}", welding.findings());
     }
@@ -95,16 +85,19 @@ fn what_is_deposited_fills_the_joint_within_one_percent() {
 
 #[test]
 fn layers_that_end_leave_the_sum_right_but_at_their_ends() {
-    let welding = read(&with(&[
-        ("radius_mm = 60", "radius_mm = 120"),
-        ("thickness_mm = 8 ", "thickness_mm = 25 "),
-        ("adapt = \"speed\"", "adapt = \"passes\""),
-    ]));
+    let welding = read(&changed(
+        HILLSIDE,
+        &[
+            ("radius_mm = 60", "radius_mm = 120"),
+            ("thickness_mm = 8 ", "thickness_mm = 25 "),
+            ("adapt = \"speed\"", "adapt = \"passes\""),
+        ],
+    ));
     let passes = &welding.program.value.passes;
-    let partial: Vec<&Pass> = passes.iter().filter(|p| p.length() < welding.seam.as_ref().unwrap().length()).collect();
+    let partial: Vec<&Pass> = passes.iter().filter(|p| p.length() < welding.seam().length()).collect();
     assert!(!partial.is_empty() && partial.iter().all(|p| p.length() >= 50.0 && p.name.starts_with("fill")));
     // Speeds of the others change over one station where a layer ends: apart from there all is filled.
-    let (joint, turn) = (welding.joint.as_ref().unwrap(), welding.seam.as_ref().unwrap().length());
+    let (joint, turn) = (welding.joint.as_ref().unwrap(), welding.seam().length());
     let ends: Vec<f64> = partial.iter().flat_map(|p| [p.begin_mm.get(), p.begin_mm.get() + p.length()]).collect();
     let mut looked = 0;
     for i in 0..1000 {
@@ -114,7 +107,7 @@ fn layers_that_end_leave_the_sum_right_but_at_their_ends() {
             continue;
         }
         looked += 1;
-        let total = joint.section(&welding.seam.as_ref().unwrap().at(s)).unwrap().total();
+        let total = joint.section(&welding.seam().at(s)).unwrap().total();
         let sum: f64 = passes.iter().filter_map(|pass| deposited(pass, s, turn)).sum();
         assert!((sum / total - 1.0).abs() < 0.01, "{s}: {sum} {total}");
     }
@@ -141,8 +134,7 @@ fn the_program_that_comes_out_is_read_back_the_same() {
 #[test]
 fn mistakes_have_an_address_and_a_cure() {
     let wrong = |changes: &[(&str, &str)]| {
-        let e = Welding::read("job.toml", &with(changes)).unwrap_err();
-        println!("{e}\n");
+        let e = refusal(&changed(HILLSIDE, changes));
         (e.key, e.allowed.unwrap_or_default().to_string())
     };
     let key = |from: &str, to: &str| wrong(&[(from, to)]).0;
@@ -166,7 +158,7 @@ fn mistakes_have_an_address_and_a_cure() {
     assert_eq!(key("[beads]", "[beads]\nstation_mm = 0.01"), "beads.station_mm");
     assert_eq!(key("[beads]", "[[joint.fit_up]]\ns_mm = 1e4\nroot_gap_mm = 1\n[beads]"), "joint.fit_up[0].s_mm");
     // Beads too large for the groove are understood, but cannot be welded.
-    let welding = read(&with(&[("fill = { layer_mm = 3 }", "fill = { layer_mm = 3 }\nmost_percent = 3")]));
+    let welding = read(&changed(HILLSIDE, &[("fill = { layer_mm = 3 }", "fill = { layer_mm = 3 }\nmost_percent = 3")]));
     let findings = welding.findings();
     assert!(!findings.is_empty() && findings.iter().all(|f| f.kind == "bead" && f.cure.is_some()), "{findings:#?}");
 }

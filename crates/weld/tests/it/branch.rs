@@ -1,37 +1,17 @@
 //! T-, Y- and K-joints: closed forms of the local dihedral angle, positions from gaps and offsets, corners, the
 //! unrolled end, the part, and mistakes.
 
-use glam::{DAffine3, DVec3};
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
-use seamwright_clearance::{Shape, Solid, nearest};
+use crate::jobs::{WithSeam, job, with_seam};
+use crate::part::{NO_STL, distance};
+use glam::DVec3;
+use seamwright_clearance::Solid;
 use seamwright_document::DocumentError;
+use seamwright_testkit::{Random, cases};
 use seamwright_weld::Welding;
 use std::f64::consts::{PI, TAU};
 
-struct Random(TestRng);
-
-impl Random {
-    fn new(seed: u8) -> Self {
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]))
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
-fn cases(usual: usize) -> usize {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
-}
-
 fn read(seam: &str) -> Result<Welding, DocumentError> {
-    let text = format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{seam}\n[weld]\nspeed_mm_s = 5\n");
-    Welding::read("job.toml", &text)
-}
-
-fn made(seam: &str) -> Welding {
-    read(seam).unwrap_or_else(|e| panic!("{e}\n{seam}"))
+    Welding::read("job.toml", &job(seam))
 }
 
 /// Distance from an axis less a radius.
@@ -47,9 +27,9 @@ fn the_dihedral_of_a_t_joint_is_the_closed_form() {
     for _ in 0..cases(300) {
         let chord = random.within(20.0, 800.0);
         let radius = chord * random.within(0.05, 0.97);
-        let w = made(&format!("[seam.branch]\nradius_mm = {radius}\nchord_radius_mm = {chord}\n"));
+        let w = with_seam(&format!("[seam.branch]\nradius_mm = {radius}\nchord_radius_mm = {chord}\n"));
         for _ in 0..10 {
-            let p = w.seam.as_ref().unwrap().at(random.within(0.0, 1.0) * w.seam.as_ref().unwrap().length());
+            let p = w.seam().at(random.within(0.0, 1.0) * w.seam().length());
             let sin = p.phi.unwrap().sin();
             let expected = (-radius / chord * sin * sin).acos();
             assert!((p.dihedral - expected).abs() < 1e-9, "{} {expected}", p.dihedral);
@@ -66,18 +46,18 @@ fn the_dihedral_of_a_y_joint_is_theta_at_the_heel() {
         let theta: f64 = degrees.to_radians();
         let radius = chord * random.within(0.05, 0.9);
         let sideways = if random.within(0.0, 1.0) < 0.5 { 0.0 } else { random.within(-0.99, 0.99) * (chord - radius) };
-        let w = made(&format!(
+        let w = with_seam(&format!(
             "[seam.branch]\nradius_mm = {radius}\nchord_radius_mm = {chord}\nangle_deg = {degrees}\neccentricity_mm = {sideways}\n"
         ));
         if sideways == 0.0 {
             for (phi, psi) in [(0.0, theta), (PI, PI - theta)] {
-                let p = w.seam.as_ref().unwrap().at(w.seam.as_ref().unwrap().s_of_phi(phi).unwrap());
+                let p = w.seam().at(w.seam().s_of_phi(phi).unwrap());
                 assert!((p.dihedral - psi).abs() < 1e-9, "{} {psi}", p.dihedral);
             }
         }
         let axis = DVec3::new(theta.cos(), 0.0, theta.sin());
         for _ in 0..10 {
-            let p = w.seam.as_ref().unwrap().at(random.within(0.0, 1.0) * w.seam.as_ref().unwrap().length());
+            let p = w.seam().at(random.within(0.0, 1.0) * w.seam().length());
             let at = sideways * DVec3::Y;
             assert!(
                 level(p.point, at, axis, radius).abs() < 1e-9
@@ -147,15 +127,15 @@ fn overlapped_branches_have_corners_on_three_tubes() {
         };
         let on = |p: DVec3, (at, axis, radius): (DVec3, DVec3, f64)| level(p, at, axis, radius).abs();
         let chord = (DVec3::ZERO, DVec3::X, k.chord);
-        let knots = w.seam.as_ref().unwrap().knots();
+        let knots = w.seam().knots();
         cornered += usize::from(!knots.is_empty());
         for s in &knots {
-            let p = w.seam.as_ref().unwrap().at(*s).point;
+            let p = w.seam().at(*s).point;
             let worst = [chord, k.first, k.other].map(|rod| on(p, rod)).into_iter().fold(0.0, f64::max);
             assert!(worst < 1e-9, "{worst} mm");
         }
         for _ in 0..20 {
-            let p = w.seam.as_ref().unwrap().at(random.within(0.0, 1.0) * w.seam.as_ref().unwrap().length()).point;
+            let p = w.seam().at(random.within(0.0, 1.0) * w.seam().length()).point;
             assert!(on(p, k.first) < 1e-9 && on(p, chord).min(on(p, k.other)) < 1e-9);
             // Outside the other tubes.
             assert!(level(p, chord.0, chord.1, chord.2) > -1e-9 && level(p, k.other.0, k.other.1, k.other.2) > -1e-9);
@@ -192,13 +172,13 @@ fn gaps_are_between_the_toes() {
         // Each toe is that of a branch alone, mirrored for the other one.
         let toe = |(at, axis, radius): (DVec3, DVec3, f64)| {
             let degrees = axis.x.abs().atan2(axis.z).to_degrees();
-            let w = made(&format!(
+            let w = with_seam(&format!(
                 "[seam.branch]\nradius_mm = {radius}\nchord_radius_mm = {}\nangle_deg = {}\neccentricity_mm = {}\n",
                 k.chord,
                 90.0 - degrees,
                 at.y
             ));
-            w.seam.as_ref().unwrap().at(w.seam.as_ref().unwrap().s_of_phi(PI).unwrap()).point.x
+            w.seam().at(w.seam().s_of_phi(PI).unwrap()).point.x
         };
         let apart = toe(k.first) - (k.other.0.x - toe(k.other));
         assert!((apart - gap).abs() < 1e-8, "{apart} {gap}");
@@ -206,21 +186,12 @@ fn gaps_are_between_the_toes() {
         assert_ne!(by_offset, k.keys);
         if let (Ok(a), Ok(b)) = (read(&k.keys), read(&by_offset)) {
             found += 1;
-            assert!((a.seam.as_ref().unwrap().length() - b.seam.as_ref().unwrap().length()).abs() < 1e-6);
-            assert_eq!(a.seam.as_ref().unwrap().knots().len(), b.seam.as_ref().unwrap().knots().len());
-            assert!(
-                gap < 1.0 || a.seam.as_ref().unwrap().knots().is_empty() || (k.first.0.y - k.other.0.y).abs() > 0.0
-            );
+            assert!((a.seam().length() - b.seam().length()).abs() < 1e-6);
+            assert_eq!(a.seam().knots().len(), b.seam().knots().len());
+            assert!(gap < 1.0 || a.seam().knots().is_empty() || (k.first.0.y - k.other.0.y).abs() > 0.0);
         }
     }
     assert!(found > cases(100), "{found}");
-}
-
-/// Distance of a point from solids.
-fn distance(part: &[Solid], at: DVec3) -> f64 {
-    let ball = Solid::new("ball", Shape::Sphere { radius: 1e-3 }, DAffine3::from_translation(at)).unwrap();
-    let one = |s: &Solid| nearest(&ball, &DAffine3::IDENTITY, s, &DAffine3::IDENTITY, 1e4).map_or(1e4, |n| n.distance);
-    part.iter().map(one).fold(f64::INFINITY, f64::min) + 1e-3
 }
 
 #[test]
@@ -231,15 +202,14 @@ fn the_part_has_all_its_tubes() {
         (keys.to_owned(), vec!["branch", "chord"]),
         (format!("{keys}{other}"), vec!["branch", "other branch", "chord"]),
     ] {
-        let w = made(&text);
-        let no_stl = |_: &str| Err(std::io::ErrorKind::NotFound.into());
-        let part = w.clamped(&no_stl).unwrap().part;
+        let w = with_seam(&text);
+        let part = w.clamped(NO_STL).unwrap().part;
         assert_eq!(part.iter().map(Solid::name).collect::<Vec<_>>(), names);
-        assert_eq!(w.seam.as_ref().unwrap().knots().len(), if names.len() == 3 { 2 } else { 0 });
+        assert_eq!(w.seam().knots().len(), if names.len() == 3 { 2 } else { 0 });
         for i in 0..60 {
-            let p = w.seam.as_ref().unwrap().at(w.seam.as_ref().unwrap().length() * (f64::from(i) + 0.5) / 60.0);
+            let p = w.seam().at(w.seam().length() * (f64::from(i) + 0.5) / 60.0);
             assert!(distance(&part, p.point) < 1e-2);
-            let near_corner = w.seam.as_ref().unwrap().knots().iter().any(|k| (k - p.s).abs() < 15.0);
+            let near_corner = w.seam().knots().iter().any(|k| (k - p.s).abs() < 15.0);
             let (free, wide) = (distance(&part, p.point + 2.0 * p.bisector), 2.0 * (0.5 * p.dihedral).sin());
             assert!(near_corner || (free - wide).abs() < 0.1, "{free} for {wide} at {}", p.s);
             assert!(distance(&part, p.point - 1.0 * p.bisector) < 2e-3);

@@ -3,6 +3,7 @@
 mod beads;
 mod bounds;
 mod branch;
+mod jobs;
 mod nozzle_wall;
 mod part;
 mod part_random;

@@ -1,44 +1,15 @@
 //! Nozzles with a wall: toe and root against the bodies' own functions, the air that the torch comes through, the part,
 //! and mistakes.
 
-use glam::{DAffine3, DVec3};
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
-use seamwright_clearance::{Shape, Solid, nearest};
+use crate::jobs::{WithSeam, job};
+use crate::part::{NO_STL, distance};
+use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::Edge;
 use seamwright_program::Seam;
+use seamwright_testkit::{Random, cases};
 use seamwright_weld::{Cut, Job, NozzleEdges, SeamSurfaces, Welding};
 use std::f64::consts::TAU;
-
-struct Random(TestRng);
-
-impl Random {
-    fn new(seed: u8) -> Self {
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]))
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn direction(&mut self) -> DVec3 {
-        loop {
-            let v = DVec3::new(self.within(-1.0, 1.0), self.within(-1.0, 1.0), self.within(-1.0, 1.0));
-            if (0.1..1.0).contains(&v.length()) {
-                return v.normalize();
-            }
-        }
-    }
-}
-
-fn cases(usual: usize) -> usize {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
-}
-
-fn job(seam: &str) -> String {
-    format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{seam}\n[weld]\nspeed_mm_s = 5\n")
-}
 
 fn document(seam: &str) -> Document<Job> {
     Job::read("job.toml", &job(seam)).unwrap_or_else(|e| panic!("{e}"))
@@ -221,11 +192,7 @@ fn the_seam_is_the_curve_asked_for() {
             let welded = |curve: &str| Welding::read("job.toml", &job(&case.seam(mount, curve))).unwrap();
             for (welding, edge) in [(welded("outer_toe"), &pair.outer_toe), (welded("inner_root"), &pair.inner_root)] {
                 made += 1;
-                let p = welding
-                    .seam
-                    .as_ref()
-                    .unwrap()
-                    .at(random.within(0.0, 1.0) * welding.seam.as_ref().unwrap().length());
+                let p = welding.seam().at(random.within(0.0, 1.0) * welding.seam().length());
                 let e = edge.edge(p.phi.unwrap());
                 assert!(p.point.distance(e.point) < 1e-9);
                 assert!((p.dihedral - (std::f64::consts::PI - e.n1.angle_between(e.n2))).abs() < 1e-7);
@@ -275,13 +242,6 @@ fn roots_in_heads_are_a_thickness_below_the_outside() {
     assert!(made > cases(400), "{made}");
 }
 
-/// Distance of a point from solids.
-fn distance(part: &[Solid], at: DVec3) -> f64 {
-    let ball = Solid::new("ball", Shape::Sphere { radius: 1e-3 }, DAffine3::from_translation(at)).unwrap();
-    let one = |s: &Solid| nearest(&ball, &DAffine3::IDENTITY, s, &DAffine3::IDENTITY, 1e4).map_or(1e4, |n| n.distance);
-    part.iter().map(one).fold(f64::INFINITY, f64::min) + 1e-3
-}
-
 /// The air at a root is free in the part made from it, and the metal behind it is solid.
 #[test]
 fn the_part_is_hollow_around_a_root() {
@@ -304,12 +264,10 @@ fn the_part_is_hollow_around_a_root() {
         for body in &bodies {
             let text = job(&format!("{}[seam.nozzle.body.{body}", nozzle(mount)));
             let welding = Welding::read("job.toml", &text).unwrap_or_else(|e| panic!("{e}"));
-            let no_stl = |_: &str| Err(std::io::ErrorKind::NotFound.into());
-            let part = welding.clamped(&no_stl).unwrap_or_else(|e| panic!("{e}")).part;
+            let part = welding.clamped(NO_STL).unwrap_or_else(|e| panic!("{e}")).part;
             assert_eq!(part.len(), 2);
             for i in 0..16 {
-                let p =
-                    welding.seam.as_ref().unwrap().at(welding.seam.as_ref().unwrap().length() * f64::from(i) / 16.0);
+                let p = welding.seam().at(welding.seam().length() * f64::from(i) / 16.0);
                 assert!(distance(&part, p.point) < 0.15, "{body}");
                 for d in [1.0, 4.0] {
                     let (free, wide) = (distance(&part, p.point + d * p.bisector), d * (0.5 * p.dihedral).sin());
@@ -319,9 +277,7 @@ fn the_part_is_hollow_around_a_root() {
             }
             // A long way up the bore, or in the middle of the vessel, there is air.
             let middle = DVec3::new(20.0, 10.0, if mount == "set_on" { 1.0 } else { 0.0 });
-            let heights = (0..90).map(|i| {
-                welding.seam.as_ref().unwrap().at(welding.seam.as_ref().unwrap().length() * f64::from(i) / 90.0).point.z
-            });
+            let heights = (0..90).map(|i| welding.seam().at(welding.seam().length() * f64::from(i) / 90.0).point.z);
             let high = heights.fold(f64::NEG_INFINITY, f64::max) + 30.0;
             let at = if mount == "set_on" { middle.with_z(high) } else { DVec3::new(250.0, 0.0, -60.0) };
             let room = distance(&part, at);

@@ -1,5 +1,6 @@
 //! The part made from its seam: the seam lies on it, the air before the joint is free, the metal behind it is not.
 
+use crate::jobs::{WithSeam, read};
 use glam::{DAffine3, DVec3};
 use proptest::prelude::*;
 use seamwright_clearance::{Shape, Solid, nearest};
@@ -7,7 +8,7 @@ use seamwright_document::DocumentError;
 use seamwright_program::TorchPath;
 use seamwright_weld::Welding;
 
-const NO_STL: &dyn Fn(&str) -> std::io::Result<Vec<u8>> = &|_| Err(std::io::ErrorKind::NotFound.into());
+pub(crate) const NO_STL: &dyn Fn(&str) -> std::io::Result<Vec<u8>> = &|_| Err(std::io::ErrorKind::NotFound.into());
 
 const EXAMPLES: [&str; 8] = [
     include_str!("../../../../examples/saddle.toml"),
@@ -21,9 +22,9 @@ const EXAMPLES: [&str; 8] = [
 ];
 
 /// Distance of a point from the part, by a tiny ball.
-fn distance(part: &[Solid], at: DVec3) -> f64 {
+pub(crate) fn distance(part: &[Solid], at: DVec3) -> f64 {
     let ball = Solid::new("ball", Shape::Sphere { radius: 1e-3 }, DAffine3::from_translation(at)).unwrap();
-    let one = |s: &Solid| nearest(&ball, &DAffine3::IDENTITY, s, &DAffine3::IDENTITY, 1e3).map_or(1e3, |n| n.distance);
+    let one = |s: &Solid| nearest(&ball, &DAffine3::IDENTITY, s, &DAffine3::IDENTITY, 1e4).map_or(1e4, |n| n.distance);
     part.iter().map(one).fold(f64::INFINITY, f64::min) + 1e-3
 }
 
@@ -33,11 +34,7 @@ fn check(welding: &Welding, within: f64) {
     let placement = welding.path(0).along_seam().unwrap().placement;
     for i in 0..24 {
         // Except at the very ends of an open seam, where the part ends too.
-        let p = welding
-            .seam
-            .as_ref()
-            .unwrap()
-            .at(welding.seam.as_ref().unwrap().weld_length() * (0.02 + 0.04 * f64::from(i)));
+        let p = welding.seam().at(welding.seam().weld_length() * (0.02 + 0.04 * f64::from(i)));
         let (at, out) = (placement.transform_point3(p.point), placement.transform_vector3(p.bisector));
         assert!((at - welding.path(0).pose(p.s).point).length() < 1e-9);
         let touched = distance(&clamped.part, at);
@@ -54,18 +51,18 @@ fn check(welding: &Welding, within: f64) {
 #[test]
 fn the_examples_seams_lie_on_their_parts() {
     for text in EXAMPLES {
-        let welding = Welding::read("job.toml", text).unwrap();
+        let welding = read(text);
         // The head is a mesh that lies up to 0.1 mm outside.
         check(&welding, if text.contains("ellipsoid") || text.contains("_head") { 0.15 } else { 0.03 });
         if text.contains("joint = \"butt\"") {
-            check(&Welding::read("job.toml", &text.replace("\"butt\"", "\"fillet\"")).unwrap(), 0.03);
+            check(&read(&text.replace("\"butt\"", "\"fillet\"")), 0.03);
         }
         let unwatched = if text.contains("[part]") {
             text.replace("[part]", "[part]\nwatched = false")
         } else {
             text.to_owned() + "[part]\nwatched = false\n"
         };
-        assert!(Welding::read("job.toml", &unwatched).unwrap().clamped(NO_STL).unwrap().part.is_empty());
+        assert!(read(&unwatched).clamped(NO_STL).unwrap().part.is_empty());
     }
     let seam = |seam: &str| format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{seam}[weld]\nspeed_mm_s = 5\n");
     for text in [
@@ -77,7 +74,7 @@ fn the_examples_seams_lie_on_their_parts() {
         "[seam.rounded_rectangle]\nwidth_mm = 200\nheight_mm = 90\ncorner_mm = 45\nnormal = [1, 1, 1]\n",
         "[seam.polyline]\npoints_mm = [[0, 0, 9], [70, 0, 9], [70, 90, 9]]\njoint = \"butt\"\n",
     ] {
-        check(&Welding::read("job.toml", &seam(text)).unwrap(), 0.03);
+        check(&read(&seam(text)), 0.03);
     }
     let line = |normals: &str| {
         format!(
@@ -89,7 +86,7 @@ fn the_examples_seams_lie_on_their_parts() {
         "first_normal = [0, 1, 1]\nsecond_normal = [0, -1, 3]\n",
         "first_normal = [0, 0, 1]\nsecond_normal = [0, 0, 1]\n",
     ] {
-        check(&Welding::read("job.toml", &line(normals)).unwrap(), 0.01);
+        check(&read(&line(normals)), 0.01);
     }
     let (cone, plane, sphere) = (
         "[seam.nozzle.body.cone]\nhalf_angle_deg = 30\naxis = [0, 0, -1]\napex_mm = [0, 0, 400]\n",
@@ -100,7 +97,7 @@ fn the_examples_seams_lie_on_their_parts() {
         let text = format!(
             "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 60\norigin_mm = [0, 100, 0]\n{body}[weld]\nspeed_mm_s = 5\n"
         );
-        check(&Welding::read("job.toml", &text).unwrap(), 0.01);
+        check(&read(&text), 0.01);
     }
     for (direction, origin) in [("[1, 0, 0]", "[0, 0, 0]"), ("[0.3, 0.2, 1]", "[330, 0, 0]")] {
         let text = format!(
@@ -108,7 +105,7 @@ fn the_examples_seams_lie_on_their_parts() {
              direction = {direction}\nzero_direction = [0, 1, 0]\n[seam.nozzle.body.torus]\nbend_radius_mm = 300\n\
              radius_mm = 100\n[weld]\nspeed_mm_s = 5\n"
         );
-        check(&Welding::read("job.toml", &text).unwrap(), 0.15);
+        check(&read(&text), 0.15);
     }
     for head in [
         "[seam.nozzle.body.flat_head]\nthickness_mm = 10\nknuckle_radius_mm = 40\n",
@@ -122,7 +119,7 @@ fn the_examples_seams_lie_on_their_parts() {
                 "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 40\norigin_mm = [{across}, 0, 0]\n\
                  direction = [{lean}, 0, 1]\n{head}outer_diameter_mm = 500\nflange_mm = 100\n[weld]\nspeed_mm_s = 5\n"
             );
-            check(&Welding::read("job.toml", &text).unwrap(), 0.15);
+            check(&read(&text), 0.15);
         }
     }
 }
@@ -144,14 +141,14 @@ proptest! {
         // The whole wall must meet the shell, and not at a glancing angle, where flat faces are too coarse for the
         // curvature.
         prop_assume!(offset.abs() + radius < 0.8 * shell);
-        check(&Welding::read("job.toml", &text).unwrap(), 0.03);
+        check(&read(&text), 0.03);
     }
 }
 
 /// One added box must never make the collision check forget nozzle and shell.
 #[test]
 fn a_body_that_is_added_does_not_take_the_place_of_the_part() {
-    let part = |more: &str| Welding::read("job.toml", &(EXAMPLES[0].to_owned() + more)).unwrap().clamped(NO_STL);
+    let part = |more: &str| read(&(EXAMPLES[0].to_owned() + more)).clamped(NO_STL);
     let names = |more: &str| -> Vec<String> { part(more).unwrap().part.iter().map(|s| s.name().to_owned()).collect() };
     let solids = "[[part.solids]]\nname = \"lug\"\nshape.box = { size_mm = [40, 40, 40] }\n";
     let mut made = names("");
@@ -168,7 +165,7 @@ fn a_body_that_is_added_does_not_take_the_place_of_the_part() {
 fn a_part_that_is_left_out_needs_no_files() {
     let solids = "[[part.solids]]\nshape.stl = { file = \"gone.stl\" }\n";
     let job = format!("{}[part]\nwatched = false\n{solids}", EXAMPLES[0]);
-    let clamped = Welding::read("job.toml", &job).unwrap().clamped(NO_STL).unwrap();
+    let clamped = read(&job).clamped(NO_STL).unwrap();
     assert!(clamped.part.is_empty());
 }
 

@@ -1,63 +1,28 @@
 //! The part made from a seam, against distances from the surfaces themselves (`SeamSurfaces`: other code, no solids):
 //! random nozzles on every body, girths, ellipses, straight seams and curved T-joints, oblique and offset ones too.
 
+use crate::jobs::{WithSeam, job};
+use crate::part::NO_STL;
 use glam::{DAffine3, DQuat, DVec3};
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
 use seamwright_clearance::{Shape, Solid, nearest};
 use seamwright_document::DocumentError;
 use seamwright_geometry::SignedDistance;
+use seamwright_testkit::{Random, cases};
 use seamwright_weld::{SeamPoint, SeamSurfaces, Welding};
-
-const NO_STL: &dyn Fn(&str) -> std::io::Result<Vec<u8>> = &|_| Err(std::io::ErrorKind::NotFound.into());
 
 /// Radius of the ball that represents a point, mm.
 const BALL_MM: f64 = 1e-6;
 /// Permitted shortfall of the proven distance below the true one near round solids, as a share of the seam's length.
 const SLACK: f64 = 1e-5;
 
-struct Random(TestRng);
-
-impl Random {
-    fn new(seed: u8) -> Self {
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]))
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// As likely near any power of ten.
-    fn scaled(&mut self, low: f64, high: f64) -> f64 {
-        self.within(low.ln(), high.ln()).exp()
-    }
-
-    fn direction(&mut self) -> DVec3 {
-        loop {
-            let v = DVec3::new(self.within(-1.0, 1.0), self.within(-1.0, 1.0), self.within(-1.0, 1.0));
-            if (0.1..1.0).contains(&v.length()) {
-                return v.normalize();
-            }
-        }
-    }
-
-    /// A unit vector up to `angle` rad off `axis`.
-    fn near(&mut self, axis: DVec3, angle: f64) -> DVec3 {
-        let about = axis.cross(self.direction()).normalize();
-        DQuat::from_axis_angle(about, self.within(0.0, angle)) * axis
-    }
-
-    fn place(&mut self) -> DVec3 {
-        self.direction() * self.within(0.0, 2000.0)
-    }
+/// A unit vector up to `angle` rad off `axis`.
+fn near(random: &mut Random, axis: DVec3, angle: f64) -> DVec3 {
+    let about = axis.cross(random.direction()).normalize();
+    DQuat::from_axis_angle(about, random.within(0.0, angle)) * axis
 }
 
-fn cases(usual: usize) -> usize {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
-}
-
-fn job(seam: &str) -> String {
-    format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{seam}\n[weld]\nspeed_mm_s = 5\n")
+fn place(random: &mut Random) -> DVec3 {
+    random.direction() * random.within(0.0, 2000.0)
 }
 
 fn read(seam: &str) -> Result<Welding, DocumentError> {
@@ -86,8 +51,8 @@ fn true_distance(bodies: &[&dyn SignedDistance], at: DVec3) -> f64 {
 /// Points before the joint, on its faces, and behind it; `along` is the direction of the first part.
 fn places(p: &SeamPoint, along: DVec3, random: &mut Random) -> Vec<DVec3> {
     // Not through a plate.
-    let d = random.scaled(1e-3, 8.0);
-    let behind = random.scaled(1e-3, 2.0);
+    let d = random.decades(1e-3, 8.0);
+    let behind = random.decades(1e-3, 2.0);
     let up = random.within(0.0, 60.0);
     let before = p.point + d * (p.n1 * random.within(0.1, 1.0) + p.n2 * random.within(0.1, 1.0));
     vec![p.point, p.point + d * p.bisector, before, p.point + up * along, p.point + up * along + d * p.n1, {
@@ -97,9 +62,9 @@ fn places(p: &SeamPoint, along: DVec3, random: &mut Random) -> Vec<DVec3> {
 
 /// Checks the part along the seam: distances are never too large, and at most `outside` mm too small.
 fn check(welding: &Welding, bodies: &[&dyn SignedDistance], along: DVec3, outside: f64, random: &mut Random) {
-    let (solids, slack) = (part(welding), 1e-3 + SLACK * welding.seam.as_ref().unwrap().length());
+    let (solids, slack) = (part(welding), 1e-3 + SLACK * welding.seam().length());
     for _ in 0..10 {
-        let p = welding.seam.as_ref().unwrap().at(random.within(0.02, 0.98) * welding.seam.as_ref().unwrap().length());
+        let p = welding.seam().at(random.within(0.02, 0.98) * welding.seam().length());
         for (i, at) in places(&p, along, random).into_iter().enumerate() {
             let (found, truth) = (distance(&solids, at), true_distance(bodies, at));
             let good = found <= truth + 1e-6 && found >= truth - outside - slack;
@@ -109,7 +74,7 @@ fn check(welding: &Welding, bodies: &[&dyn SignedDistance], along: DVec3, outsid
 }
 
 fn body(random: &mut Random, kind: usize, size: f64) -> (String, DVec3, DVec3) {
-    let (axis, at) = (random.direction(), random.place());
+    let (axis, at) = (random.direction(), place(random));
     let out = random.direction();
     let across = out.reject_from_normalized(axis).normalize();
     let (table, foot, direction) = match kind {
@@ -136,7 +101,7 @@ fn body(random: &mut Random, kind: usize, size: f64) -> (String, DVec3, DVec3) {
                 "ellipsoid]\nsemi_axes_mm = {semi:?}\ncentre_mm = {:?}\naxis = {z:?}\nx_direction = {x:?}",
                 at.to_array()
             );
-            (table, at, random.near(axis, 1.0))
+            (table, at, near(random, axis, 1.0))
         }
         _ => (format!("plane]\nnormal = {:?}\npoint_mm = {:?}", axis.to_array(), at.to_array()), at, axis),
     };
@@ -149,10 +114,10 @@ fn random_nozzles_on_every_body() {
     let (mut made, mut refused) = ([0; 5], 0);
     for case in 0..cases(1000) {
         let kind = case % 5;
-        let size = random.scaled(50.0, 3000.0);
+        let size = random.decades(50.0, 3000.0);
         let radius = size * random.within(0.02, 0.95);
         let (table, foot, out) = body(&mut random, kind, size);
-        let direction = random.near(out, 1.3);
+        let direction = near(&mut random, out, 1.3);
         let origin = foot + random.within(0.0, 0.6 * (size - radius)) * direction.any_orthonormal_vector();
         let seam = format!(
             "[seam.nozzle]\nradius_mm = {radius}\norigin_mm = {:?}\ndirection = {:?}\n{table}",
@@ -178,11 +143,11 @@ fn random_girths() {
     let mut random = Random::new(2);
     for _ in 0..cases(200) {
         let direction = random.direction();
-        let cut = random.near(direction, 1.4);
+        let cut = near(&mut random, direction, 1.4);
         let seam = format!(
             "[seam.girth]\nradius_mm = {}\norigin_mm = {:?}\ndirection = {:?}\ncut_normal = {:?}\n",
-            random.scaled(5.0, 1000.0),
-            random.place().to_array(),
+            random.decades(5.0, 1000.0),
+            place(&mut random).to_array(),
             direction.to_array(),
             cut.to_array()
         );
@@ -200,9 +165,9 @@ fn random_ellipses() {
         let fillet = case % 4 != 0;
         let seam = format!(
             "[seam.ellipse]\na_mm = {}\nb_mm = {}\ncentre_mm = {:?}\nnormal = {:?}\na_direction = {:?}\njoint = \"{}\"\n",
-            random.scaled(5.0, 2000.0),
-            random.scaled(5.0, 2000.0),
-            random.place().to_array(),
+            random.decades(5.0, 2000.0),
+            random.decades(5.0, 2000.0),
+            place(&mut random).to_array(),
             normal.to_array(),
             random.direction().to_array(),
             if fillet { "fillet" } else { "butt" }
@@ -219,17 +184,17 @@ fn random_ellipses() {
 fn random_straight_seams() {
     let mut random = Random::new(4);
     for case in 0..cases(300) {
-        let (start, along) = (random.place(), random.direction());
+        let (start, along) = (place(&mut random), random.direction());
         // From faces that nearly look at each other to a butt joint.
         let between = match case % 6 {
             0 => 0.0,
-            1 => random.scaled(1e-5, 0.1),
-            2 => std::f64::consts::PI - random.scaled(1e-3, 0.1),
+            1 => random.decades(1e-5, 0.1),
+            2 => std::f64::consts::PI - random.decades(1e-3, 0.1),
             _ => random.within(0.1, 3.0),
         };
         let first = along.any_orthonormal_vector();
         let second = DQuat::from_axis_angle(along, between) * first;
-        let end = start + random.scaled(20.0, 3000.0) * along;
+        let end = start + random.decades(20.0, 3000.0) * along;
         let seam = format!(
             "[seam.line]\nstart_mm = {:?}\nend_mm = {:?}\nfirst_normal = {:?}\nsecond_normal = {:?}\n",
             start.to_array(),
@@ -256,8 +221,8 @@ impl Tee {
     fn random(random: &mut Random) -> Self {
         let axis = random.direction();
         let out = axis.any_orthonormal_vector();
-        let radius = random.scaled(30.0, 20_000.0);
-        let sweep = random.scaled(0.02, 3.0);
+        let radius = random.decades(30.0, 20_000.0);
+        let sweep = random.decades(0.02, 3.0);
         // Out of the skin: along the axis (a web curved sideways), from it or to it (a curved skin), or between.
         let turn = match random.within(0.0, 4.0) as u32 {
             0 => 0.0,
@@ -266,7 +231,7 @@ impl Tee {
             _ => random.within(-3.0, 3.0),
         };
         let skin = turn.cos() * axis + turn.sin() * out;
-        Self { axis, start: radius * out, sweep, skin, web: random.scaled(1.0, 0.2 * radius.min(100.0)) }
+        Self { axis, start: radius * out, sweep, skin, web: random.decades(1.0, 0.2 * radius.min(100.0)) }
     }
 
     fn seam(&self) -> String {
@@ -305,7 +270,7 @@ fn curved_t_joints_are_enclosed_and_hardly_larger() {
         for _ in 0..20 {
             let (u, half) = (random.within(0.01, 0.99), 0.5 * tee.web);
             let (left, out) = (random.within(-1.0, 1.0) * half, random.within(0.0, 99.0));
-            let beside = half + random.scaled(0.1, 40.0);
+            let beside = half + random.decades(0.1, 40.0);
             let side = if random.within(0.0, 1.0) < 0.5 { -1.0 } else { 1.0 };
             let text = || format!("u {u} left {left} out {out} beside {beside} side {side}\n{}", tee.seam());
             if tee.off_axis(left, out) > 0.7 * tee.start.length() {
@@ -319,7 +284,7 @@ fn curved_t_joints_are_enclosed_and_hardly_larger() {
                 let found = distance(&solids, tee.at(u, side * beside, 0.0));
                 assert!(found < 1e-6, "skin's face: {found} {}", text());
                 // In the corner both faces have the distances of the coordinates, if neither bends towards the point.
-                let d = random.scaled(1e-3, 1.0);
+                let d = random.decades(1e-3, 1.0);
                 let found = distance(&solids, tee.at(u, side * (half + d), d));
                 assert!(
                     (d - 0.02 - d * d / tee.start.length()..=d + 1e-6).contains(&found),

@@ -1,9 +1,11 @@
 //! Passes that start elsewhere, run back, go round more than once or lie beside the seam: against independent formulas.
 
+use crate::jobs::{WithSeam, read};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 use seamwright_document::{DocumentError, Finite, NonNegative, Positive};
 use seamwright_program::{Bead, Pass, Program, Role, SpanValue, TorchPath};
+use seamwright_testkit::cases;
 use seamwright_weld::{PassPath, Welding};
 
 const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
@@ -11,16 +13,6 @@ const ELLIPSE: &str = include_str!("../../../../examples/ellipse.toml");
 const LINE: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [400, 0, 0]\n\
     first_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[torch]\n\
     at = [{ s_mm = 20, travel_angle_deg = 5 }, { s_mm = 300, work_angle_deg = 10 }]\n[weld]\nspeed_mm_s = 5\n";
-
-/// More cases with `SEAMWRIGHT_SOAK`.
-fn cases(count: u32) -> ProptestConfig {
-    let times = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|t| t.parse().ok()).unwrap_or(1);
-    ProptestConfig { cases: count * times, ..ProptestConfig::default() }
-}
-
-fn read(text: &str) -> Welding {
-    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"))
-}
 
 /// The job's program with its pass changed.
 fn changed(text: &str, change: impl FnOnce(&mut Pass)) -> Result<Welding, DocumentError> {
@@ -124,16 +116,16 @@ fn case() -> impl Strategy<Value = Case> {
     let place = (0.0..1.0f64, 0.0..1.0f64, any::<bool>());
     (0..4usize, place, prop::collection::vec(row, 1..9)).prop_map(|(seam, (a, b, reverse), steps)| {
         let welding = read(&seams()[seam]);
-        let seam_length = welding.seam.as_ref().unwrap().length();
-        let weld = welding.seam.as_ref().unwrap().weld_length();
-        let (begin, length) = if welding.seam.as_ref().unwrap().all_round() {
+        let seam_length = welding.seam().length();
+        let weld = welding.seam().weld_length();
+        let (begin, length) = if welding.seam().all_round() {
             (a * weld, (0.01 + 1.98 * b) * seam_length)
         } else {
             let (low, high) = (a.min(b) * 0.98 * weld, (a.max(b) * 0.98 + 0.01) * weld);
             (if reverse { high } else { low }, high - low)
         };
         // Rows all over the weld, within a turn of a closed seam.
-        let end = if welding.seam.as_ref().unwrap().all_round() { 0.99 * seam_length } else { weld };
+        let end = if welding.seam().all_round() { 0.99 * seam_length } else { weld };
         let total: f64 = steps[1..].iter().map(|s| s.0).sum();
         let mut sum = 0.0;
         let mut rows: Vec<[f64; 4]> = Vec::new();
@@ -154,7 +146,7 @@ fn welding_of(case: &Case) -> Welding {
 }
 
 proptest! {
-    #![proptest_config(cases(800))]
+    #![proptest_config(ProptestConfig::with_cases(cases(800)))]
 
     #[test]
     fn poses_are_those_of_the_formula(case in case(), parts in prop::collection::vec(0.0..1.0f64, 8)) {
@@ -162,7 +154,7 @@ proptest! {
         let path = welding.path(0);
         let path = path.along_seam().unwrap();
         let pass = &welding.program.value.passes[0];
-        let period = welding.seam.as_ref().unwrap().all_round().then(|| welding.seam.as_ref().unwrap().length());
+        let period = welding.seam().all_round().then(|| welding.seam().length());
         let row = |k: usize, s: f64| {
             let rows: Vec<_> = case.rows.iter().map(|r| (r[0], r[k])).collect();
             spline(&rows, period, s)
@@ -172,7 +164,7 @@ proptest! {
             let there = if case.reverse { case.begin - s } else { case.begin + s };
             prop_assert!((pass.seam_s(s) - there).abs() < 1e-12);
             // On a closed seam the same position a turn on or back.
-            let p = welding.seam.as_ref().unwrap().at(period.map_or(there, |turn| there.rem_euclid(turn)));
+            let p = welding.seam().at(period.map_or(there, |turn| there.rem_euclid(turn)));
             let tip = p.point + row(1, there) * p.towards_first + row(2, there) * p.bisector;
             let (work, travel) = path.attitude.angles(p.s);
             let work = work + row(3, there).to_radians();
@@ -211,7 +203,7 @@ proptest! {
     #[test]
     fn running_back_passes_the_same_places(case in case(), parts in prop::collection::vec(0.0..1.0f64, 8)) {
         let end = if case.reverse { case.begin - case.length } else { case.begin + case.length };
-        let turn = read(&seams()[case.seam]).seam.as_ref().unwrap().length();
+        let turn = read(&seams()[case.seam]).seam().length();
         let back = Case { begin: end.rem_euclid(turn), reverse: !case.reverse, ..case.clone() };
         let (there, again) = (welding_of(&case), welding_of(&back));
         let (a, b) = (there.path(0), again.path(0));
@@ -239,13 +231,13 @@ proptest! {
         let welding = welding_of(&case);
         let path = welding.path(0);
         let path = path.along_seam().unwrap();
-        let turn = welding.seam.as_ref().unwrap().all_round().then(|| welding.seam.as_ref().unwrap().length());
+        let turn = welding.seam().all_round().then(|| welding.seam().length());
         let mut places: Vec<f64> = if case.rows.len() > 1 { case.rows.iter().map(|r| r[0]).collect() } else { vec![] };
         let torch = &welding.program.value.passes[0].torch;
         places.extend(torch.at.iter().map(|at| at.s_mm.get()));
         // A single angle is a knot too where it comes again every turn.
         places.extend((torch.at.is_empty()).then_some(0.0));
-        places.extend(welding.seam.as_ref().unwrap().knots());
+        places.extend(welding.seam().knots());
         let mut own: Vec<f64> = Vec::new();
         for k in -3..=3 {
             let shift = turn.map_or(0.0, |turn| f64::from(k) * turn);
@@ -367,7 +359,7 @@ fn mistakes_in_beads_have_an_address() {
     assert!(key == "passes[0].bead.s_mm" && message.contains("no rows"), "{key} {message}");
     assert!(edited("s_mm = [0, 200, 400]", "x_mm = [0, 200, 400]").0.contains("bead"));
     // Within a turn of a closed seam.
-    let length = read(SADDLE).seam.as_ref().unwrap().length();
+    let length = read(SADDLE).seam().length();
     let late = [[0.0, 1.0, 2.0, 3.0], [length, -1.5, 2.5, -3.0]];
     let (key, message, allowed) = wrong(SADDLE, |pass| pass.bead = Some(bead(&late)), |text| text);
     assert!(key == "passes[0].bead.s_mm[1]" && message.contains("not on the weld"), "{key} {message}");
@@ -388,7 +380,7 @@ fn mistakes_in_where_a_pass_runs_have_an_address() {
     assert!(message.contains("runs back"));
     let (key, allowed, _) = on(LINE, 401.0, 1.0, true);
     assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].begin_mm", "0 mm to 400 mm"));
-    let length = read(SADDLE).seam.as_ref().unwrap().length();
+    let length = read(SADDLE).seam().length();
     let (key, _, message) = on(SADDLE, 10.0, 2.0 * length + 1.0, true);
     assert!(key == "passes[0].spans[0].to_mm" && message.contains("more than twice"));
     for (begin, length, reverse) in [(0.0, 400.0, false), (400.0, 400.0, true), (399.0, 1.0, false)] {

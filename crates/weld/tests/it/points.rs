@@ -1,9 +1,9 @@
 //! Passes through points: the motion of the tip between them.
 
+use crate::jobs::read;
 use glam::DVec3;
 use proptest::prelude::*;
 use seamwright_program::TorchPath;
-use seamwright_weld::Welding;
 
 /// A program of one span through points, at a speed to each.
 fn spline(along: &str, places: &[DVec3], speeds: &[f64]) -> String {
@@ -45,7 +45,7 @@ proptest! {
         }
         let speeds = if one_speed { vec![speeds[0]; 9] } else { speeds };
         let text = spline(if taught { "taught" } else { "spline" }, &places, &speeds);
-        let welding = Welding::read("points.toml", &text).unwrap_or_else(|e| panic!("{e}"));
+        let welding = read(&text);
         let path = welding.path(0);
         let pace = welding.program.value.passes[0].speed_at(0.5 * path.length());
         let points = path.points().unwrap();

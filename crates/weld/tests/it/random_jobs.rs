@@ -1,41 +1,17 @@
 //! Random jobs with beads, starts, end angles, overlaps, parts, tacks and copies on every kind of seam: each is planned, or
 //! refused with a key that is in its file.
 
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
 use seamwright_document::DocumentError;
 use seamwright_program::TorchPath;
+use seamwright_testkit::{Random, cases};
 use seamwright_weld::Welding;
 use std::fmt::Write as _;
 
-struct Random(TestRng);
-
-impl Random {
-    /// Numbers of a case, which are those of no other.
-    fn of_case(case: usize) -> Self {
-        let mut seed = [7; 32];
-        seed[..8].copy_from_slice(&(case as u64).to_le_bytes());
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &seed))
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// Mostly as a person writes it, with a digit after the point; else with all digits.
-    fn written(&mut self, low: f64, high: f64) -> f64 {
-        let value = self.within(low, high);
-        let rounded = (value * 10.0).round() / 10.0;
-        if self.one_in(4) || rounded < low { value } else { rounded }
-    }
-
-    fn one_in(&mut self, n: u64) -> bool {
-        self.0.next_u64().is_multiple_of(n)
-    }
-
-    fn of<T: Copy>(&mut self, all: &[T]) -> T {
-        all[(self.0.next_u64() % all.len() as u64) as usize]
-    }
+/// A number mostly as a person writes it, with a digit after the point; else with all digits.
+fn written(random: &mut Random, low: f64, high: f64) -> f64 {
+    let value = random.within(low, high);
+    let rounded = (value * 10.0).round() / 10.0;
+    if random.one_in(4) || rounded < low { value } else { rounded }
 }
 
 /// Kind of joint on a seam.
@@ -49,7 +25,7 @@ const KINDS: usize = 25;
 
 /// A seam of a kind, whether its faces stand on each other, and whether it has angles.
 fn seam(random: &mut Random, kind: usize) -> (String, Faces, bool) {
-    let r = random.written(20.0, 120.0);
+    let r = written(random, 20.0, 120.0);
     let nozzle = |random: &mut Random, body: String, lean: f64| {
         let zero = if random.one_in(2) { "zero_direction = [0.3, 1, 0.1]\n" } else { "" };
         let (x, y) = (random.within(-lean, lean), random.within(-lean, lean));
@@ -90,7 +66,7 @@ fn seam(random: &mut Random, kind: usize) -> (String, Faces, bool) {
         ),
         10 => format!(
             "[seam.branch]\nradius_mm = {r}\nchord_radius_mm = {size}\nangle_deg = {}\n",
-            random.written(50.0, 130.0)
+            written(random, 50.0, 130.0)
         ),
         11 => format!(
             "[seam.branch]\nradius_mm = {r}\nchord_radius_mm = {size}\nangle_deg = 60\neccentricity_mm = {}\n\
@@ -98,7 +74,7 @@ fn seam(random: &mut Random, kind: usize) -> (String, Faces, bool) {
             random.within(0.0, 0.2 * r),
             random.within(-0.5 * r, 20.0)
         ),
-        12 => format!("[seam.ellipse]\na_mm = {r}\nb_mm = {}\njoint = \"{word}\"\n", random.written(20.0, 90.0)),
+        12 => format!("[seam.ellipse]\na_mm = {r}\nb_mm = {}\njoint = \"{word}\"\n", written(random, 20.0, 90.0)),
         13 => format!("[seam.circle]\nradius_mm = {r}\njoint = \"{word}\"\n"),
         14 => format!(
             "[seam.arc]\nstart_mm = [0, 0, 0]\nvia_mm = [{r}, {}, 0]\nend_mm = [{}, 0, 0]\njoint = \"{word}\"\n",
@@ -108,7 +84,7 @@ fn seam(random: &mut Random, kind: usize) -> (String, Faces, bool) {
         15 => format!(
             "[seam.rounded_rectangle]\nwidth_mm = {}\nheight_mm = {r}\ncorner_mm = {}\njoint = \"{word}\"\n",
             2.0 * r,
-            random.of(&[0.0, 6.0, 0.4 * r])
+            random.one(&[0.0, 6.0, 0.4 * r])
         ),
         16 | 17 => format!(
             "[seam.polyline]\npoints_mm = [[0, 0, 0], [{r}, 0, 0], [{r}, {}, 0], [{}, {r}, 0]]\nclosed = {}\njoint = \"{word}\"\n",
@@ -118,8 +94,8 @@ fn seam(random: &mut Random, kind: usize) -> (String, Faces, bool) {
         ),
         18 => format!(
             "[seam.helix]\nradius_mm = {r}\npitch_mm = {}\nturns = {}\njoint = \"{word}\"\n",
-            random.written(20.0, 80.0),
-            random.written(0.3, 2.5)
+            written(random, 20.0, 80.0),
+            written(random, 0.3, 2.5)
         ),
         19 | 20 => {
             // Round about a circle, and not too far round if it is open.
@@ -134,12 +110,12 @@ fn seam(random: &mut Random, kind: usize) -> (String, Faces, bool) {
         21 => format!(
             "[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [{}, 0, 0]\nfirst_normal = [0, {}, 0.1]\nsecond_normal = [0, 0, 1]\n",
             3.0 * r,
-            random.of(&[-1.0, -0.001])
+            random.one(&[-1.0, -0.001])
         ),
         22 => format!(
             "[seam.t_joint]\nstart_mm = [0, 0, 0]\nend_mm = [{}, 0, 0]\nskin_normal = [0, 0, 1]\nweb_mm = 8\nfillet = \"{}\"\n",
             3.0 * r,
-            random.of(&["left", "right", "both"])
+            random.one(&["left", "right", "both"])
         ),
         24 => format!("[seam.circle]\nradius_mm = {r}\njoint = \"{word}\"\n"),
         _ => format!("[seam.girth]\nradius_mm = {r}\ncut_normal = [{}, 0, 1]\n", random.within(0.0, 0.4)),
@@ -156,7 +132,7 @@ fn seam(random: &mut Random, kind: usize) -> (String, Faces, bool) {
 
 /// A start on a circle of radius `r`, and a part of it taught: a little outside, between two positions.
 fn taught(random: &mut Random, r: f64) -> String {
-    let (phi, from, to) = (random.written(-90.0, 90.0), random.within(0.05, 0.2), random.within(0.35, 0.8));
+    let (phi, from, to) = (written(random, -90.0, 90.0), random.within(0.05, 0.2), random.within(0.35, 0.8));
     let around = std::f64::consts::TAU * r;
     let point = |i: u32| {
         let angle = phi.to_radians() + std::f64::consts::TAU * (from + (to - from) * f64::from(i) / 5.0);
@@ -165,7 +141,7 @@ fn taught(random: &mut Random, r: f64) -> String {
     let points: Vec<String> = (1..5).map(point).collect();
     format!(
         "[start]\nphi_deg = {phi}\noverlap_mm = {}\n[[taught]]\nfrom_mm = {}\nto_mm = {}\npoints_mm = [{}]\n",
-        random.written(0.0, 30.0),
+        written(random, 0.0, 30.0),
         from * around,
         to * around,
         points.join(", ")
@@ -174,7 +150,7 @@ fn taught(random: &mut Random, r: f64) -> String {
 
 fn start(random: &mut Random, angles: bool, closed: bool, around: f64) -> String {
     let mut text = "[start]\n".to_owned();
-    let phi = random.written(-400.0, 400.0);
+    let phi = written(random, -400.0, 400.0);
     let clockwise = random.one_in(3);
     if angles {
         let _ = writeln!(text, "phi_deg = {phi}");
@@ -182,13 +158,13 @@ fn start(random: &mut Random, angles: bool, closed: bool, around: f64) -> String
             text.push_str("direction = \"clockwise\"\n");
         }
     }
-    match random.of(&[0, 1, 1, 2, 2, 2]) {
+    match *random.one(&[0, 1, 1, 2, 2, 2]) {
         0 => {}
         1 if closed => {
-            let _ = writeln!(text, "overlap_mm = {}", random.written(0.0, 0.3 * around));
+            let _ = writeln!(text, "overlap_mm = {}", written(random, 0.0, 0.3 * around));
         }
         2 if angles => {
-            let turn = if random.one_in(5) { 360.0 } else { random.written(15.0, 365.0) };
+            let turn = if random.one_in(5) { 360.0 } else { written(random, 15.0, 365.0) };
             let _ = writeln!(text, "end_phi_deg = {}", if clockwise { phi - turn } else { phi + turn });
         }
         _ => {}
@@ -197,19 +173,19 @@ fn start(random: &mut Random, angles: bool, closed: bool, around: f64) -> String
 }
 
 fn joint(random: &mut Random, faces: Faces) -> String {
-    let t = random.written(3.0, 18.0);
-    let (gap, face) = (random.written(0.0, 3.0), random.written(0.0, 2.0));
-    let preparation = match (faces, random.of(&[0, 1, 2, 3])) {
+    let t = written(random, 3.0, 18.0);
+    let (gap, face) = (written(random, 0.0, 3.0), written(random, 0.0, 2.0));
+    let preparation = match (faces, *random.one(&[0, 1, 2, 3])) {
         (Faces::Corner, 0) => format!("fillet = {{ leg_mm = {t} }}"),
         (Faces::Corner, 1) => format!("fillet = {{ throat_mm = {} }}", 0.6 * t),
         (Faces::Corner, 2) => {
             let cut = if random.one_in(2) { "cut_deg" } else { "angle_deg" };
-            let prepared = random.of(&["first", "second"]);
+            let prepared = random.one(&["first", "second"]);
             format!(
                 "t_bevel = {{ prepared = \"{prepared}\", thickness_mm = {t}, {cut} = {}, root_gap_mm = {gap}, \
                  root_face_mm = {face}, leg_mm = {} }}",
-                random.written(30.0, 50.0),
-                random.written(0.0, 6.0)
+                written(random, 30.0, 50.0),
+                written(random, 0.0, 6.0)
             )
         }
         (Faces::Corner, _) => {
@@ -228,12 +204,12 @@ fn joint(random: &mut Random, faces: Faces) -> String {
             "u = {{ thickness_mm = {t}, angle_deg = 12, radius_mm = 3, root_gap_mm = {gap}, root_face_mm = {face} }}"
         ),
     };
-    let mut text = format!("[joint]\ncap_mm = {}\npreparation.{preparation}\n", random.written(0.0, 2.0));
+    let mut text = format!("[joint]\ncap_mm = {}\npreparation.{preparation}\n", written(random, 0.0, 2.0));
     if random.one_in(5) {
         let _ = write!(
             text,
             "[[joint.fit_up]]\ns_mm = 0\nroot_gap_mm = {gap}\n[[joint.fit_up]]\ns_mm = {}\nroot_gap_mm = {}\n",
-            random.written(20.0, 200.0),
+            written(random, 20.0, 200.0),
             gap + 0.5
         );
     }
@@ -243,14 +219,24 @@ fn joint(random: &mut Random, faces: Faces) -> String {
 fn beads(random: &mut Random) -> String {
     let mut text = format!(
         "[beads]\nadapt = \"{}\"\norder = \"{}\"\nstagger_mm = {}\nalternate = {}\nshortest_mm = {}\n",
-        random.of(&["speed", "speed", "wire_feed", "wire_feed", "passes", "passes", "passes", "passes", "weave_width"]),
-        random.of(&["walls_first", "from_first", "from_second"]),
-        random.written(0.0, 90.0),
+        random.one(&[
+            "speed",
+            "speed",
+            "wire_feed",
+            "wire_feed",
+            "passes",
+            "passes",
+            "passes",
+            "passes",
+            "weave_width"
+        ]),
+        random.one(&["walls_first", "from_first", "from_second"]),
+        written(random, 0.0, 90.0),
         random.one_in(2),
-        random.written(5.0, 120.0)
+        written(random, 5.0, 120.0)
     );
     if !random.one_in(4) {
-        let _ = writeln!(text, "station_mm = {}", random.written(3.0, 30.0));
+        let _ = writeln!(text, "station_mm = {}", written(random, 3.0, 30.0));
     }
     let wired = text.contains("wire_feed") || random.one_in(3);
     if wired {
@@ -260,18 +246,18 @@ fn beads(random: &mut Random) -> String {
         if run != "fill" && random.one_in(3) {
             continue;
         }
-        let _ = write!(text, "{run} = {{ layer_mm = {}", random.written(1.5, 5.0));
+        let _ = write!(text, "{run} = {{ layer_mm = {}", written(random, 1.5, 5.0));
         if !wired {
-            let _ = write!(text, ", area_mm2 = {}", random.written(8.0, 40.0));
+            let _ = write!(text, ", area_mm2 = {}", written(random, 8.0, 40.0));
         }
         if random.one_in(3) {
-            let _ = write!(text, ", speed_mm_s = {}", random.written(3.0, 9.0));
+            let _ = write!(text, ", speed_mm_s = {}", written(random, 3.0, 9.0));
         }
         if random.one_in(12) {
-            let _ = write!(text, ", travel_angle_deg = {}", random.written(-30.0, 30.0));
+            let _ = write!(text, ", travel_angle_deg = {}", written(random, -30.0, 30.0));
         }
         if run != "root" && random.one_in(4) {
-            let _ = write!(text, ", weave = {{ width_mm = {}, pitch_mm = 3 }}", random.written(1.0, 6.0));
+            let _ = write!(text, ", weave = {{ width_mm = {}, pitch_mm = 3 }}", written(random, 1.0, 6.0));
         }
         text.push_str(" }\n");
     }
@@ -280,30 +266,30 @@ fn beads(random: &mut Random) -> String {
 
 fn order(random: &mut Random, many_copies: bool) -> String {
     let mut text = String::new();
-    match random.of(&[0, 0, 0, 0, 0, 0, 1, 2, 3, 3]) {
+    match *random.one(&[0, 0, 0, 0, 0, 0, 1, 2, 3, 3]) {
         1 => text.push_str("[order]\nparts = \"quadrants\"\n"),
         2 => text.push_str("[order]\nparts = \"at_corners\"\n"),
         3 => {
-            let _ = writeln!(text, "[order]\nparts = {{ back_step_mm = {} }}", random.written(4.0, 150.0));
+            let _ = writeln!(text, "[order]\nparts = {{ back_step_mm = {} }}", written(random, 4.0, 150.0));
         }
         _ => {}
     }
     if !text.is_empty() && !random.one_in(4) {
-        let _ = writeln!(text, "tie_in_mm = {}", random.written(0.0, 10.0));
+        let _ = writeln!(text, "tie_in_mm = {}", written(random, 0.0, 10.0));
     }
     if random.one_in(4) {
-        let length = random.written(5.0, 20.0);
+        let length = written(random, 5.0, 20.0);
         let clear =
-            if random.one_in(4) { String::new() } else { format!("clear_mm = {}\n", random.written(0.0, 15.0)) };
+            if random.one_in(4) { String::new() } else { format!("clear_mm = {}\n", written(random, 0.0, 15.0)) };
         let number = if random.one_in(2) {
-            format!("count = {}", random.of(&[2, 3, 4, 7]))
+            format!("count = {}", random.one(&[2, 3, 4, 7]))
         } else {
-            format!("pitch_mm = {}", random.written(15.0, 90.0))
+            format!("pitch_mm = {}", written(random, 15.0, 90.0))
         };
         let _ = writeln!(text, "[tacks]\nlength_mm = {length}\n{clear}{number}");
     }
     if random.one_in(6) {
-        let _ = writeln!(text, "[cosmetic]\nfrom_mm = {}", random.written(0.0, 40.0));
+        let _ = writeln!(text, "[cosmetic]\nfrom_mm = {}", written(random, 0.0, 40.0));
     }
     if random.one_in(8) || many_copies {
         let (rows, columns) = if many_copies { (10, 100) } else { (2, 2) };
@@ -315,31 +301,31 @@ fn order(random: &mut Random, many_copies: bool) -> String {
 
 fn torch(random: &mut Random) -> String {
     if random.one_in(4) {
-        let s = random.written(5.0, 150.0);
+        let s = written(random, 5.0, 150.0);
         return format!(
             "[[torch.at]]\ns_mm = 0\nwork_angle_deg = 5\n[[torch.at]]\ns_mm = {s}\ntravel_angle_deg = {}\n",
-            random.written(-20.0, 20.0)
+            written(random, -20.0, 20.0)
         );
     }
     format!(
         "[torch]\nwork_angle_deg = {}\ntravel_angle_deg = {}\n",
-        random.written(-10.0, 10.0),
-        random.written(-20.0, 20.0)
+        written(random, -10.0, 10.0),
+        written(random, -20.0, 20.0)
     )
 }
 
 /// Speeds and currents at stations along the weld, a few or very many.
 fn stations(random: &mut Random, many: bool) -> String {
-    let count = if many && random.one_in(2) { 4100 } else { random.of(&[1, 2, 5]) };
-    let step = if count > 5 { 0.01 } else { random.written(2.0, 20.0) };
+    let count = if many && random.one_in(2) { 4100 } else { *random.one(&[1, 2, 5]) };
+    let step = if count > 5 { 0.01 } else { written(random, 2.0, 20.0) };
     let station = |i: i32, random: &mut Random| {
         let mut text = format!("[[weld.at]]\ns_mm = {}\n", f64::from(i) * step);
-        let values = random.of(&[0, 1, 2]);
+        let values = *random.one(&[0, 1, 2]);
         if values != 1 {
-            let _ = writeln!(text, "speed_mm_s = {}", random.written(3.0, 9.0));
+            let _ = writeln!(text, "speed_mm_s = {}", written(random, 3.0, 9.0));
         }
         if values != 2 {
-            let _ = writeln!(text, "process = {{ current_a = {} }}", random.written(100.0, 250.0));
+            let _ = writeln!(text, "process = {{ current_a = {} }}", written(random, 100.0, 250.0));
         }
         text
     };
@@ -351,7 +337,7 @@ fn seam_radius(text: &str) -> f64 {
 }
 
 fn job(case: usize) -> String {
-    let mut random = Random::of_case(case);
+    let mut random = Random::of_case(case as u32);
     let kind = case % KINDS;
     let (seam, faces, angles) = seam(&mut random, kind);
     let closed = angles || matches!(kind, 17 | 20);
@@ -416,10 +402,9 @@ const SAVED: usize = 8;
 
 #[test]
 fn jobs_on_every_kind_of_seam_are_planned_or_refused_with_a_key_of_their_file() {
-    let times: usize = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1);
     let (mut planned, mut refused) = ([0; KINDS], [0; KINDS]);
     let mut keys = std::collections::BTreeMap::new();
-    for case in 0..10_000 * times {
+    for case in 0..cases(10_000) {
         let text = job(case);
         match Welding::read("job.toml", &text) {
             Ok(welding) => {
@@ -438,7 +423,7 @@ fn jobs_on_every_kind_of_seam_are_planned_or_refused_with_a_key_of_their_file() 
             }
         }
     }
-    for (key, count) in keys.iter().filter(|(_, count)| **count > 20 * times) {
+    for (key, count) in keys.iter().filter(|(_, count)| **count > cases(20)) {
         println!("{count:6} {key}");
     }
     println!("planned {planned:?}\nrefused {refused:?}");

@@ -1,12 +1,12 @@
 //! Tacks and cosmetic passes have times of their own before and after the travel, not the weld's.
 
+use crate::jobs::{read, refusal};
 use seamwright_program::{Pass, Role};
-use seamwright_weld::Welding;
 
 const GIRTH: &str = include_str!("../../../../tests/data/field-trial/j8.toml");
 
 fn passes(text: &str) -> Vec<Pass> {
-    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}")).program.value.passes.clone()
+    read(text).program.value.passes.clone()
 }
 
 fn of(passes: &[Pass], role: Option<Role>) -> &Pass {
@@ -51,11 +51,7 @@ fn slopes_of_their_own_take_their_own_time() {
     let all = passes(&GIRTH.replace("[cosmetic]", slope));
     let cosmetic = &of(&all, Some(Role::Cosmetic)).sequence;
     assert!((cosmetic.crater_s.get() - 0.8).abs() < 1e-12 && cosmetic.downslope.is_some());
-    let key = |change: &str| {
-        let e = Welding::read("job.toml", &GIRTH.replace("[cosmetic]", change)).map(|_| ()).unwrap_err();
-        println!("{e}");
-        e.key
-    };
+    let key = |change: &str| refusal(&GIRTH.replace("[cosmetic]", change)).key;
     let long = slope.replace("{ downslope", "{ crater_s = 0.3, downslope");
     assert_eq!(key(&long), "cosmetic.sequence.downslope.time_s");
     assert_eq!(key(&slope.replace("beam_ma", "wire_ma")), "cosmetic.sequence.downslope.process.wire_ma");

@@ -1,23 +1,9 @@
 //! Helices against closed forms of our own, about axes that lie anyhow.
 
+use crate::jobs::{WithSeam, refused_key, vector, with_seam};
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
-use seamwright_weld::Welding;
 use std::f64::consts::TAU;
-
-fn job(seam: &str) -> String {
-    format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{seam}\n[weld]\nspeed_mm_s = 5\n")
-}
-
-fn key(seam: &str) -> String {
-    let e = Welding::read("j.toml", &job(seam)).unwrap_err();
-    println!("{e}");
-    e.key
-}
-
-fn v(v: DVec3) -> String {
-    format!("[{:?}, {:?}, {:?}]", v.x, v.y, v.z)
-}
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
@@ -31,17 +17,16 @@ proptest! {
         let axes = DMat3::from_axis_angle(DVec3::from(turn).normalize(), 3.0 * turn[0]);
         let pitch = if left_handed { -pitch } else { pitch };
         let words = ["joint = \"butt\"", "joint = \"fillet\"", "wall_faces = \"left\""][joint as usize];
-        let text = job(&format!(
+        let w = with_seam(&format!(
             "[seam.helix]\nradius_mm = {radius:?}\npitch_mm = {pitch:?}\nturns = {turns:?}\norigin_mm = {}\ndirection = {}\n\
              zero_direction = {}\n{words}",
-            v(origin.into()), v(2.0 * axes.z_axis), v(axes.x_axis + 0.4 * axes.z_axis)
+            vector(origin.into()), vector(2.0 * axes.z_axis), vector(axes.x_axis + 0.4 * axes.z_axis)
         ));
-        let w = Welding::read("j.toml", &text).unwrap_or_else(|e| panic!("{e}"));
-        prop_assert!((w.seam.as_ref().unwrap().length() - turns * (TAU * radius).hypot(pitch)).abs() < 1e-9);
+        prop_assert!((w.seam().length() - turns * (TAU * radius).hypot(pitch)).abs() < 1e-9);
         for i in 0..20 {
             let part = f64::from(i) / 19.0;
             let phi = TAU * turns * part;
-            let p = w.seam.as_ref().unwrap().at(part * w.seam.as_ref().unwrap().length());
+            let p = w.seam().at(part * w.seam().length());
             let out = axes * DVec3::new(phi.cos(), phi.sin(), 0.0);
             let exact = DVec3::from(origin) + radius * out + part * turns * pitch * axes.z_axis;
             prop_assert!((p.point - exact).length() < 1e-9, "{}", (p.point - exact).length());
@@ -50,10 +35,10 @@ proptest! {
             let n1 = [out, tangent.cross(out), out.cross(tangent)][joint as usize];
             prop_assert!((p.n1 - n1).length() < 1e-9 && (p.bisector - (n1 + out).normalize()).length() < 1e-9);
             prop_assert!((p.phi.unwrap() - phi).abs() < 1e-9);
-            prop_assert!((w.seam.as_ref().unwrap().s_of_phi(phi).unwrap() - p.s).abs() < 1e-8);
+            prop_assert!((w.seam().s_of_phi(phi).unwrap() - p.s).abs() < 1e-8);
         }
-        prop_assert!(w.seam.as_ref().unwrap().s_of_phi(TAU * turns + 0.01).is_none() && w.seam.as_ref().unwrap().s_of_phi(-0.01).is_none());
-        prop_assert!(!w.seam.as_ref().unwrap().all_round());
+        prop_assert!(w.seam().s_of_phi(TAU * turns + 0.01).is_none() && w.seam().s_of_phi(-0.01).is_none());
+        prop_assert!(!w.seam().all_round());
         // The cylinder is there, and ends beyond the seam.
         let part = w.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap().part;
         prop_assert!(part.len() == 1 && part[0].name() == "cylinder");
@@ -63,12 +48,12 @@ proptest! {
 #[test]
 fn mistakes_have_an_address() {
     let helix = "[seam.helix]\nradius_mm = 50\npitch_mm = 20\nturns = 2\n";
-    Welding::read("j.toml", &job(helix)).unwrap();
-    assert_eq!(key(&helix.replace("= 20", "= 0")), "seam.helix.pitch_mm");
-    assert_eq!(key(&helix.replace("= 2\n", "= 0\n")), "seam.helix.turns");
-    assert_eq!(key(&helix.replace("= 2\n", "= 2000\n")), "seam.helix.turns");
-    assert_eq!(key(&helix.replace("= 50", "= -50")), "seam.helix.radius_mm");
-    assert_eq!(key(&format!("{helix}zero_direction = [0, 0, 1]")), "seam.helix.zero_direction");
-    assert_eq!(key(&format!("{helix}[start]\nphi_deg = 90")), "start.phi_deg");
-    assert_eq!(key(&format!("{helix}[start]\nend_phi_deg = 90")), "start.end_phi_deg");
+    with_seam(helix);
+    assert_eq!(refused_key(&helix.replace("= 20", "= 0")), "seam.helix.pitch_mm");
+    assert_eq!(refused_key(&helix.replace("= 2\n", "= 0\n")), "seam.helix.turns");
+    assert_eq!(refused_key(&helix.replace("= 2\n", "= 2000\n")), "seam.helix.turns");
+    assert_eq!(refused_key(&helix.replace("= 50", "= -50")), "seam.helix.radius_mm");
+    assert_eq!(refused_key(&format!("{helix}zero_direction = [0, 0, 1]")), "seam.helix.zero_direction");
+    assert_eq!(refused_key(&format!("{helix}[start]\nphi_deg = 90")), "start.phi_deg");
+    assert_eq!(refused_key(&format!("{helix}[start]\nend_phi_deg = 90")), "start.end_phi_deg");
 }

@@ -1,21 +1,9 @@
 //! Free seams: points, tangents, normals, closed ones, tables; bad input with its address.
 
+use crate::jobs::{WithSeam, job, read, refusal, vectors, with_seam};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 use seamwright_weld::{Outside, Welding, Wrong};
-
-fn job(seam: &str) -> String {
-    format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.spline]\n{seam}\n[weld]\nspeed_mm_s = 5\n")
-}
-
-fn read(seam: &str) -> Welding {
-    Welding::read("j.toml", &job(seam)).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn list(vectors: &[DVec3]) -> String {
-    let list: Vec<String> = vectors.iter().map(|v| format!("[{:?}, {:?}, {:?}]", v.x, v.y, v.z)).collect();
-    format!("[{}]", list.join(", "))
-}
 
 /// A table whose rows are points, or points with normals.
 struct Table(Vec<Vec<f64>>);
@@ -61,33 +49,33 @@ proptest! {
         let faces = match joint {
             0 => "joint = \"butt\"\nnormal = [0, 0.1, 1]".to_owned(),
             1 => "wall_faces = \"left\"".to_owned(),
-            2 => format!("first_normals = {}", list(&normals.0)),
-            _ => format!("first_normals = {}\nsecond_normals = {}", list(&normals.0), list(&normals.1)),
+            2 => format!("first_normals = {}", vectors(&normals.0)),
+            _ => format!("first_normals = {}\nsecond_normals = {}", vectors(&normals.0), vectors(&normals.1)),
         };
         // Points that go back behind the first tangent, or turn sharply, are refused; that is another test.
-        let text = job(&format!("points_mm = {}\n{ends}{faces}\n", list(&points)));
+        let text = job(&format!("[seam.spline]\npoints_mm = {}\n{ends}{faces}\n", vectors(&points)));
         let Ok(w) = Welding::read("j.toml", &text) else { return Ok(()) };
-        let (length, knots) = (w.seam.as_ref().unwrap().length(), w.seam.as_ref().unwrap().knots());
+        let (length, knots) = (w.seam().length(), w.seam().knots());
         let away = |p: DVec3| {
             let mut best = (f64::INFINITY, 0.0);
             for i in 0..=2000 {
                 let s = length * f64::from(i) / 2000.0;
-                let d = w.seam.as_ref().unwrap().at(s).point.distance(p);
+                let d = w.seam().at(s).point.distance(p);
                 if d < best.0 { best = (d, s); }
             }
             let mut s = best.1;
             for _ in 0..20 {
-                let here = w.seam.as_ref().unwrap().at(s);
+                let here = w.seam().at(s);
                 s = (s + (p - here.point).dot(here.tangent)).clamp(0.0, length);
             }
-            w.seam.as_ref().unwrap().at(s).point.distance(p)
+            w.seam().at(s).point.distance(p)
         };
         for p in points.iter().step_by(3) {
             prop_assert!(away(*p) < 1e-9, "{}", away(*p));
         }
-        prop_assert!(!w.seam.as_ref().unwrap().all_round() && w.seam.as_ref().unwrap().at(0.0).phi.is_none());
+        prop_assert!(!w.seam().all_round() && w.seam().at(0.0).phi.is_none());
         for i in 0..=40 {
-            let p = w.seam.as_ref().unwrap().at(length * f64::from(i) / 40.0);
+            let p = w.seam().at(length * f64::from(i) / 40.0);
             prop_assert!(p.n1.dot(p.along).abs() < 1e-9 && p.n2.dot(p.along).abs() < 1e-9);
             prop_assert!((p.n1.length() - 1.0).abs() < 1e-12 && p.tangent.dot(p.along) > 0.995, "{}", p.tangent.dot(p.along));
             let dihedral = if joint == 0 { std::f64::consts::PI } else { 0.5 * std::f64::consts::PI };
@@ -99,7 +87,7 @@ proptest! {
         // The second derivatives of point and faces are continuous.
         for s in knots.into_iter().filter(|s| *s > 2.0 && *s < length - 2.0) {
             let jump = |h: f64| {
-                let at = |k: f64| { let p = w.seam.as_ref().unwrap().at(s + k * h); [p.point, p.bisector, p.towards_first] };
+                let at = |k: f64| { let p = w.seam().at(s + k * h); [p.point, p.bisector, p.towards_first] };
                 let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(at);
                 let second = |x: DVec3, y: DVec3, z: DVec3| (x - 2.0 * y + z) / (h * h);
                 (0..3).map(|i| second(a[i], b[i], c[i]).distance(second(c[i], d[i], e[i]))).fold(0.0, f64::max)
@@ -115,50 +103,36 @@ fn closed_ones_come_round_and_tables_are_taken_along() {
     let n = 24;
     let angle = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
     let points: Vec<DVec3> = (0..n).map(|i| DVec3::new(80.0 * angle(i).cos(), 80.0 * angle(i).sin(), 5.0)).collect();
-    let w = read(&format!("points_mm = {}\nclosed = true\n[start]\noverlap_mm = 10", list(&points)));
-    assert!(
-        w.seam.as_ref().unwrap().all_round()
-            && (w.seam.as_ref().unwrap().length() - 160.0 * std::f64::consts::PI).abs() < 0.01
-    );
-    assert!(
-        w.seam
-            .as_ref()
-            .unwrap()
-            .at(w.seam.as_ref().unwrap().length() + 4.0)
-            .point
-            .distance(w.seam.as_ref().unwrap().at(4.0).point)
-            < 1e-9
-    );
+    let w =
+        with_seam(&format!("[seam.spline]\npoints_mm = {}\nclosed = true\n[start]\noverlap_mm = 10", vectors(&points)));
+    assert!(w.seam().all_round() && (w.seam().length() - 160.0 * std::f64::consts::PI).abs() < 0.01);
+    assert!(w.seam().at(w.seam().length() + 4.0).point.distance(w.seam().at(4.0).point) < 1e-9);
     for i in 0..100 {
-        let p = w.seam.as_ref().unwrap().at(5.0 * f64::from(i));
+        let p = w.seam().at(5.0 * f64::from(i));
         let out = DVec3::new(p.point.x, p.point.y, 0.0).normalize();
         assert!((p.point.truncate().length() - 80.0).abs() < 0.005 && p.n1.distance(out) < 1e-3);
     }
     // The same from a table, with the normals in it, near the points: the program needs no table.
     let row = |p: &DVec3| vec![p.x, p.y, p.z, p.x, p.y, 0.0, 0.0, 0.0, 2.0];
     let table = Table(points.iter().map(row).collect());
-    let text = job("file = \"joint.csv\"\nclosed = true\ntolerance_mm = 0.05");
+    let text = job("[seam.spline]\nfile = \"joint.csv\"\nclosed = true\ntolerance_mm = 0.05");
     let from_table = Welding::read_with("j.toml", &text, &table).unwrap_or_else(|e| panic!("{e}"));
-    assert!(
-        from_table.seam.as_ref().unwrap().knots().len() > 4
-            && from_table.seam.as_ref().unwrap().at(30.0).n2.distance(DVec3::Z) < 1e-9
-    );
+    assert!(from_table.seam().knots().len() > 4 && from_table.seam().at(30.0).n2.distance(DVec3::Z) < 1e-9);
     let program = from_table.program.value.to_toml().unwrap();
     assert!(program.contains("points_mm") && !program.contains("joint.csv"));
-    let again = Welding::read("p.toml", &program).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(again.seam.as_ref().unwrap().at(100.0), from_table.seam.as_ref().unwrap().at(100.0));
+    let again = read(&program);
+    assert_eq!(again.seam().at(100.0), from_table.seam().at(100.0));
 }
 
 #[test]
 fn mistakes_have_an_address() {
     let key = |seam: &str, words: &str| {
-        let e = Welding::read("j.toml", &job(seam)).unwrap_err();
-        println!("{e}");
-        assert!(e.line > 0 && e.allowed.is_some() && e.to_string().contains(words), "{words} in {e}");
+        let e = refusal(&job(&format!("[seam.spline]\n{seam}")));
+        assert!(e.to_string().contains(words), "{words} in {e}");
         e.key
     };
     let good = "points_mm = [[0, 0, 0], [10, 2, 0], [20, 0, 1]]\n";
-    read(good);
+    with_seam(&format!("[seam.spline]\n{good}"));
     assert_eq!(key("points_mm = [[0, 0, 0]]", "2 to 20000"), "seam.spline.points_mm");
     assert_eq!(key("", "the seam has 0 points"), "seam.spline.points_mm");
     assert_eq!(key("points_mm = [[0, 0, 0], [1, 0, 0]]\nclosed = true", "3 to"), "seam.spline.points_mm");

@@ -1,7 +1,7 @@
 //! Speed and process values at several stations of a weld.
 
+use crate::jobs::{read, refusal};
 use seamwright_program::ArcTime;
-use seamwright_weld::Welding;
 
 const SADDLE: &str = include_str!("../../../../examples/t-joint.toml");
 
@@ -28,14 +28,14 @@ fn walked(rows: &[(f64, f64)], s: f64) -> f64 {
 
 #[test]
 fn values_are_linear_between_stations() {
-    let plain = Welding::read("j", SADDLE).unwrap();
+    let plain = read(SADDLE);
     let name = plain.program.value.passes[0].spans[0].process.keys().next().unwrap().clone();
     let (speeds, values) = (rows("10:8 25.5:12 60:9"), rows("10:100 40:140"));
     let at = format!(
         "[[weld.at]]\ns_mm = 10\nspeed_mm_s = 8\nprocess = {{ {name} = 100 }}\n[[weld.at]]\ns_mm = 25.5\nspeed_mm_s = 12\n\
          [[weld.at]]\ns_mm = 40\nprocess = {{ {name} = 140 }}\n[[weld.at]]\ns_mm = 60\nspeed_mm_s = 9\n"
     );
-    let welding = Welding::read("j", &job(&at)).unwrap_or_else(|e| panic!("{e}"));
+    let welding = read(&job(&at));
     let pass = &welding.program.value.passes[0];
     assert!((pass.length() - plain.program.value.passes[0].length()).abs() < 1e-9);
     for i in 0..500 {
@@ -48,11 +48,7 @@ fn values_are_linear_between_stations() {
 
 #[test]
 fn wrong_stations_have_an_address() {
-    let key = |at: &str| {
-        let e = Welding::read("j", &job(at)).unwrap_err();
-        println!("{e}\n");
-        e.key
-    };
+    let key = |at: &str| refusal(&job(at)).key;
     assert_eq!(key("[[weld.at]]\ns_mm = 1e5\n"), "weld.at[0].s_mm");
     assert_eq!(key("[[weld.at]]\ns_mm = 5\n[[weld.at]]\ns_mm = 5\n"), "weld.at[1].s_mm");
     assert_eq!(key("[[weld.at]]\ns_mm = 5\nspeed_mm_s = 0\n"), "weld.at[0].speed_mm_s");

@@ -1,22 +1,16 @@
 //! T-joints: both fillets lie beside the web, for any middle line; mistakes have an address.
 
+use crate::jobs::{WithSeam, changed, read, refusal};
 use glam::DVec3;
 use seamwright_program::TorchPath;
-use seamwright_weld::Welding;
 
-fn text() -> String {
-    include_str!("../../../../examples/t-joint.toml").to_owned()
-}
-
-fn read(text: &str) -> Welding {
-    Welding::read("j.toml", text).unwrap_or_else(|e| panic!("{e}"))
-}
+const TEXT: &str = include_str!("../../../../examples/t-joint.toml");
 
 /// The middle line is the circle of radius R about (0, 0, -R); the fillets lie 1 mm beside it, in planes y = 1 and y
 /// = -1.
 #[test]
 fn both_fillets_lie_beside_the_web() {
-    let welding = read(&text());
+    let welding = read(TEXT);
     // Through (0, 0) and (600, -60.6).
     let radius = (600.0f64.powi(2) + 60.6f64.powi(2)) / (2.0 * 60.6);
     let seam = &welding.seam;
@@ -46,12 +40,12 @@ fn both_fillets_lie_beside_the_web() {
 fn one_fillet_straight_or_curved_sideways() {
     let straight =
         "start_mm = [0, 0, 0]\nend_mm = [500, 0, 0]\nskin_normal = [0, 0, 1]\nweb_mm = 4\nfillet = \"right\"\n";
-    let head = text().split("[seam.t_joint]").next().unwrap().to_owned();
-    let rest = text().split("[torch]").nth(1).unwrap().to_owned();
+    let head = TEXT.split("[seam.t_joint]").next().unwrap().to_owned();
+    let rest = TEXT.split("[torch]").nth(1).unwrap().to_owned();
     let with = |seam: &str| read(&format!("{head}[seam.t_joint]\n{seam}[torch]{rest}"));
     let welding = with(straight);
     assert!(welding.path(0).second(3.0).is_none());
-    let p = welding.seam.as_ref().unwrap().at(250.0);
+    let p = welding.seam().at(250.0);
     assert!((p.point - DVec3::new(250.0, -2.0, 0.0)).length() < 1e-9 && (p.n1 + DVec3::Y).length() < 1e-12);
     // Curved to the left in a flat skin: the left fillet is the inner one.
     let welding = with(
@@ -62,8 +56,8 @@ fn one_fillet_straight_or_curved_sideways() {
             )
             .replace("right", "left"),
     );
-    assert!((welding.seam.as_ref().unwrap().length() - 498.0 * std::f64::consts::FRAC_PI_2).abs() < 1e-6);
-    let p = welding.seam.as_ref().unwrap().at(100.0);
+    assert!((welding.seam().length() - 498.0 * std::f64::consts::FRAC_PI_2).abs() < 1e-6);
+    let p = welding.seam().at(100.0);
     assert!(
         ((p.point - DVec3::new(0.0, 500.0, 0.0)).length() - 498.0).abs() < 1e-9 && (p.n2 - DVec3::Z).length() < 1e-12
     );
@@ -71,12 +65,7 @@ fn one_fillet_straight_or_curved_sideways() {
 
 #[test]
 fn mistakes_have_an_address() {
-    let wrong = |from: &str, to: &str| {
-        assert!(text().contains(from), "{from}");
-        let e = Welding::read("j.toml", &text().replacen(from, to, 1)).unwrap_err();
-        println!("{e}");
-        e.key
-    };
+    let wrong = |from: &str, to: &str| refusal(&changed(TEXT, &[(from, to)])).key;
     assert_eq!(wrong("via_mm = [0, 0, 0]", "via_mm = [0, 0, -60.6]"), "seam.t_joint.via_mm");
     assert_eq!(wrong("end_mm = [600, 0, -60.6]", "end_mm = [-600, 0, -60.6]"), "seam.t_joint.end_mm");
     assert_eq!(wrong("web_mm = 2", "web_mm = 0"), "seam.t_joint.web_mm");

@@ -2,10 +2,12 @@
 
 #![allow(clippy::float_cmp, reason = "what is copied is the same to the last digit")]
 
+use crate::jobs::{WithSeam, read};
 use glam::DVec3;
 use proptest::prelude::*;
 use seamwright_document::Positive;
 use seamwright_program::{Figure, PathRange, TorchPath, Weave};
+use seamwright_testkit::cases;
 use seamwright_weld::Welding;
 use std::f64::consts::TAU;
 
@@ -14,16 +16,6 @@ const TRUNNION: &str = include_str!("../../../../examples/trunnion-saddle.toml")
 const WEAVE: &str = include_str!("../../../../examples/weave.toml");
 const HILLSIDE: &str = include_str!("../../../../examples/hillside.toml");
 
-/// More cases with `SEAMWRIGHT_SOAK`.
-fn cases(count: u32) -> ProptestConfig {
-    let times = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|t| t.parse().ok()).unwrap_or(1);
-    ProptestConfig { cases: count * times, ..ProptestConfig::default() }
-}
-
-fn read(text: &str) -> Welding {
-    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"))
-}
-
 fn woven(text: &str, reverse: bool, weave: Option<Weave>) -> Welding {
     let mut program = read(text).program.value;
     let pass = &mut program.passes[0];
@@ -31,7 +23,7 @@ fn woven(text: &str, reverse: bool, weave: Option<Weave>) -> Welding {
     if reverse {
         (pass.begin_mm, pass.reverse) = (seamwright_document::NonNegative::new(pass.length()).unwrap(), true);
     }
-    Welding::read("program.toml", &program.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"))
+    read(&program.to_toml().unwrap())
 }
 
 fn number(value: f64) -> Positive {
@@ -64,7 +56,7 @@ fn figure(figure: Figure, phase: f64) -> (f64, f64) {
 }
 
 proptest! {
-    #![proptest_config(cases(60))]
+    #![proptest_config(ProptestConfig::with_cases(cases(60)))]
 
     /// The pose is the unwoven one, moved in the plane square to the seam and to the torch and along the seam. The
     /// line, its tangent and its rate are those of the unwoven path; the foot of a point beside it is found.
@@ -123,16 +115,14 @@ fn jobs_put_the_weave_into_their_passes() {
     let job = read(WEAVE);
     let pass = &job.program.value.passes[0];
     assert_eq!(pass.weave.as_ref().unwrap().figure, Figure::Trapezoid);
-    let again = Welding::read("program.toml", &job.program.value.to_toml().unwrap()).unwrap();
+    let again = read(&job.program.value.to_toml().unwrap());
     for s in [0.0, 3.0, 17.3, 60.0, 119.0] {
         assert_eq!(again.path(0).pose(s), job.path(0).pose(s));
     }
     // In a weld of several passes a run has its own, or that of the weld.
     let own = HILLSIDE.replacen("layer_mm = 2.5 }", "layer_mm = 2.5, weave = { width_mm = 5, pitch_mm = 3 } }", 1);
     let text = format!("{own}\n[weld.weave]\nwidth_mm = 2\npitch_mm = 2\n");
-    let Ok(job) = Welding::read("job.toml", &text) else {
-        panic!("{}", Welding::read("job.toml", &text).unwrap_err());
-    };
+    let job = read(&text);
     for pass in &job.program.value.passes {
         let width = pass.weave.as_ref().unwrap().width_mm.get();
         let cap = pass.role == Some(seamwright_program::Role::Cap);
@@ -154,8 +144,8 @@ fn weaves_are_as_wide_as_the_groove() {
         let path = path.along_seam().unwrap();
         // Extreme of the weave to a side: a quarter of a period on.
         for s in (0..200).map(|i| f64::from(i) * 3.0 + 0.75).filter(|s| *s < pass.length()) {
-            let at = pass.seam_s(s).rem_euclid(job.seam.as_ref().unwrap().length());
-            let section = joint.section(&job.seam.as_ref().unwrap().at(at)).unwrap();
+            let at = pass.seam_s(s).rem_euclid(job.seam().length());
+            let section = joint.section(&job.seam().at(at)).unwrap();
             let bead = plan.in_order(&section, at)[k];
             // The tip by position in the groove and height, and the walls there.
             let origin = section.place(0.0, 0.0);

@@ -3,54 +3,25 @@
 #![allow(dead_code, reason = "each test file uses some of it")]
 
 use glam::{DAffine3, DQuat, DVec3};
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
 use seamwright_clearance::{Mesh, Shape, Solid};
+use seamwright_testkit::Random;
 use std::sync::Arc;
 
-pub(crate) struct Uniform(TestRng);
-
-impl Uniform {
-    pub(crate) fn new(seed: u8) -> Self {
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]))
-    }
-    pub(crate) fn in_range(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-    pub(crate) fn vector(&mut self, size: f64) -> DVec3 {
-        DVec3::from_array([0; 3].map(|_| self.in_range(-size, size)))
-    }
-    pub(crate) fn unit(&mut self) -> DVec3 {
-        loop {
-            let v = self.vector(1.0);
-            if (0.01..1.0).contains(&v.length()) {
-                return v.normalize();
-            }
-        }
-    }
-    pub(crate) fn pose(&mut self, size: f64) -> DAffine3 {
-        let turn = match (self.in_range(0.0, 4.0)) as u32 {
-            // Parallel and square bodies are difficult for iterations.
-            0 => DQuat::from_axis_angle(
-                DVec3::X,
-                f64::from(self.in_range(0.0, 4.0) as u32) * std::f64::consts::FRAC_PI_2,
-            ),
-            _ => DQuat::from_axis_angle(self.unit(), self.in_range(0.0, 6.0)),
-        };
-        DAffine3::from_rotation_translation(turn, self.vector(size))
-    }
-}
-
-/// More cases for a long run: SEAMWRIGHT_SOAK times as many.
-pub(crate) fn cases(count: usize) -> usize {
-    count * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
+/// A random pose.
+pub(crate) fn pose(random: &mut Random, size: f64) -> DAffine3 {
+    let turn = match random.below(4) {
+        // Parallel and square bodies are difficult for iterations.
+        0 => DQuat::from_axis_angle(DVec3::X, random.below(4) as f64 * std::f64::consts::FRAC_PI_2),
+        _ => DQuat::from_axis_angle(random.direction(), random.within(0.0, 6.0)),
+    };
+    DAffine3::from_rotation_translation(turn, random.vector(size))
 }
 
 pub(crate) const KINDS: usize = 8;
 
 /// A random shape of a kind, some tens of mm large.
-pub(crate) fn shape(kind: usize, random: &mut Uniform) -> Shape {
-    let mut size = || random.in_range(1.0, 30.0);
+pub(crate) fn shape(kind: usize, random: &mut Random) -> Shape {
+    let mut size = || random.within(1.0, 30.0);
     match kind {
         0 => Shape::Box { size: DVec3::new(size(), size(), size()) },
         1 => Shape::Sphere { radius: size() },

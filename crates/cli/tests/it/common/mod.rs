@@ -4,9 +4,11 @@
 
 pub mod checker;
 
+use serde_json::Value;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The repository's root.
 pub fn root() -> PathBuf {
@@ -24,15 +26,16 @@ pub fn free_example(name: &str) -> String {
     text.lines().filter(|line| !line.starts_with("procedure = ")).map(|line| format!("{line}\n")).collect()
 }
 
+/// Starts `seamwright` with pipes for its input and outputs.
+pub fn start(arguments: &[&str]) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_seamwright"));
+    let piped = command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    piped.spawn().unwrap()
+}
+
 /// Runs `seamwright` with standard input.
 pub fn run_with(arguments: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut child = start(arguments);
     // From a thread of its own: the child may answer before it has read everything, or not read at all.
     let mut stdin = child.stdin.take().unwrap();
     let input = input.to_owned();
@@ -61,6 +64,22 @@ pub fn good(arguments: &[&str]) -> String {
     let errors = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {errors}");
     String::from_utf8(output.stdout).unwrap()
+}
+
+/// Standard output of a run that must succeed, as JSON.
+pub fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&good(arguments)).unwrap()
+}
+
+/// A file in a folder of its own: tests run at the same time.
+pub fn scratch_file(name: &str, bytes: &[u8]) -> String {
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{}-{count}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join(name);
+    std::fs::write(&path, bytes).unwrap();
+    path.display().to_string()
 }
 
 /// A CSV table: header and rows of numbers (NaN where a cell is empty or text).

@@ -2,39 +2,15 @@
 
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
-use glam::DVec3;
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
-use seamwright_machine::{AxisKind, Joints, Machine};
+use seamwright_document::DocumentError;
+use seamwright_machine::{AxisKind, Joints, Machine, shipped};
+use seamwright_testkit::Random;
 
-/// Seeded uniform numbers from proptest's own generator.
-pub struct Uniform(TestRng);
-
-impl Uniform {
-    pub fn new(seed: u32) -> Self {
-        let mut bytes = [7; 32];
-        bytes[..4].copy_from_slice(&seed.to_le_bytes());
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &bytes))
-    }
-
-    pub fn in_range(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    pub fn below(&mut self, n: u32) -> u32 {
-        self.0.next_u32() % n
-    }
-
-    pub fn vector(&mut self, size: f64) -> DVec3 {
-        DVec3::new(self.in_range(-size, size), self.in_range(-size, size), self.in_range(-size, size))
-    }
-}
-
-pub fn random_joints(machine: &Machine, random: &mut Uniform) -> Joints {
+pub fn random_joints(machine: &Machine, random: &mut Random) -> Joints {
     let mut q = Joints::default();
     for (value, axis) in q.iter_mut().zip(&machine.axes) {
         let (low, high) = axis.range.unwrap_or((-9.0, 9.0));
-        *value = random.in_range(low, high);
+        *value = random.within(low, high);
     }
     q
 }
@@ -64,14 +40,14 @@ pub fn conditioning(machine: &Machine, q: &Joints) -> f64 {
 }
 
 /// The text of a machine file with `count` axes of random kind, side, sense, direction and position.
-pub fn random_chain(random: &mut Uniform, count: u32) -> String {
+pub fn random_chain(random: &mut Random, count: u32) -> String {
     let mut text = String::from("schema = 1\nname = \"random\"\ntitle = \"random\"\n");
     for k in 0..count {
         let side = if random.below(2) == 0 { "tool" } else { "work" };
         // Some along the frame's axes, as on real machines; some in any direction.
         let direction = if random.below(2) == 0 {
             let mut v = [0.0; 3];
-            v[random.below(3) as usize] = if random.below(2) == 0 { 1.0 } else { -1.0 };
+            v[random.below(3)] = if random.below(2) == 0 { 1.0 } else { -1.0 };
             v
         } else {
             random.vector(1.0).to_array()
@@ -87,7 +63,7 @@ pub fn random_chain(random: &mut Uniform, count: u32) -> String {
             )
         };
         let (shift, turn, angle) =
-            (random.vector(150.0).to_array(), random.vector(1.0).to_array(), random.in_range(-180.0, 180.0));
+            (random.vector(150.0).to_array(), random.vector(1.0).to_array(), random.within(-180.0, 180.0));
         text += &format!("[[{side}]]\nfixed = {{ move_mm = {shift:?}, turn = {turn:?}, angle_deg = {angle} }}\n");
     }
     text + &format!("[torch]\ndirection = {:?}\n", random.vector(1.0).to_array())
@@ -104,7 +80,15 @@ pub fn same(machine: &Machine, a: &Joints, b: &Joints, within: f64) -> bool {
     })
 }
 
-/// Cases of a property test; `make soak` multiplies them.
-pub fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
+/// The error of a machine file's text with `from`, which it contains, replaced once; it has an address.
+pub fn refusal(text: &str, from: &str, to: &str) -> DocumentError {
+    assert!(text.contains(from), "{from}");
+    let error = Machine::read("m.toml", &text.replacen(from, to, 1)).unwrap_err();
+    println!("{error}");
+    assert!(error.line > 0, "{error}");
+    error
+}
+
+pub fn shipped_machine(name: &str) -> Machine {
+    Machine::read(name, shipped(name).unwrap().text).unwrap()
 }

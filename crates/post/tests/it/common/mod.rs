@@ -47,6 +47,18 @@ impl Planned {
         let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
         part_program(&self.machine, control, &self.welding.program.value, &paths, &self.motion, options)
     }
+
+    /// The plan as a part program is verified against it.
+    pub(crate) fn within<'a>(&'a self, control: &'a Control, options: &Options) -> seamwright_post::Planned<'a> {
+        seamwright_post::Planned {
+            machine: &self.machine,
+            control,
+            program: &self.welding.program.value,
+            motion: &self.motion,
+            tolerance_mm: options.tolerance_mm,
+            speed_percent: options.speed_percent,
+        }
+    }
 }
 
 /// The steps of each pass, from its start to the next one's.

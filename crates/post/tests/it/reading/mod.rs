@@ -2,8 +2,6 @@
 
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
 use seamwright_machine::Machine;
 use seamwright_post::{Control, Dialect, Event, Move, PartProgram, ReadError, ReadOptions, Reading, What, read};
 
@@ -119,32 +117,4 @@ pub fn sets(program: &PartProgram) -> Vec<(u16, f64, bool)> {
 
 pub fn near(a: &[f64], b: &[f64], within: f64) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= within)
-}
-
-/// Seeded uniform numbers from proptest's own generator.
-pub struct Uniform(TestRng);
-
-impl Uniform {
-    pub fn new(seed: u32) -> Self {
-        let mut bytes = [11; 32];
-        bytes[..4].copy_from_slice(&seed.to_le_bytes());
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &bytes))
-    }
-
-    pub fn in_range(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    pub fn below(&mut self, n: usize) -> usize {
-        (self.0.next_u64() % n as u64) as usize
-    }
-
-    pub fn chance(&mut self, part: f64) -> bool {
-        self.in_range(0.0, 1.0) < part
-    }
-}
-
-/// Cases of a test; `make soak` multiplies them.
-pub fn cases(usual: usize) -> usize {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
 }

@@ -99,13 +99,13 @@ impl Work for Pairs<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::random;
     use crate::wide::wide;
+    use seamwright_testkit::Random;
 
     #[test]
     fn sums_means_and_pairs_are_those_of_single_pixels_at_any_width() {
-        let mut even = random();
-        let mut random = || (65535.0 * even()) as u16;
+        let mut numbers = Random::new(7);
+        let mut random = || numbers.below(65535) as u16;
         for width in 1..200 {
             let pixels: Vec<u16> = (0..4 * width).map(|_| random()).collect();
             let mut sums = vec![0; width];

@@ -93,24 +93,15 @@ pub(super) fn longest_dark(evidence: &[f64]) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rand_pcg::Pcg64Mcg;
-    use rand_pcg::rand_core::{Rng, SeedableRng};
-
-    /// Evidence of `count` columns, -2 to 2.
-    fn chance(seed: u64, count: usize) -> Vec<f64> {
-        let one = |i: u64| {
-            let hash = (seed * 1000 + i + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-            let hash = (hash ^ (hash >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-            (hash >> 40) as f64 / f64::from(1 << 22) - 2.0
-        };
-        (0..count as u64).map(one).collect()
-    }
+    use seamwright_testkit::Random;
 
     #[test]
     fn the_best_seam_is_that_of_brute_force() {
         for seed in 0..2000 {
+            let mut random = Random::of_case(seed);
             let count = 2 + seed as usize % 25;
-            let (left, right) = (chance(2 * seed, count), chance(2 * seed + 1, count));
+            // Evidence of a column is from -2 to 2.
+            let [left, right] = [0; 2].map(|_| Vec::from_iter((0..count).map(|_| random.within(-2.0, 2.0))));
             let sum = |a: usize, b: usize| left[..=a].iter().sum::<f64>() + right[b..].iter().sum::<f64>();
             // The right line must keep some evidence.
             let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
@@ -142,14 +133,14 @@ mod tests {
     /// Random runs are as rare as expected: no more frequent, and not much rarer, for single holes and for runs.
     #[test]
     fn chance_runs_are_as_often_as_expected() {
-        let mut random = Pcg64Mcg::seed_from_u64(5);
+        let mut random = Random::new(5);
         for (begins, goes_on) in [(0.05, 0.05), (0.2, 0.2), (0.03, 0.3), (0.04, 0.45)] {
             let mut unlikely = [0; 3];
             for _ in 0..5000 {
                 let (mut on, mut is_dark) = (Vec::new(), false);
                 for _ in 0..1000 {
                     let part = if is_dark { goes_on } else { begins };
-                    is_dark = f64::from(random.next_u32()) < part * f64::from(u32::MAX);
+                    is_dark = random.chance(part);
                     on.push(if is_dark { -1.0 } else { 1.0 });
                 }
                 let longest = longest_dark(&on) as usize;

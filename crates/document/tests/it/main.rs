@@ -1,0 +1,4 @@
+//! All tests in one program, which is compiled and linked once.
+
+mod bounds_in_docs;
+mod errors;

@@ -1,0 +1,60 @@
+//! From texts to machines, welds and motions.
+
+use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_motion::{PassMotion, Terms, WeldMotion};
+use seamwright_program::{Finding, Pass, TorchPath};
+use seamwright_weld::Welding;
+
+pub(crate) fn read(text: &str) -> Welding {
+    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+pub(crate) fn read_machine(text: &str) -> Machine {
+    Machine::read("machine.toml", text).unwrap_or_else(|e| panic!("{e}"))
+}
+
+pub(crate) fn shipped_machine(name: &str) -> Machine {
+    read_machine(shipped(name).unwrap().text)
+}
+
+/// The shipped machine that the job names.
+pub(crate) fn machine_of(welding: &Welding) -> Machine {
+    shipped_machine(&welding.program.value.machine)
+}
+
+/// The first pass.
+pub(crate) fn first_pass(welding: &Welding) -> &Pass {
+    &welding.program.value.passes[0]
+}
+
+/// Plans the first pass.
+pub(crate) fn plan(machine: &Machine, welding: &Welding) -> Result<PassMotion, Vec<Finding>> {
+    PassMotion::plan(machine, &welding.path(0), first_pass(welding), 1)
+}
+
+/// The job with its pass welded several times.
+pub(crate) fn several_passes(job: &str, passes: usize) -> Welding {
+    let mut program = read(job).program.value;
+    let pass = program.passes[0].clone();
+    program.passes = (0..passes).map(|i| Pass { name: format!("pass {}", i + 1), ..pass.clone() }).collect();
+    read(&program.to_toml().unwrap())
+}
+
+/// Plans the whole weld.
+pub(crate) fn plan_weld(machine: &Machine, welding: &Welding, clamped: &Clamped) -> Result<WeldMotion, Vec<Finding>> {
+    plan_weld_under(machine, welding, clamped, Terms::default())
+}
+
+/// Plans the whole weld under `terms`.
+pub(crate) fn plan_weld_under(
+    machine: &Machine,
+    welding: &Welding,
+    clamped: &Clamped,
+    terms: Terms<'_>,
+) -> Result<WeldMotion, Vec<Finding>> {
+    let around = Surroundings::new(machine, clamped).unwrap();
+    let paths: Vec<_> = (0..welding.program.value.passes.len()).map(|i| welding.path(i)).collect();
+    let passes: Vec<(&dyn TorchPath, &Pass)> =
+        paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
+    WeldMotion::plan_under(machine, &around, &passes, 30.0, terms)
+}
