@@ -52,7 +52,6 @@ panel-alarm-consequence = Наслідок
 panel-alarm-action = Що робити
 panel-alarm-reaction = Реакція
 panel-alarm-first = ПЕРША
-panel-alarm-time = Час
 panel-alarm-one = Підтвердити цю тривогу
 panel-alarm-shelve = Відкласти
 panel-alarm-shelve-for = Відкласти на
@@ -83,9 +82,6 @@ panel-value-preheat = Підігрів
 panel-value-interpass = Температура між проходами
 
 # Limit.
-panel-limit-least = мін.
-panel-limit-greatest = макс.
-panel-limit-allowed = дозволено
 
 # States.
 panel-mode-off = Вимкнено
@@ -959,15 +955,6 @@ panel-sensor-keep = Узяти калібрування
 panel-sensor-planes = Площини камери
 panel-sensor-remove = Вилучити площину z = { $z } мм
 panel-sensor-verdict-good = Знімок відповідає сітці.
-panel-sensor-verdict-far = Масштаб відрізняється від попереднього на { $difference } %: чи правильні крок і висота?
-panel-sensor-verdict-picture = Це не знімок, який можна прочитати: потрібен PNG або JPEG.
-panel-sensor-verdict-size = Розмір знімка { $pixels } пкс, давача { $sensor }.
-panel-sensor-verdict-plain = Немає темних точок: найтемніші місця лише на { $contrast } % темніші за оточення. Світло, різкість?
-panel-sensor-verdict-few = Знайдено точок сітки: { $dots }, а треба 25 або більше.
-panel-sensor-verdict-tangled = Ряди і стовпці не сходяться біля стовпця { $column }, рядка { $row }: чи немає чогось на пластині?
-panel-sensor-verdict-corner = Точки займають { $share } % ширини або висоти кадру: треба половину.
-panel-sensor-verdict-residual = Точки відходять на { $rms } пкс (СКВ, найбільше { $max }): не та сітка, не прямо або нерізко.
-panel-sensor-verdict-map = Те, що відповідає точкам, не може бути відображенням камери.
 panel-sensor-move = Місце на ланці x, y, z
 panel-sensor-turn = Поворот навколо напряму x, y, z
 panel-sensor-angle = … на кут

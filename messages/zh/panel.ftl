@@ -52,7 +52,6 @@ panel-alarm-consequence = 后果
 panel-alarm-action = 处理
 panel-alarm-reaction = 反应
 panel-alarm-first = 首发
-panel-alarm-time = 时间
 panel-alarm-one = 确认此报警
 panel-alarm-shelve = 搁置
 panel-alarm-shelve-for = 搁置时间
@@ -83,9 +82,6 @@ panel-value-preheat = 预热温度
 panel-value-interpass = 层间温度
 
 # Limit.
-panel-limit-least = 最小
-panel-limit-greatest = 最大
-panel-limit-allowed = 允许
 
 # States.
 panel-mode-off = 断电
@@ -955,15 +951,6 @@ panel-sensor-keep = 保存标定
 panel-sensor-planes = 相机平面
 panel-sensor-remove = 删除 z = { $z } mm 平面
 panel-sensor-verdict-good = 图像与网格相符。
-panel-sensor-verdict-far = 比例与原值相差 { $difference } %：点距和高度是否正确？
-panel-sensor-verdict-picture = 无法读取该图像：请用 PNG 或 JPEG。
-panel-sensor-verdict-size = 图像为 { $pixels } 像素，传感器为 { $sensor }。
-panel-sensor-verdict-plain = 没有深色点：最暗处仅比周围暗 { $contrast } %。检查光照和对焦。
-panel-sensor-verdict-few = 仅识别到 { $dots } 个网格点：至少需要 25 个。
-panel-sensor-verdict-tangled = 在第 { $column } 列、第 { $row } 行附近行列不相交：板上是否有异物？
-panel-sensor-verdict-corner = 点阵只占画面宽或高的 { $share } %：至少需要一半。
-panel-sensor-verdict-residual = 点偏差 { $rms } 像素（均方根，最大 { $max }）：网格不符、未正对或不清晰。
-panel-sensor-verdict-map = 求得的结果不是有效的相机映射。
 panel-sensor-move = 在连杆上的位置 x, y, z
 panel-sensor-turn = 绕方向 x, y, z 旋转
 panel-sensor-angle = …角度

@@ -1,11 +1,9 @@
 import type { AlarmView, MessageView } from '../wire';
 import { ALARMS } from './alarms';
 import { Catalogue, languages, load, whole, type Language, type Tongue } from './catalogue';
-import { ARGUMENTS, type Key } from './panel';
 import { loadShipped } from './shipped';
 
 export { languages, type Language } from './catalogue';
-export type { Key } from './panel';
 
 const RETRY_MS = 5000;
 const KEPT = 'seamwright.language';
@@ -70,21 +68,15 @@ export const words = new Words();
 const code = (key: string): string => `panel-${key.replace(/[._ ]/g, '-')}`;
 const value = (of: string | number) => (typeof of === 'number' && Number.isInteger(of) ? whole(of) : String(of));
 
-/** The words of a key in the chosen language, with its arguments in the order of `ARGUMENTS`. */
-export function t(key: Key, ...of: (string | number)[]): string {
-  const names: readonly string[] = key in ARGUMENTS ? ARGUMENTS[key as keyof typeof ARGUMENTS] : [];
-  return words.catalogue.words(code(key), Object.fromEntries(names.map((name, i) => [name, value(of[i] ?? '')]))) ?? key;
-}
-
-/** True if there are words for a key that is made of a name from the cell. */
-export function isKey(key: string): key is Key {
-  return words.catalogue.has(code(key));
+/** The words of a key in the chosen language: `tab.weld` is `panel-tab-weld` in `messages/LANGUAGE/panel.ftl`. A test finds keys without words. */
+export function t(key: string, of: Record<string, string | number> = {}): string {
+  return words.catalogue.words(code(key), Object.fromEntries(Object.entries(of).map(([name, one]) => [name, value(one)]))) ?? key;
 }
 
 /** The words of a key that is made of a name from the cell; a name without words is shown as it is. */
 export function named(prefix: string, name: string): string {
   const key = `${prefix}.${name}`;
-  return isKey(key) ? t(key) : name;
+  return words.catalogue.has(code(key)) ? t(key) : name;
 }
 
 /** A message of the cell in the chosen language. Text, as in old records, stays as it is. */
