@@ -1,7 +1,7 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vitest/config';
 
-// The cell's server, or the mock's (`npm run mock`), while developing.
+// The cell's server while developing: `seamwright serve`.
 const cell = process.env['SEAMWRIGHT_CELL'] ?? 'http://127.0.0.1:8080';
 
 function chunkOfWords(path: string): string | null {

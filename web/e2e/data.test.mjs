@@ -8,7 +8,7 @@ import { axe, bench, commands, control, keep, mode, open, press, quiet, SHORT, s
 
 const shots = new URL('shots/', import.meta.url).pathname;
 const PASSWORD = 'correct horse battery';
-const { one, cell, browser, options } = await bench({ real: 'the mock has no data', only: true });
+const { one, cell, browser } = await bench();
 mkdirSync(shots, { recursive: true });
 
 const data = (of) => of.getByRole('region', { name: 'Backup' });
@@ -32,7 +32,7 @@ const ask = (of, method, path, body) =>
     [method, path, JSON.stringify(body)],
   );
 
-test('a backup replaces all data after it was checked, with the machine off only', options, async () => {
+test('a backup replaces all data after it was checked, with the machine off only', async () => {
   await open(one, cell.address);
   const ada = { role: 'admin', enabled: true, password: PASSWORD, own_password: null };
   // The first administrator is told what follows: the address that was printed is no key any more.

@@ -1,26 +1,13 @@
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page, SIZES } from './browser.mjs';
-import { startCell } from './cell.mjs';
-import { axe, control, open, quiet, sleep } from './operator.mjs';
+import { test } from 'node:test';
+import { page, SIZES } from './browser.mjs';
+import { axe, bench, control, open, quiet, sleep } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
 const shots = new URL('shots/', import.meta.url).pathname;
 const TABS = 5;
-let cell;
-let browser;
-
-before(async () => {
-  if (!hasBrowser) return;
-  mkdirSync(shots, { recursive: true });
-  cell = await startCell();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+mkdirSync(shots, { recursive: true });
+const { cell, browser } = await bench();
 
 const go = (of, i) => of.locator('nav button').nth(i).click();
 
@@ -51,7 +38,7 @@ const overflowing = (of) =>
 
 for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
   for (const size of Object.keys(SIZES)) {
-    test(`${language} at ${size}: everything fits`, options, async () => {
+    test(`${language} at ${size}: everything fits`, async () => {
       const one = await page(browser, { language, size });
       await open(one, cell.address);
       for (let i = 0; i < TABS; i += 1) {
@@ -90,7 +77,7 @@ for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
 }
 
 for (const dark of [false, true]) {
-  test(`axe finds nothing on any tab, ${dark ? 'dark' : 'light'}`, options, async () => {
+  test(`axe finds nothing on any tab, ${dark ? 'dark' : 'light'}`, async () => {
     const one = await page(browser, { dark });
     await open(one, cell.address);
     const check = (where) => axe(one, where);
