@@ -1,9 +1,10 @@
 # One place for every command. `make` alone lists them.
 
-.PHONY: help run test bench peers soak book fmt lint
+.PHONY: help run generate test bench peers soak book fmt lint
 
 help:
 	@echo "make run    a simulated cell with its panel: open the address that it prints"
+	@echo "make generate  types of the server's interface for the panel's type check and for editors: web/generated/"
 	@echo "make test   format, lints, all tests; prints how many passed"
 	@echo "make bench  speed and memory of this build on this machine"
 	@echo "make peers  compare with other programs (LinuxCNC); installs what is missing, needs root"
@@ -14,6 +15,9 @@ help:
 
 run:
 	cargo run --release
+
+generate:
+	scripts/generate
 
 test:
 	scripts/test

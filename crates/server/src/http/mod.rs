@@ -25,6 +25,7 @@ mod socket;
 mod stop;
 mod teach;
 mod turns;
+mod typescript;
 mod users;
 
 pub(crate) use answer::Refused;
@@ -42,3 +43,4 @@ pub(crate) use plan::{begin_with, try_load};
 pub(crate) use routes::all_routes;
 pub(crate) use routes::{MAX_BYTES, MAX_UNKNOWN, URGENT, app, urgent_app};
 pub(crate) use turns::{Turn, Turns};
+pub use typescript::typescript;

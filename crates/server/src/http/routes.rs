@@ -1,5 +1,6 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
+use super::typescript::Declarations;
 use super::{
     assets, audit, cell_views, choices, edit, health, jobs, login, openapi, plan, records, restore, sensors, setup,
     socket, stop, teach, users,
@@ -16,6 +17,7 @@ use axum::routing::{MethodRouter, delete, get, post, put};
 use axum::{Router, middleware};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use std::sync::Arc;
+use ts_rs::{TS, TypeVisitor};
 
 /// Maximum size of a request, bytes.
 pub(crate) const MAX_BYTES: usize = 4 << 20;
@@ -42,11 +44,16 @@ pub(super) struct Route {
     handler: MethodRouter<Arc<Panel>>,
 }
 
-/// Writes the schema of a type.
-pub(super) type Shape = fn(&mut SchemaGenerator) -> Schema;
+/// Type of a body or an answer.
+pub(super) struct Shape {
+    /// Writes its JSON Schema.
+    pub(super) schema: fn(&mut SchemaGenerator) -> Schema,
+    /// Declares it in TypeScript.
+    pub(super) declare: fn(&mut Declarations),
+}
 
-fn shape<T: JsonSchema>() -> Option<Shape> {
-    Some(SchemaGenerator::subschema_for::<T>)
+fn shape<T: JsonSchema + TS + 'static>() -> Option<Shape> {
+    Some(Shape { schema: SchemaGenerator::subschema_for::<T>, declare: Declarations::visit::<T> })
 }
 
 impl Route {
@@ -71,11 +78,11 @@ impl Route {
         Self { method, path, action: Some(action), about, body: None, takes: JSON, answer: None, handler }
     }
 
-    fn with_body<T: JsonSchema>(self) -> Self {
+    fn with_body<T: JsonSchema + TS + 'static>(self) -> Self {
         Self { body: shape::<T>(), ..self }
     }
 
-    fn with_answer<T: JsonSchema>(self) -> Self {
+    fn with_answer<T: JsonSchema + TS + 'static>(self) -> Self {
         Self { answer: shape::<T>(), ..self }
     }
 }
