@@ -1,5 +1,4 @@
 import type { AlarmView, MessageView } from '../wire';
-import { ALARMS } from './alarms';
 import { Catalogue, languages, load, whole, type Language, type Tongue } from './catalogue';
 import { loadShipped } from './shipped';
 
@@ -95,7 +94,7 @@ export function about(of: MessageView | string): string {
 }
 
 /** Title, cause, consequence, or operator action of an alarm, by its number in the catalogue. */
-export function alarmPart(number: number, part: 'title' | 'cause' | 'consequence' | 'action'): string | null {
+function alarmPart(number: number, part: 'title' | 'cause' | 'consequence' | 'action'): string | null {
   return words.catalogue.words(`alarm-${number}-${part}`, {});
 }
 
@@ -109,22 +108,4 @@ export function alarmWords(number: number, of: AlarmWords): AlarmWords {
     consequence: alarmPart(number, 'consequence') ?? of.consequence,
     action: alarmPart(number, 'action') ?? of.action,
   };
-}
-
-/** Title of a recorded alarm, with what it is about. Records of older versions have its name, like `limit switch (x)`. */
-export function alarmTitle(of: MessageView): string {
-  return of.code === 'text' ? titleOf(of.text) : message(of);
-}
-
-function titleOf(name: string): string {
-  const [, stable = name, of = null] = /^(.+?)(?: \((.*)\))?$/s.exec(name) ?? [];
-  const title = alarmPart(ALARMS.indexOf(stable) + 1, 'title');
-  if (title === null) return name;
-  return of === null ? title : `${title} (${about(of)})`;
-}
-
-/** Cause of a recorded alarm. */
-export function alarmCause(of: { name: MessageView; cause: MessageView }): string {
-  if (of.cause.code !== 'text') return message(of.cause);
-  return alarmPart(ALARMS.indexOf(of.name.text.replace(/ \(.*\)$/s, '')) + 1, 'cause') ?? of.cause.text;
 }

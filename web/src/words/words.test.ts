@@ -3,7 +3,6 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test, vi } from 'vitest';
 import { read } from '../jobs/toml';
 import type { MessageView } from '../wire';
-import { ALARMS } from './alarms';
 import { accented, Catalogue, languages, load, type Language } from './catalogue';
 
 vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
@@ -105,7 +104,7 @@ describe('messages', () => {
 });
 
 test('the panel speaks the language that is chosen', async () => {
-  const { alarmTitle, message, named, shipped, t, words } = await import('./index.svelte');
+  const { message, named, shipped, t, words } = await import('./index.svelte');
   await words.begin();
   expect([words.language, t('audit.whole', { n: 1 }), t('audit.whole', { n: 1234 }), t('link.stale', { age: '2.5' })]).toEqual(['en', '1 entry', '1234 entries', 'Data 2.5 s old']);
   expect(message('as it stands')).toBe('as it stands');
@@ -114,8 +113,6 @@ test('the panel speaks the language that is chosen', async () => {
   // Words of messages and of supplied files come later.
   await vi.waitFor(() => expect(shipped('a beam is thin')).toBe('ein Strahl ist dünn'), { timeout: 30_000 });
   expect([shipped('First weld: 60 degrees of the saddle'), shipped('mine')]).toEqual(['Erste Naht: 60 Grad des Sattels', 'mine']);
-  const old = (text: string): MessageView => ({ code: 'text', text, arguments: [['text', { type: 'text', value: text }]] });
-  expect([alarmTitle(old('drive fault (theta)')), alarmTitle(old('nothing of the cell (x)'))]).toEqual(['Antriebsstörung (theta)', 'nothing of the cell (x)']);
   await words.choose('en');
 }, 60_000);
 
@@ -125,13 +122,6 @@ test('the pseudo-language is asked for in the address', async () => {
   await words.begin();
   expect([words.language, t('all'), t('recording', { weld: 7 })]).toEqual(['en', accented('All'), accented('Record ') + '7']);
   vi.stubGlobal('location', { search: '' });
-});
-
-test('the alarms are those of the cell, in its order', () => {
-  const rust = file('crates/cell/src/executive/alarm.rs');
-  const count = Number(/const ALL: \[Self; (\d+)\]/.exec(rust)?.[1]);
-  expect(ALARMS.length).toBe(count);
-  for (const name of ALARMS) expect(rust).toContain(`"${name}"`);
 });
 
 test('every condition of the supplied machines has words', () => {
