@@ -309,7 +309,6 @@ panel-why-runs = Es läuft.
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = Die Achsen stehen noch nicht: kurz warten.
-panel-lack-power = Die Antriebe haben noch keine Spannung: kurz warten.
 panel-lack-lost = Die Verbindung ging verloren. Kein Befehl wird selbsttätig wiederholt.
 
 # Roles of passes.

@@ -309,7 +309,6 @@ panel-why-runs = It is running.
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = The axes are still moving: wait a moment.
-panel-lack-power = The drives have no power yet: wait a moment.
 panel-lack-lost = The connection was lost. No command is repeated automatically.
 
 # Roles of passes.

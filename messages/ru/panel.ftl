@@ -309,7 +309,6 @@ panel-why-runs = Программа выполняется.
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = Оси ещё движутся: подождите.
-panel-lack-power = У приводов ещё нет питания: подождите.
 panel-lack-lost = Связь потеряна. Ни одна команда не повторяется автоматически.
 
 # Roles of passes.

@@ -309,7 +309,6 @@ panel-why-runs = Програма виконується.
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = Осі ще рухаються: зачекайте.
-panel-lack-power = Приводи ще не мають живлення: зачекайте.
 panel-lack-lost = Зв’язок утрачено. Жодна команда не повторюється автоматично.
 
 # Roles of passes.

@@ -309,7 +309,6 @@ panel-why-runs = 正在运行。
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = 各轴尚未停稳：请稍候。
-panel-lack-power = 驱动器尚未得电：请稍候。
 panel-lack-lost = 连接中断。任何命令都不会自动重复。
 
 # Roles of passes.

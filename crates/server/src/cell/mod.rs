@@ -2,6 +2,7 @@
 
 mod alarms;
 mod archive;
+mod commands;
 mod connection;
 mod cycle;
 mod desk;
