@@ -24,6 +24,6 @@ export default defineConfig({
   },
   worker: { format: 'es' },
   // The catalogues lie beside this folder.
-  server: { fs: { allow: ['..'] }, proxy: { '/api': { target: cell, ws: true } } },
+  server: { fs: { allow: ['..'] }, proxy: { '/api': { target: cell, ws: true, changeOrigin: true, headers: { origin: cell } } } },
   test: { include: ['src/**/*.test.ts'], environment: 'node' },
 });
