@@ -1,15 +1,13 @@
 // All data as one file, and back: the cell begins anew with them, and everybody has to log in.
 import assert from 'node:assert/strict';
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe, bench, commands, control, keep, mode, open, press, quiet, SHORT, sleep, tab } from './operator.mjs';
+import { axe, bench, commands, control, keep, mode, open, press, quiet, SHORT, shot, sleep, tab } from './operator.mjs';
 
-const shots = new URL('shots/', import.meta.url).pathname;
 const PASSWORD = 'correct horse battery';
 const { one, cell, browser } = await bench();
-mkdirSync(shots, { recursive: true });
 
 const data = (of) => of.getByRole('region', { name: 'Backup' });
 const choose = (of, file) => data(of).getByLabel(/Backup file/).setInputFiles(file);
@@ -65,7 +63,7 @@ test('a backup replaces all data after it was checked, with the machine off only
     await check(one);
     await data(one).getByText(said).waitFor();
   }
-  await one.screenshot({ path: `${shots}data-refused.png` });
+  await shot(one, 'data-refused');
   // With the drives on nothing is even checked.
   await control(one);
   await press(one, /Switch on/);
@@ -80,7 +78,7 @@ test('a backup replaces all data after it was checked, with the machine off only
   await data(one).getByText('The backup is complete').waitFor();
   for (const dark of [false, true]) {
     await one.emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
-    await one.screenshot({ path: `${shots}data-${dark ? 'dark' : 'light'}.png` });
+    await shot(one, `data-${dark ? 'dark' : 'light'}`);
   }
   await one.emulateMedia({ colorScheme: 'light' });
   const other = await page(browser);
@@ -94,7 +92,7 @@ test('a backup replaces all data after it was checked, with the machine off only
   await data(one).getByText('Refused: your own password is needed for this, and it is wrong').waitFor();
   await data(one).getByRole('button', { name: /Replace all data/ }).click();
   await dialog.getByLabel(/own password/i).fill(PASSWORD);
-  await one.screenshot({ path: `${shots}data-sure.png` });
+  await shot(one, 'data-sure');
   await dialog.getByRole('button', { name: 'Replace all data' }).click();
   // All are out; Eve is nobody any more.
   for (const of of [one, other]) await of.getByRole('button', { name: /Log in/ }).waitFor({ timeout: 60_000 });

@@ -1,14 +1,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe as accessible, bench, commands, control, load, mode, open, quiet, ready, record, sleep, tab } from './operator.mjs';
+import { axe as accessible, bench, commands, control, load, mode, open, quiet, ready, record, shot, sleep, tab } from './operator.mjs';
 
-const SHOTS = process.env.SEAMWRIGHT_SHOTS;
 const { one, cell, browser } = await bench();
-if (one) {
-  await open(one, cell.address);
-  await control(one);
-}
+await open(one, cell.address);
+await control(one);
 
 /** The list of jobs, whatever was open. */
 async function list() {
@@ -108,7 +105,7 @@ test('what the section plane cuts open is closed', async () => {
   const whole = await flat();
   await menu.getByRole('combobox', { name: 'Section plane' }).selectOption('z');
   const cut = await flat();
-  if (SHOTS) await one.screenshot({ path: `${SHOTS}/cut.png` });
+  await shot(one, 'cut');
   const hatched = await flat([125, 131, 136]);
   assert.ok(hatched > cut / 12 && hatched < cut / 3, `${hatched} pixels of its hatching`);
   assert.ok(cut > 3000 && cut > 4 * whole, `${whole} pixels of a face before, ${cut} after`);

@@ -1,14 +1,11 @@
 // An alarm from its coming to its acknowledgement; who may not, may not, also past the buttons; foreign texts are text.
 import assert from 'node:assert/strict';
-import { mkdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { ask, axe, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
+import { ask, axe, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab } from './operator.mjs';
 
 const EVIL = '<img src=x onerror=globalThis.pwned=1><script>globalThis.pwned=1</script>';
 const PASSWORD = 'correct horse battery';
-const shots = new URL('shots/', import.meta.url).pathname;
-mkdirSync(shots, { recursive: true });
 const { one, cell, browser } = await bench();
 
 /** What the cell answers to a command over a socket of the page's own. */
@@ -175,7 +172,7 @@ test('a user that is there is not changed unasked, and a password is typed twice
   await user.fill(one, 'cleo', 'Operator', PASSWORD, `${PASSWORD}r`);
   await one.getByText('The two passwords differ.').waitFor();
   assert.ok(await key.isDisabled());
-  await one.screenshot({ path: `${shots}users-differ.png` });
+  await shot(one, 'users-differ');
   // Too short: the server says so, whatever the page lets through.
   await user.fill(one, 'cleo', 'Operator', 'short');
   await one.locator('form').evaluate((form) => (form.noValidate = true));
@@ -195,7 +192,7 @@ test('a user that is there is not changed unasked, and a password is typed twice
   await dialog.getByText('User cleo already exists.').waitFor();
   await dialog.getByText('The password stays.').waitFor();
   await axe(one, 'a user that is there');
-  await one.screenshot({ path: `${shots}users-exists.png` });
+  await shot(one, 'users-exists');
   await dialog.getByRole('button', { name: 'Cancel' }).click();
   await row.getByText('Operator').waitFor();
   await save();

@@ -4,7 +4,7 @@ import { page } from './browser.mjs';
 import { axe, bench, control, keep, open, quiet, SHORT, sleep, tab } from './operator.mjs';
 
 const { one, cell, browser } = await bench();
-if (one) await open(one, cell.address);
+await open(one, cell.address);
 
 /** A straight line in six points, as poses. */
 const STRAIGHT = `schema = 1

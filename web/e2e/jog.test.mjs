@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { afterEach, test } from 'node:test';
-import { axis, bench, commands, control, mode, open, ready, record, sleep, tab } from './operator.mjs';
+import { axis, bench, commands, control, mode, open, ready, record, shot, sleep, tab } from './operator.mjs';
 
 const { one, cell } = await bench();
 await open(one, cell.address);
@@ -185,7 +185,7 @@ test('a key that sends all axes to a place: they go while it is held, and stand 
     await home.hover();
     await one.mouse.down();
     for (let i = 0; i < 50 && !(Math.abs(await theta()) <= 0.005); i += 1) await sleep(100);
-    await one.screenshot({ path: new URL('shots/go.png', import.meta.url).pathname });
+    await shot(one, 'go');
     await one.mouse.up();
     await stands();
   }

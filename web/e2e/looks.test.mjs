@@ -1,12 +1,9 @@
 import assert from 'node:assert/strict';
-import { mkdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { page, SIZES } from './browser.mjs';
-import { axe, bench, control, open, quiet, sleep } from './operator.mjs';
+import { axe, bench, control, open, quiet, shot, sleep } from './operator.mjs';
 
-const shots = new URL('shots/', import.meta.url).pathname;
 const TABS = 5;
-mkdirSync(shots, { recursive: true });
 const { cell, browser } = await bench();
 
 const go = (of, i) => of.locator('nav button').nth(i).click();
@@ -44,7 +41,7 @@ for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
       for (let i = 0; i < TABS; i += 1) {
         await go(one, i);
         await sleep(400);
-        await one.screenshot({ path: `${shots}${language}-${size}-${i}.png` });
+        await shot(one, `${language}-${size}-${i}`);
         assert.deepEqual(await overflowing(one), [], `tab ${i}`);
       }
       const pages = one.locator('.setup .pages button');
@@ -53,7 +50,7 @@ for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
         if (await choice.isVisible()) await choice.selectOption({ index: i });
         else await pages.nth(i).click();
         await sleep(200);
-        await one.screenshot({ path: `${shots}${language}-${size}-set-up-${i}.png` });
+        await shot(one, `${language}-${size}-set-up-${i}`);
         assert.deepEqual(await overflowing(one), [], `set-up ${i}`);
       }
       // The editor, with its pages.
@@ -65,7 +62,7 @@ for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
         for (let i = 0; i < (await pages.count()); i += 1) {
           await pages.nth(i).click();
           await sleep(300);
-          await one.screenshot({ path: `${shots}${language}-${size}-editor${half}${i}.png` });
+          await shot(one, `${language}-${size}-editor${half}${i}`);
           assert.deepEqual(await overflowing(one), [], `editor ${half} ${i}`);
         }
       }
@@ -85,7 +82,7 @@ for (const dark of [false, true]) {
       await go(one, i);
       await sleep(500);
       await check(`tab ${i}`);
-      await one.screenshot({ path: `${shots}${dark ? 'dark' : 'light'}-${i}.png` });
+      await shot(one, `${dark ? 'dark' : 'light'}-${i}`);
     }
     for (const name of ['Axes and drives', 'Tool', 'Sensors', 'Inputs and outputs', 'Tuning', 'Alarm catalogue', 'Users', 'Audit log']) {
       await one.getByRole('button', { name, exact: true }).click();
@@ -103,7 +100,7 @@ for (const dark of [false, true]) {
       await one.getByRole('button', { name, exact: true }).click();
       await sleep(800);
       await check(name);
-      await one.screenshot({ path: `${shots}${dark ? 'dark' : 'light'}-${name}.png` });
+      await shot(one, `${dark ? 'dark' : 'light'}-${name}`);
     }
     await one.getByRole('button', { name: 'Save as' }).click();
     await check('saving as');

@@ -131,6 +131,9 @@ export async function record(page) {
   await points.nth(before).waitFor();
 }
 
+/** A picture of the page for who looks after the tests. */
+export const shot = (page, name) => page.screenshot({ path: new URL(`shots/${name}.png`, import.meta.url).pathname });
+
 export const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 
 /** Nothing was said on the console but what the software renderer says of itself. */

@@ -1,13 +1,10 @@
 // Two welds of different machines and processes beside one another; what is looked for and looked at stays; nothing is cut off.
 import assert from 'node:assert/strict';
-import { mkdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe, bench, commands, control, cutOff, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+import { axe, bench, commands, control, cutOff, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab, weld } from './operator.mjs';
 
-const shots = new URL('shots/', import.meta.url).pathname;
 const { one, cell, browser } = await bench();
-mkdirSync(shots, { recursive: true });
 const row = (of, part) => of.locator('tr', { hasText: part });
 
 test('welds by arc and by beam are compared: what both have is drawn, with the values under the cursor', async () => {
@@ -45,7 +42,7 @@ test('welds by arc and by beam are compared: what both have is drawn, with the v
   const values = await one.locator('.charts figure').first().locator('b').allTextContents();
   assert.deepEqual(values.map((text) => Math.round(Number(text))), [10, 6]);
   await axe(one, 'comparing');
-  await one.screenshot({ path: `${shots}records-compare.png` });
+  await shot(one, 'records-compare');
   quiet(one);
 });
 
@@ -78,14 +75,14 @@ for (const language of ['de', 'uk']) {
     await two.locator('.charts .uplot').first().waitFor();
     assert.deepEqual(await cutOff(two), []);
     assert.ok(!/set|error|actual/i.test(await two.locator('.charts').textContent()), 'columns have words');
-    await two.screenshot({ path: `${shots}records-${language}.png` });
+    await shot(two, `records-${language}`);
     await two.locator('nav button').nth(4).click();
     await two.locator('.setup .pages button').nth(5).click();
     await two.locator('.setup .must').click();
     await two.locator('.setup figure').first().waitFor({ timeout: 60_000 });
     assert.deepEqual(await cutOff(two), []);
     assert.ok(!/_hz|_per_s|_deg/.test(await two.locator('.setup .two').innerText()), 'numbers of tuning have words and units');
-    await two.screenshot({ path: `${shots}tuning-${language}.png` });
+    await shot(two, `tuning-${language}`);
     quiet(two);
     await two.context().close();
   });
@@ -106,7 +103,7 @@ for (const [language, dark] of [['en', false], ['zh', true]]) {
     assert.ok(sizes.page <= sizes.screen && sizes.scrollWidth > sizes.clientWidth, JSON.stringify(sizes));
     // No column so narrow that it is read letter by letter.
     assert.ok(sizes.tallest < 110, JSON.stringify(sizes));
-    await two.screenshot({ path: `${shots}records-phone-${language}.png` });
+    await shot(two, `records-phone-${language}`);
     // The last column is reached.
     await list.evaluate((of) => of.scrollTo(of.scrollWidth, 0));
     const last = await row(two, 'S-1').locator('td').last().boundingBox();
@@ -119,7 +116,7 @@ for (const [language, dark] of [['en', false], ['zh', true]]) {
     await two.locator('.charts .uplot').first().waitFor();
     assert.deepEqual(await cutOff(two), []);
     assert.ok((await two.evaluate(() => document.documentElement.scrollWidth)) <= sizes.screen);
-    await two.screenshot({ path: `${shots}records-phone-one-${language}.png` });
+    await shot(two, `records-phone-one-${language}`);
     quiet(two);
     await two.context().close();
   });

@@ -1,7 +1,7 @@
 // Stopping from wherever one is, and going on with nothing but the weld that was left.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bench, burns, commands, control, keep, load, mode, open, press, ready, SHORT, tab, weld } from './operator.mjs';
+import { bench, burns, commands, control, keep, load, mode, open, press, ready, SHORT, weld } from './operator.mjs';
 
 const { one, cell } = await bench();
 const LONG = SHORT.replace('"Short"', '"Long"').replaceAll(', 6]', ', 1.5]');

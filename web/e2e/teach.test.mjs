@@ -1,9 +1,8 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { axis, bench, control, keep, load, mode, open, press, quiet, ready, sleep, tab } from './operator.mjs';
+import { axis, bench, control, keep, load, mode, open, quiet, ready, shot, sleep, tab } from './operator.mjs';
 
-const SHOTS = process.env.SEAMWRIGHT_SHOTS;
-after(() => shot('teach-last'));
+after(() => shot(one, 'teach-last'));
 const { one, cell } = await bench({ job: 'half-ring' });
 await open(one, cell.address);
 await control(one);
@@ -11,7 +10,6 @@ await control(one);
 const phase = (...wanted) =>
   one.waitForFunction((list) => list.includes(document.querySelector('[data-teach]')?.dataset.teach), wanted, { timeout: 120_000 });
 const button = (name) => one.getByRole('button', { name });
-const shot = (name) => (SHOTS ? one.screenshot({ path: `${SHOTS}/${name}.png` }) : undefined);
 
 /** A page that drew a second by software has lost control. */
 async function commands() {
@@ -94,7 +92,7 @@ test('a seam is taught by eye, from its start in 3D to a saved job', async () =>
   }
   await one.locator('.rows tbody tr').nth(2).waitFor();
   await one.locator('.camera img').waitFor();
-  await shot('teach-runs');
+  await shot(one, 'teach-runs');
   if (await button('Pause').isVisible()) {
     await button('Pause').click();
     await phase('paused', 'ended');
@@ -114,10 +112,10 @@ test('a seam is taught by eye, from its start in 3D to a saved job', async () =>
   await one.getByRole('textbox', { name: 'Name' }).fill('taught-ring');
   await button('Save as program').click();
   await one.getByText('Saved: taught-ring.toml').waitFor();
-  await shot('teach-ended');
+  await shot(one, 'teach-ended');
   await button('Open').last().click();
   await one.locator('.right .page').getByText(/Can be welded/).waitFor({ timeout: 120_000 });
-  await shot('teach-opened');
+  await shot(one, 'teach-opened');
   quiet(one);
 });
 
