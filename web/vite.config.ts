@@ -7,7 +7,7 @@ const cell = process.env['SEAMWRIGHT_CELL'] ?? 'http://127.0.0.1:8080';
 function chunkOfWords(path: string): string | null {
   const [, language = '', area = ''] = /\/messages\/(\w+)\/(\w+)\./.exec(path) ?? [];
   if (language === '') return null;
-  return `${['panel', 'units', 'alarms'].includes(area) ? 'words' : 'messages'}-${language}`;
+  return `${['panel', 'words', 'units', 'alarms'].includes(area) ? 'words' : 'messages'}-${language}`;
 }
 
 export default defineConfig({

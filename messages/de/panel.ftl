@@ -62,26 +62,8 @@ panel-alarm-until = bis { $time }, von { $user }
 panel-alarm-shelve-how = Zurückgestellt wird nur, was bloß meldet; was anhält oder stoppt, ist immer zu sehen.
 
 # Process values.
-panel-value-heat-input = Wärmeeinbringung
 panel-value-tip-speed = Geschwindigkeit der Spitze
-panel-value-current = Strom
-panel-value-voltage = Spannung
-panel-value-wire-feed = Drahtvorschub
-panel-value-power = Leistung
-panel-value-beam-current = Strahlstrom
-panel-value-accelerating = Beschleunigungsspannung
-panel-value-beam = Strahlstrom
-panel-value-frequency = Frequenz
-panel-value-focus = Fokus
-panel-value-gas = Gas
-panel-value-laser = Laserleistung
 panel-value-speed = Geschwindigkeit der Spitze
-panel-value-travel-angle = Schlepp-/Stechwinkel
-panel-value-work-angle = Arbeitswinkel
-panel-value-preheat = Vorwärmtemperatur
-panel-value-interpass = Zwischenlagentemperatur
-
-# Limit.
 
 # States.
 panel-mode-off = Aus

@@ -62,26 +62,8 @@ panel-alarm-until = until { $time }, by { $user }
 panel-alarm-shelve-how = Only message-only alarms can be shelved. Alarms that stop or hold are always shown.
 
 # Process values.
-panel-value-heat-input = Heat input
 panel-value-tip-speed = Tip speed
-panel-value-current = Current
-panel-value-voltage = Voltage
-panel-value-wire-feed = Wire feed
-panel-value-power = Power
-panel-value-beam-current = Beam current
-panel-value-accelerating = Accelerating voltage
-panel-value-beam = Beam current
-panel-value-frequency = Frequency
-panel-value-focus = Focus
-panel-value-gas = Gas
-panel-value-laser = Laser power
 panel-value-speed = Tip speed
-panel-value-travel-angle = Travel angle
-panel-value-work-angle = Work angle
-panel-value-preheat = Preheat
-panel-value-interpass = Interpass temperature
-
-# Limit.
 
 # States.
 panel-mode-off = Off

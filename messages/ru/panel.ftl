@@ -62,26 +62,8 @@ panel-alarm-until = до { $time }, { $user }
 panel-alarm-shelve-how = Отложить можно лишь сообщающие тревоги; те, что дают останов или паузу, видны всегда.
 
 # Process values.
-panel-value-heat-input = Тепловложение
 panel-value-tip-speed = Скорость острия
-panel-value-current = Ток
-panel-value-voltage = Напряжение
-panel-value-wire-feed = Подача проволоки
-panel-value-power = Мощность
-panel-value-beam-current = Ток луча
-panel-value-accelerating = Ускоряющее напряжение
-panel-value-beam = Ток луча
-panel-value-frequency = Частота
-panel-value-focus = Фокус
-panel-value-gas = Газ
-panel-value-laser = Мощность лазера
 panel-value-speed = Скорость острия
-panel-value-travel-angle = Продольный угол
-panel-value-work-angle = Поперечный угол
-panel-value-preheat = Подогрев
-panel-value-interpass = Температура между проходами
-
-# Limit.
 
 # States.
 panel-mode-off = Выключено

@@ -62,26 +62,8 @@ panel-alarm-until = до { $time }, { $user }
 panel-alarm-shelve-how = Відкласти можна лише сповіщення; те, що зупиняє або ставить на паузу, показується завжди.
 
 # Process values.
-panel-value-heat-input = Тепловкладення
 panel-value-tip-speed = Швидкість вістря
-panel-value-current = Струм
-panel-value-voltage = Напруга
-panel-value-wire-feed = Подача дроту
-panel-value-power = Потужність
-panel-value-beam-current = Струм променя
-panel-value-accelerating = Прискорювальна напруга
-panel-value-beam = Струм променя
-panel-value-frequency = Частота
-panel-value-focus = Фокус
-panel-value-gas = Газ
-panel-value-laser = Потужність лазера
 panel-value-speed = Швидкість вістря
-panel-value-travel-angle = Кут уздовж
-panel-value-work-angle = Кут поперек
-panel-value-preheat = Підігрів
-panel-value-interpass = Температура між проходами
-
-# Limit.
 
 # States.
 panel-mode-off = Вимкнено

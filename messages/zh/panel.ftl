@@ -62,26 +62,8 @@ panel-alarm-until = 至 { $time }，{ $user }
 panel-alarm-shelve-how = 只能搁置仅提示的报警；会停止或暂停的报警始终显示。
 
 # Process values.
-panel-value-heat-input = 热输入
 panel-value-tip-speed = 焊枪尖端速度
-panel-value-current = 电流
-panel-value-voltage = 电压
-panel-value-wire-feed = 送丝
-panel-value-power = 功率
-panel-value-beam-current = 束流
-panel-value-accelerating = 加速电压
-panel-value-beam = 束流
-panel-value-frequency = 频率
-panel-value-focus = 焦点
-panel-value-gas = 气体
-panel-value-laser = 激光功率
 panel-value-speed = 尖端速度
-panel-value-travel-angle = 行走角
-panel-value-work-angle = 工作角
-panel-value-preheat = 预热温度
-panel-value-interpass = 层间温度
-
-# Limit.
 
 # States.
 panel-mode-off = 断电

@@ -64,10 +64,14 @@ class Words {
 
 export const words = new Words();
 
-const code = (key: string): string => `panel-${key.replace(/[._ ]/g, '-')}`;
+/** Code of a key's words: the panel's own, or those that reports have too. */
+function code(key: string): string {
+  const name = key.replace(/[._ ]/g, '-');
+  return words.catalogue.has(`panel-${name}`) ? `panel-${name}` : name;
+}
 const value = (of: string | number) => (typeof of === 'number' && Number.isInteger(of) ? whole(of) : String(of));
 
-/** The words of a key in the chosen language: `tab.weld` is `panel-tab-weld` in `messages/LANGUAGE/panel.ftl`. A test finds keys without words. */
+/** The words of a key in the chosen language: `tab.weld` is `panel-tab-weld` in `messages/LANGUAGE/panel.ftl`, `value.current` is `value-current` in `words.ftl`. A test finds keys without words. */
 export function t(key: string, of: Record<string, string | number> = {}): string {
   return words.catalogue.words(code(key), Object.fromEntries(Object.entries(of).map(([name, one]) => [name, value(one)]))) ?? key;
 }
