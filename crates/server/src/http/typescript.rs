@@ -33,3 +33,15 @@ pub fn typescript() -> String {
     let types: Vec<String> = declarations.0.into_values().collect();
     format!("// Types of the REST interface and the WebSocket of Seamwright {version}.\n\n{}", types.join("\n"))
 }
+
+#[cfg(test)]
+mod tests {
+    /// The panel's type check finds what is missing otherwise.
+    #[test]
+    fn types_of_routes_and_of_the_socket_are_declared_once() {
+        let text = super::typescript();
+        for name in ["Status", "AlarmView", "UserRow", "Trouble", "RefusedView", "AskView", "PathPoint"] {
+            assert_eq!(text.matches(&format!("export type {name} = ")).count(), 1, "{name}");
+        }
+    }
+}
