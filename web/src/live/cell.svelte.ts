@@ -3,7 +3,6 @@ import type {
   AskView,
   EventView,
   FromCell,
-  JogOf,
   LackView,
   Load,
   MachineView,
@@ -14,7 +13,7 @@ import type {
   WorkView,
 } from '../wire';
 import { api, usePage } from './api';
-import { Link, type Answer, type LinkState } from './socket';
+import { Link, type Answer, type LinkState, type Move } from './socket';
 import { session } from './session.svelte';
 import { Stopping } from './stopping.svelte';
 import { shownSpeed, type Shown } from './speed';
@@ -133,16 +132,8 @@ class Cell {
     return this.unready !== null && this.against(order) === null;
   }
 
-  jog(of: JogOf, speeds: number[]): void {
-    this.link?.jog(of, speeds);
-  }
-
-  step(of: JogOf, index: number, by: number): void {
-    this.link?.step(of, index, by);
-  }
-
-  go(axes: number[]): void {
-    this.link?.go(axes);
+  move(by: Move): void {
+    this.link?.move(by);
   }
 
   async teaches(order: TeachOrder): Promise<Answer> {
