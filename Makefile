@@ -1,20 +1,24 @@
 # One place for every command. `make` alone lists them.
 
-.PHONY: help run test bench peers soak book dist fmt lint
+.PHONY: help run generate test bench peers soak book dist fmt lint
 
 help:
-	@echo "make run    a simulated cell with its panel: open the address that it prints"
-	@echo "make test   format, lints, all tests; prints how many passed"
-	@echo "make bench  speed and memory of this build on this machine"
-	@echo "make peers  compare with other programs (LinuxCNC); installs what is missing, needs root"
-	@echo "make soak   the property tests with a hundred times the cases; ten minutes of broken part programs, ten of many who watch the panel"
-	@echo "make book   the documentation as a book with offline search: target/book/index.html"
-	@echo "make dist   the program for packages, optimised across crates and stripped: target/dist/seamwright"
-	@echo "make fmt    format the sources"
-	@echo "make lint   clippy with warnings as errors, spelling, words to avoid"
+	@echo "make run      a simulated cell with its panel: open the address that it prints"
+	@echo "make generate types of the server's interface for the panel's type check and for editors: web/generated/"
+	@echo "make test     format, lints, all tests; prints how many passed"
+	@echo "make bench    speed and memory of this build on this machine"
+	@echo "make peers    compare with other programs (LinuxCNC); installs what is missing, needs root"
+	@echo "make soak     the property tests with a hundred times the cases; ten minutes of broken part programs, ten of many who watch the panel"
+	@echo "make book     the documentation as a book with offline search: target/book/index.html"
+	@echo "make dist     the program for packages, optimised across crates and stripped: target/dist/seamwright"
+	@echo "make fmt      format the sources"
+	@echo "make lint     clippy with warnings as errors, spelling, words to avoid"
 
 run:
 	cargo run --release
+
+generate:
+	scripts/generate
 
 test:
 	scripts/test

@@ -1,13 +1,13 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vitest/config';
 
-// The cell's server, or the mock's (`npm run mock`), while developing.
+// The cell's server while developing: `seamwright serve`.
 const cell = process.env['SEAMWRIGHT_CELL'] ?? 'http://127.0.0.1:8080';
 
 function chunkOfWords(path: string): string | null {
   const [, language = '', area = ''] = /\/messages\/(\w+)\/(\w+)\./.exec(path) ?? [];
   if (language === '') return null;
-  return `${['panel', 'units', 'alarms'].includes(area) ? 'words' : 'messages'}-${language}`;
+  return `${['panel', 'words', 'units', 'alarms'].includes(area) ? 'words' : 'messages'}-${language}`;
 }
 
 export default defineConfig({
@@ -24,6 +24,6 @@ export default defineConfig({
   },
   worker: { format: 'es' },
   // The catalogues lie beside this folder.
-  server: { fs: { allow: ['..'] }, proxy: { '/api': { target: cell, ws: true } } },
+  server: { fs: { allow: ['..'] }, proxy: { '/api': { target: cell, ws: true, changeOrigin: true, headers: { origin: cell } } } },
   test: { include: ['src/**/*.test.ts'], environment: 'node' },
 });

@@ -52,7 +52,6 @@ panel-alarm-consequence = Folge
 panel-alarm-action = Was tun
 panel-alarm-reaction = Reaktion
 panel-alarm-first = ERSTER
-panel-alarm-time = Zeit
 panel-alarm-one = Diesen Alarm quittieren
 panel-alarm-shelve = Zurückstellen
 panel-alarm-shelve-for = Zurückstellen für
@@ -63,29 +62,8 @@ panel-alarm-until = bis { $time }, von { $user }
 panel-alarm-shelve-how = Zurückgestellt wird nur, was bloß meldet; was anhält oder stoppt, ist immer zu sehen.
 
 # Process values.
-panel-value-heat-input = Wärmeeinbringung
 panel-value-tip-speed = Geschwindigkeit der Spitze
-panel-value-current = Strom
-panel-value-voltage = Spannung
-panel-value-wire-feed = Drahtvorschub
-panel-value-power = Leistung
-panel-value-beam-current = Strahlstrom
-panel-value-accelerating = Beschleunigungsspannung
-panel-value-beam = Strahlstrom
-panel-value-frequency = Frequenz
-panel-value-focus = Fokus
-panel-value-gas = Gas
-panel-value-laser = Laserleistung
 panel-value-speed = Geschwindigkeit der Spitze
-panel-value-travel-angle = Schlepp-/Stechwinkel
-panel-value-work-angle = Arbeitswinkel
-panel-value-preheat = Vorwärmtemperatur
-panel-value-interpass = Zwischenlagentemperatur
-
-# Limit.
-panel-limit-least = min.
-panel-limit-greatest = max.
-panel-limit-allowed = zulässig
 
 # States.
 panel-mode-off = Aus
@@ -313,7 +291,6 @@ panel-why-runs = Es läuft.
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = Die Achsen stehen noch nicht: kurz warten.
-panel-lack-power = Die Antriebe haben noch keine Spannung: kurz warten.
 panel-lack-lost = Die Verbindung ging verloren. Kein Befehl wird selbsttätig wiederholt.
 
 # Roles of passes.
@@ -961,15 +938,6 @@ panel-sensor-keep = Diese Abbildung übernehmen
 panel-sensor-planes = Ebenen der Kamera
 panel-sensor-remove = Ebene bei z = { $z } mm entfernen
 panel-sensor-verdict-good = Das Bild passt zum Raster.
-panel-sensor-verdict-far = Der Maßstab weicht um { $difference } % vom bisherigen ab: Stimmen Abstand und Höhe?
-panel-sensor-verdict-picture = Das ist kein lesbares Bild: PNG und JPEG sind es.
-panel-sensor-verdict-size = Das Bild hat { $pixels } Pixel, der Sensor { $sensor }.
-panel-sensor-verdict-plain = Keine dunklen Punkte: Die dunkelsten Stellen sind nur { $contrast } % dunkler als ihr Umfeld. Licht, Schärfe?
-panel-sensor-verdict-few = { $dots } Punkte eines Rasters gefunden: 25 oder mehr sind nötig.
-panel-sensor-verdict-tangled = Zeilen und Spalten treffen sich nicht bei Spalte { $column }, Zeile { $row }: Liegt etwas auf der Platte?
-panel-sensor-verdict-corner = Die Punkte füllen { $share } % der Breite oder Höhe des Bildes: die Hälfte ist nötig.
-panel-sensor-verdict-residual = Die Punkte liegen { $rms } px (RMS, größte { $max }) neben jeder Abbildung: anderes Raster, schief oder unscharf.
-panel-sensor-verdict-map = Was zu den Punkten passt, ist keine Abbildung einer Kamera.
 panel-sensor-move = Ort auf seinem Glied x, y, z
 panel-sensor-turn = Gedreht um die Richtung x, y, z
 panel-sensor-angle = … um den Winkel

@@ -111,6 +111,7 @@ server-control-jogs = die bedienende Seite tippt gerade Achsen: warten, bis die 
 server-control-held = { $user } hat die Bedienung, auf Seite { $page }
 server-replayed = Befehl { $n } kam schon; erlaubt: größer als { $last }
 server-busy = zu viele Befehle auf einmal
+server-at-rest = es bewegt sich nichts
 server-override-range = Override { $value }; erlaubt: 0 bis 1
 server-no-alarm = es gibt keinen Alarm { $number }; erlaubt: 1 bis { $max }
 server-step-range = Schritt von { $value }; erlaubt: bis { $max } in beide Richtungen

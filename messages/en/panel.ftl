@@ -52,7 +52,6 @@ panel-alarm-consequence = Consequence
 panel-alarm-action = What to do
 panel-alarm-reaction = Reaction
 panel-alarm-first = FIRST
-panel-alarm-time = Time
 panel-alarm-one = Acknowledge this alarm
 panel-alarm-shelve = Shelve
 panel-alarm-shelve-for = Shelve for
@@ -63,29 +62,8 @@ panel-alarm-until = until { $time }, by { $user }
 panel-alarm-shelve-how = Only message-only alarms can be shelved. Alarms that stop or hold are always shown.
 
 # Process values.
-panel-value-heat-input = Heat input
 panel-value-tip-speed = Tip speed
-panel-value-current = Current
-panel-value-voltage = Voltage
-panel-value-wire-feed = Wire feed
-panel-value-power = Power
-panel-value-beam-current = Beam current
-panel-value-accelerating = Accelerating voltage
-panel-value-beam = Beam current
-panel-value-frequency = Frequency
-panel-value-focus = Focus
-panel-value-gas = Gas
-panel-value-laser = Laser power
 panel-value-speed = Tip speed
-panel-value-travel-angle = Travel angle
-panel-value-work-angle = Work angle
-panel-value-preheat = Preheat
-panel-value-interpass = Interpass temperature
-
-# Limit.
-panel-limit-least = min
-panel-limit-greatest = max
-panel-limit-allowed = allowed
 
 # States.
 panel-mode-off = Off
@@ -313,7 +291,6 @@ panel-why-runs = It is running.
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = The axes are still moving: wait a moment.
-panel-lack-power = The drives have no power yet: wait a moment.
 panel-lack-lost = The connection was lost. No command is repeated automatically.
 
 # Roles of passes.
@@ -961,15 +938,6 @@ panel-sensor-keep = Save this map
 panel-sensor-planes = Planes of the camera
 panel-sensor-remove = Remove the plane at z = { $z } mm
 panel-sensor-verdict-good = The picture fits the grid.
-panel-sensor-verdict-far = The scale differs by { $difference } % from what was: are pitch and height right?
-panel-sensor-verdict-picture = This picture cannot be read. Use PNG or JPEG.
-panel-sensor-verdict-size = The picture has { $pixels } pixels, the sensor { $sensor }.
-panel-sensor-verdict-plain = No dark dots: the darkest spots are only { $contrast } % darker than their surroundings. Check light and focus.
-panel-sensor-verdict-few = { $dots } dots of a grid found; 25 or more are needed.
-panel-sensor-verdict-tangled = Rows and columns do not meet near column { $column }, row { $row }: is something on the plate?
-panel-sensor-verdict-corner = The dots cover { $share } % of the picture’s width or height: half is needed.
-panel-sensor-verdict-residual = The dots are { $rms } px (RMS, maximum { $max }) from any map: not this grid, not square, or not sharp.
-panel-sensor-verdict-map = The fitted map is not a valid camera map.
 panel-sensor-move = Position on its link x, y, z
 panel-sensor-turn = Turned about the direction x, y, z
 panel-sensor-angle = … by the angle

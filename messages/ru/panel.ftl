@@ -52,7 +52,6 @@ panel-alarm-consequence = Последствие
 panel-alarm-action = Что делать
 panel-alarm-reaction = Реакция
 panel-alarm-first = ПЕРВАЯ
-panel-alarm-time = Время
 panel-alarm-one = Подтвердить эту тревогу
 panel-alarm-shelve = Отложить
 panel-alarm-shelve-for = Отложить на
@@ -63,29 +62,8 @@ panel-alarm-until = до { $time }, { $user }
 panel-alarm-shelve-how = Отложить можно лишь сообщающие тревоги; те, что дают останов или паузу, видны всегда.
 
 # Process values.
-panel-value-heat-input = Тепловложение
 panel-value-tip-speed = Скорость острия
-panel-value-current = Ток
-panel-value-voltage = Напряжение
-panel-value-wire-feed = Подача проволоки
-panel-value-power = Мощность
-panel-value-beam-current = Ток луча
-panel-value-accelerating = Ускоряющее напряжение
-panel-value-beam = Ток луча
-panel-value-frequency = Частота
-panel-value-focus = Фокус
-panel-value-gas = Газ
-panel-value-laser = Мощность лазера
 panel-value-speed = Скорость острия
-panel-value-travel-angle = Продольный угол
-panel-value-work-angle = Поперечный угол
-panel-value-preheat = Подогрев
-panel-value-interpass = Температура между проходами
-
-# Limit.
-panel-limit-least = мин.
-panel-limit-greatest = макс.
-panel-limit-allowed = разрешено
 
 # States.
 panel-mode-off = Выключено
@@ -313,7 +291,6 @@ panel-why-runs = Программа выполняется.
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = Оси ещё движутся: подождите.
-panel-lack-power = У приводов ещё нет питания: подождите.
 panel-lack-lost = Связь потеряна. Ни одна команда не повторяется автоматически.
 
 # Roles of passes.
@@ -959,15 +936,6 @@ panel-sensor-keep = Взять калибровку
 panel-sensor-planes = Плоскости камеры
 panel-sensor-remove = Удалить плоскость z = { $z } мм
 panel-sensor-verdict-good = Снимок соответствует сетке.
-panel-sensor-verdict-far = Масштаб отличается от прежнего на { $difference } %: верны ли шаг и высота?
-panel-sensor-verdict-picture = Это не снимок, который можно прочесть: нужен PNG или JPEG.
-panel-sensor-verdict-size = Размер снимка { $pixels } пкс, датчика { $sensor }.
-panel-sensor-verdict-plain = Нет тёмных точек: самые тёмные места лишь на { $contrast } % темнее окружения. Свет, резкость?
-panel-sensor-verdict-few = Найдено точек сетки: { $dots }, а нужно 25 или больше.
-panel-sensor-verdict-tangled = Ряды и столбцы не сходятся около столбца { $column }, строки { $row }: нет ли чего на пластине?
-panel-sensor-verdict-corner = Точки занимают { $share } % ширины или высоты кадра: нужна половина.
-panel-sensor-verdict-residual = Точки отходят на { $rms } пкс (СКЗ, больше всего { $max }): не та сетка, не прямо или нерезко.
-panel-sensor-verdict-map = Такого отображения, как у этих точек, камера не даёт.
 panel-sensor-move = Место на звене x, y, z
 panel-sensor-turn = Поворот вокруг направления x, y, z
 panel-sensor-angle = … на угол

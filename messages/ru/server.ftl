@@ -111,6 +111,7 @@ server-control-jogs = управляющая страница двигает о�
 server-control-held = управляет { $user }, страница { $page }
 server-replayed = команда { $n } уже была; допустимо: больше { $last }
 server-busy = слишком много команд сразу
+server-at-rest = ничего не движется
 server-override-range = коррекция { $value }; допустимо: от 0 до 1
 server-no-alarm = тревоги { $number } нет; допустимо: от 1 до { $max }
 server-step-range = шаг { $value }; допустимо: до { $max } в обе стороны

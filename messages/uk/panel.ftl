@@ -52,7 +52,6 @@ panel-alarm-consequence = Наслідок
 panel-alarm-action = Що робити
 panel-alarm-reaction = Реакція
 panel-alarm-first = ПЕРША
-panel-alarm-time = Час
 panel-alarm-one = Підтвердити цю тривогу
 panel-alarm-shelve = Відкласти
 panel-alarm-shelve-for = Відкласти на
@@ -63,29 +62,8 @@ panel-alarm-until = до { $time }, { $user }
 panel-alarm-shelve-how = Відкласти можна лише сповіщення; те, що зупиняє або ставить на паузу, показується завжди.
 
 # Process values.
-panel-value-heat-input = Тепловкладення
 panel-value-tip-speed = Швидкість вістря
-panel-value-current = Струм
-panel-value-voltage = Напруга
-panel-value-wire-feed = Подача дроту
-panel-value-power = Потужність
-panel-value-beam-current = Струм променя
-panel-value-accelerating = Прискорювальна напруга
-panel-value-beam = Струм променя
-panel-value-frequency = Частота
-panel-value-focus = Фокус
-panel-value-gas = Газ
-panel-value-laser = Потужність лазера
 panel-value-speed = Швидкість вістря
-panel-value-travel-angle = Кут уздовж
-panel-value-work-angle = Кут поперек
-panel-value-preheat = Підігрів
-panel-value-interpass = Температура між проходами
-
-# Limit.
-panel-limit-least = мін.
-panel-limit-greatest = макс.
-panel-limit-allowed = дозволено
 
 # States.
 panel-mode-off = Вимкнено
@@ -313,7 +291,6 @@ panel-why-runs = Програма виконується.
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = Осі ще рухаються: зачекайте.
-panel-lack-power = Приводи ще не мають живлення: зачекайте.
 panel-lack-lost = Зв’язок утрачено. Жодна команда не повторюється автоматично.
 
 # Roles of passes.
@@ -959,15 +936,6 @@ panel-sensor-keep = Узяти калібрування
 panel-sensor-planes = Площини камери
 panel-sensor-remove = Вилучити площину z = { $z } мм
 panel-sensor-verdict-good = Знімок відповідає сітці.
-panel-sensor-verdict-far = Масштаб відрізняється від попереднього на { $difference } %: чи правильні крок і висота?
-panel-sensor-verdict-picture = Це не знімок, який можна прочитати: потрібен PNG або JPEG.
-panel-sensor-verdict-size = Розмір знімка { $pixels } пкс, давача { $sensor }.
-panel-sensor-verdict-plain = Немає темних точок: найтемніші місця лише на { $contrast } % темніші за оточення. Світло, різкість?
-panel-sensor-verdict-few = Знайдено точок сітки: { $dots }, а треба 25 або більше.
-panel-sensor-verdict-tangled = Ряди і стовпці не сходяться біля стовпця { $column }, рядка { $row }: чи немає чогось на пластині?
-panel-sensor-verdict-corner = Точки займають { $share } % ширини або висоти кадру: треба половину.
-panel-sensor-verdict-residual = Точки відходять на { $rms } пкс (СКВ, найбільше { $max }): не та сітка, не прямо або нерізко.
-panel-sensor-verdict-map = Те, що відповідає точкам, не може бути відображенням камери.
 panel-sensor-move = Місце на ланці x, y, z
 panel-sensor-turn = Поворот навколо напряму x, y, z
 panel-sensor-angle = … на кут

@@ -111,6 +111,7 @@ server-control-jogs = сторінка, що керує, рухає осі вр�
 server-control-held = керує { $user }, сторінка { $page }
 server-replayed = команда { $n } вже була; дозволено: більше за { $last }
 server-busy = забагато команд одразу
+server-at-rest = ніщо не рухається
 server-override-range = корекція { $value }; дозволено: від 0 до 1
 server-no-alarm = тривоги { $number } немає; дозволено: від 1 до { $max }
 server-step-range = крок { $value }; дозволено: до { $max } в обидва боки

@@ -52,7 +52,6 @@ panel-alarm-consequence = 后果
 panel-alarm-action = 处理
 panel-alarm-reaction = 反应
 panel-alarm-first = 首发
-panel-alarm-time = 时间
 panel-alarm-one = 确认此报警
 panel-alarm-shelve = 搁置
 panel-alarm-shelve-for = 搁置时间
@@ -63,29 +62,8 @@ panel-alarm-until = 至 { $time }，{ $user }
 panel-alarm-shelve-how = 只能搁置仅提示的报警；会停止或暂停的报警始终显示。
 
 # Process values.
-panel-value-heat-input = 热输入
 panel-value-tip-speed = 焊枪尖端速度
-panel-value-current = 电流
-panel-value-voltage = 电压
-panel-value-wire-feed = 送丝
-panel-value-power = 功率
-panel-value-beam-current = 束流
-panel-value-accelerating = 加速电压
-panel-value-beam = 束流
-panel-value-frequency = 频率
-panel-value-focus = 焦点
-panel-value-gas = 气体
-panel-value-laser = 激光功率
 panel-value-speed = 尖端速度
-panel-value-travel-angle = 行走角
-panel-value-work-angle = 工作角
-panel-value-preheat = 预热温度
-panel-value-interpass = 层间温度
-
-# Limit.
-panel-limit-least = 最小
-panel-limit-greatest = 最大
-panel-limit-allowed = 允许
 
 # States.
 panel-mode-off = 断电
@@ -313,7 +291,6 @@ panel-why-runs = 正在运行。
 
 # Interlocks and permissives: why a command is refused.
 panel-lack-moving = 各轴尚未停稳：请稍候。
-panel-lack-power = 驱动器尚未得电：请稍候。
 panel-lack-lost = 连接中断。任何命令都不会自动重复。
 
 # Roles of passes.
@@ -955,15 +932,6 @@ panel-sensor-keep = 保存标定
 panel-sensor-planes = 相机平面
 panel-sensor-remove = 删除 z = { $z } mm 平面
 panel-sensor-verdict-good = 图像与网格相符。
-panel-sensor-verdict-far = 比例与原值相差 { $difference } %：点距和高度是否正确？
-panel-sensor-verdict-picture = 无法读取该图像：请用 PNG 或 JPEG。
-panel-sensor-verdict-size = 图像为 { $pixels } 像素，传感器为 { $sensor }。
-panel-sensor-verdict-plain = 没有深色点：最暗处仅比周围暗 { $contrast } %。检查光照和对焦。
-panel-sensor-verdict-few = 仅识别到 { $dots } 个网格点：至少需要 25 个。
-panel-sensor-verdict-tangled = 在第 { $column } 列、第 { $row } 行附近行列不相交：板上是否有异物？
-panel-sensor-verdict-corner = 点阵只占画面宽或高的 { $share } %：至少需要一半。
-panel-sensor-verdict-residual = 点偏差 { $rms } 像素（均方根，最大 { $max }）：网格不符、未正对或不清晰。
-panel-sensor-verdict-map = 求得的结果不是有效的相机映射。
 panel-sensor-move = 在连杆上的位置 x, y, z
 panel-sensor-turn = 绕方向 x, y, z 旋转
 panel-sensor-angle = …角度

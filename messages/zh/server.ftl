@@ -111,6 +111,7 @@ server-control-jogs = 有控制权的页面正在点动：请等待松开按键
 server-control-held = { $user } 正在控制，页面 { $page }
 server-replayed = 命令 { $n } 已收到过；允许：大于 { $last }
 server-busy = 命令过多
+server-at-rest = 没有任何运动
 server-override-range = 倍率 { $value }；允许：0 到 1
 server-no-alarm = 没有报警 { $number }；允许：1 到 { $max }
 server-step-range = 步长 { $value }；允许：正负最多 { $max }

@@ -3,8 +3,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { chromium } from 'playwright-core';
 
-export const CHROMIUM = process.env.SEAMWRIGHT_CHROMIUM ?? '/usr/bin/chromium';
-export const hasBrowser = existsSync(CHROMIUM);
+const CHROMIUM = process.env.SEAMWRIGHT_CHROMIUM ?? '/usr/bin/chromium';
 
 export const SIZES = {
   touch: { width: 1280, height: 800 },

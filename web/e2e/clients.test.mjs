@@ -1,24 +1,11 @@
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { startCell } from './cell.mjs';
-import { axe, control, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
+import { test } from 'node:test';
+import { page } from './browser.mjs';
+import { axe, bench, control, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
-let cell;
-let browser;
+const { cell, browser } = await bench();
 
-before(async () => {
-  if (!hasBrowser) return;
-  cell = await startCell();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
-
-test('a second panel only watches, STOP apart, until it takes over', options, async () => {
+test('a second panel only watches, STOP apart, until it takes over', async () => {
   const [one, two] = [await page(browser), await page(browser)];
   await open(one, cell.address);
   await open(two, cell.address);
@@ -44,7 +31,7 @@ test('a second panel only watches, STOP apart, until it takes over', options, as
   await two.close();
 });
 
-test('a connection that comes back resumes nothing', options, async () => {
+test('a connection that comes back resumes nothing', async () => {
   const one = await page(browser);
   const links = [];
   await one.routeWebSocket('**/api/live', (client) => {
@@ -78,7 +65,7 @@ test('a connection that comes back resumes nothing', options, async () => {
   await one.close();
 });
 
-test('data that stops coming is greyed with its age', options, async () => {
+test('data that stops coming is greyed with its age', async () => {
   const one = await page(browser);
   let through = true;
   await one.routeWebSocket('**/api/live', (client) => {

@@ -7,7 +7,7 @@ import { page } from './browser.mjs';
 import { axe, bench, commands, control, keep, mode, open, press, quiet, SHORT, shot, sleep, tab } from './operator.mjs';
 
 const PASSWORD = 'correct horse battery';
-const { one, cell, browser, options } = await bench({ real: 'the mock has no data', only: true });
+const { one, cell, browser } = await bench();
 
 const data = (of) => of.getByRole('region', { name: 'Backup' });
 const choose = (of, file) => data(of).getByLabel(/Backup file/).setInputFiles(file);
@@ -30,7 +30,7 @@ const ask = (of, method, path, body) =>
     [method, path, JSON.stringify(body)],
   );
 
-test('a backup replaces all data after it was checked, with the machine off only', options, async () => {
+test('a backup replaces all data after it was checked, with the machine off only', async () => {
   await open(one, cell.address);
   const ada = { role: 'admin', enabled: true, password: PASSWORD, own_password: null };
   // The first administrator is told what follows: the address that was printed is no key any more.

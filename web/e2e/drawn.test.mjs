@@ -3,11 +3,9 @@ import { test } from 'node:test';
 import { page } from './browser.mjs';
 import { axe as accessible, bench, commands, control, load, mode, open, quiet, ready, record, shot, sleep, tab } from './operator.mjs';
 
-const { one, cell, browser, options, onReal } = await bench({ real: 'the mock reads no jobs', scenes: true });
-if (one) {
-  await open(one, cell.address);
-  await control(one);
-}
+const { one, cell, browser } = await bench({ scenes: true });
+await open(one, cell.address);
+await control(one);
 
 /** The list of jobs, whatever was open. */
 async function list() {
@@ -28,7 +26,7 @@ async function use(name) {
 
 const axe = (where) => accessible(one, where);
 
-test('the joint is drawn to scale with its beads, and follows its numbers while they are written', onReal, async () => {
+test('the joint is drawn to scale with its beads, and follows its numbers while they are written', async () => {
   await use('thick-saddle.toml');
   // Whoever changes the joint sees its picture.
   const angle = one.getByRole('textbox', { name: 'bevel angle [°]' }).first();
@@ -53,7 +51,7 @@ test('the joint is drawn to scale with its beads, and follows its numbers while 
   quiet(one);
 });
 
-test('bodies are added, moved and deleted in a form, and are seen at once', onReal, async () => {
+test('bodies are added, moved and deleted in a form, and are seen at once', async () => {
   await use('saddle.toml');
   await one.getByRole('button', { name: 'Part and fixtures', exact: true }).click();
   const drawn = () => one.waitForResponse((answer) => answer.url().endsWith('/api/draft')).then((answer) => answer.json());
@@ -80,7 +78,7 @@ test('bodies are added, moved and deleted in a form, and are seen at once', onRe
   quiet(one);
 });
 
-test('what the section plane cuts open is closed', onReal, async () => {
+test('what the section plane cuts open is closed', async () => {
   await use('saddle.toml');
   await one.getByRole('button', { name: 'Top', exact: true }).click();
   await one.getByRole('button', { name: 'Show' }).click();
@@ -118,7 +116,7 @@ test('what the section plane cuts open is closed', onReal, async () => {
   quiet(one);
 });
 
-test('passes are coloured by clearance, the nearest pair has its line and its names', options, async () => {
+test('passes are coloured by clearance, the nearest pair has its line and its names', async () => {
   await use('saddle.toml');
   await one.getByRole('button', { name: 'Show' }).click();
   await one.getByRole('combobox', { name: 'Passes coloured by' }).selectOption('clearance');
@@ -127,7 +125,7 @@ test('passes are coloured by clearance, the nearest pair has its line and its na
   quiet(one);
 });
 
-test('inputs and outputs have names and live states; axes can be tuned in simulation', options, async () => {
+test('inputs and outputs have names and live states; axes can be tuned in simulation', async () => {
   await tab(one, 'Set-up');
   await one.getByRole('button', { name: 'Inputs and outputs' }).click();
   const gas = one.locator('tr', { has: one.getByRole('rowheader', { name: 'gas Gas valve', exact: true }) });
@@ -141,7 +139,7 @@ test('inputs and outputs have names and live states; axes can be tuned in simula
   quiet(one);
 });
 
-test('what is near is told by hand before it is too near; touched points tell where the part stands', onReal, async () => {
+test('what is near is told by hand before it is too near; touched points tell where the part stands', async () => {
   await list();
   await commands(one);
   await load(one, 'saddle.toml');
@@ -203,7 +201,7 @@ test('what is near is told by hand before it is too near; touched points tell wh
   quiet(one);
 });
 
-test('a pass that is tracked shows what was seen and corrected over its length', options, async () => {
+test('a pass that is tracked shows what was seen and corrected over its length', async () => {
   const two = await page(browser);
   let s = 0;
   await two.routeWebSocket('**/api/live', (client) => {

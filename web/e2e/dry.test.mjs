@@ -3,9 +3,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { axis, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
 
-const { one, cell, options } = await bench({ real: 'the mock plans nothing', only: true });
+const { one, cell } = await bench();
 
-test('a held dry run is jogged from and gone on with', options, async () => {
+test('a held dry run is jogged from and gone on with', async () => {
   await open(one, cell.address);
   await control(one);
   await keep(one, 'short.toml', SHORT);

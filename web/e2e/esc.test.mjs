@@ -1,17 +1,15 @@
-// Esc and STOP on a mock, which can be taken away: what is open is closed first, and a STOP that reaches nobody fills the screen.
+// Esc and STOP: what is open is closed first, and a STOP that reaches nobody fills the screen.
 import assert from 'node:assert/strict';
-import { after, test } from 'node:test';
-import { axe, bench, burns, commands, control, mode, open, ready, sleep, tab, weld } from './operator.mjs';
+import { test } from 'node:test';
+import { ask, axe, bench, burns, commands, control, keep, mode, open, ready, SHORT, sleep, tab, weld } from './operator.mjs';
 
-const { one, options, ...begun } = await bench({ mock: true });
-let { cell } = begun;
-// Another one than at the beginning.
-after(() => cell?.end());
-
+const { one, cell } = await bench();
 const modeNow = () => one.locator('[data-mode]').getAttribute('data-mode');
 /** A part of which nothing is welded: its start is no question. */
-const load = (part) =>
-  one.evaluate((of) => fetch('/api/load', { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify({ job: 'saddle.toml', from: null, part: of }) }), part);
+async function load(part) {
+  const { status } = await ask(one, 'POST', '/api/load', { job: 'long.toml', part });
+  assert.equal(status, 200);
+}
 const user = () => one.getByRole('button', { name: /▾$/ });
 const menus = {
   user: { key: user, inside: () => one.getByRole('button', { name: 'Log out' }) },
@@ -19,11 +17,12 @@ const menus = {
   'Choose plots': { key: () => one.getByRole('button', { name: 'Choose plots' }), inside: () => one.getByRole('region', { name: 'Choose plots' }) },
 };
 
-test('Esc closes the menu that is open and the weld goes on; Esc with nothing open stops it', options, async () => {
+test('Esc closes the menu that is open and the weld goes on; Esc with nothing open stops it', async () => {
   await open(one, cell.address);
   await control(one);
-  await load('N-1');
   await ready(one);
+  await keep(one, 'long.toml', SHORT.replaceAll(', 6]', ', 0.5]'));
+  await load('N-1');
   await weld(one);
   await burns(one, true);
   await one.getByRole('button', { name: 'Plots', exact: true }).click();
@@ -51,7 +50,7 @@ test('Esc closes the menu that is open and the weld goes on; Esc with nothing op
   await mode(one, 'ready');
 });
 
-test('a menu closes by a press outside and when the page is left', options, async () => {
+test('a menu closes by a press outside and when the page is left', async () => {
   for (const { key, inside } of Object.values(menus)) {
     if (!(await key().isVisible())) await one.getByRole('button', { name: 'Plots', exact: true }).click();
     await key().click();
@@ -71,7 +70,7 @@ test('a menu closes by a press outside and when the page is left', options, asyn
   }
 });
 
-test('in a field Esc stops nothing, and F1 does', options, async () => {
+test('in a field Esc stops nothing, and F1 does', async () => {
   await commands(one);
   await load('N-2');
   await weld(one);
@@ -84,7 +83,7 @@ test('in a field Esc stops nothing, and F1 does', options, async () => {
   await mode(one, 'ready');
 });
 
-test('STOP goes by a request of its own where the connection is silent', options, async () => {
+test('STOP goes by a request of its own where the connection is silent', async () => {
   await tab(one, 'Weld');
   await commands(one);
   await load('N-3');
@@ -98,10 +97,19 @@ test('STOP goes by a request of its own where the connection is silent', options
   assert.equal(await one.getByRole('alertdialog').count(), 0);
 });
 
-test('a STOP that reaches nobody fills the screen until the cell is seen to stand again, or somebody has read it', options, async () => {
+test('a STOP that reaches nobody fills the screen until the cell is seen to stand again, or somebody has read it', async () => {
   const screen = one.getByRole('alertdialog');
+  let cut = false;
+  let line;
+  await one.routeWebSocket('**/api/live', (client) => {
+    if (cut) return client.close();
+    line = { client, server: client.connectToServer() };
+  });
+  await one.route('**/api/**', (route) => (cut ? route.abort() : route.fallback()));
   await open(one, cell.address);
-  await cell.end();
+  cut = true;
+  await line.server.close();
+  await line.client.close();
   await one.getByText('No connection').waitFor();
   await one.getByText('Alarms unknown').waitFor().catch(async () => {
     await one.getByRole('button', { name: 'Alarms' }).click();
@@ -123,7 +131,7 @@ test('a STOP that reaches nobody fills the screen until the cell is seen to stan
   await screen.waitFor({ state: 'hidden' });
   await one.getByRole('button', { name: 'STOP' }).click();
   await screen.waitFor();
-  cell = await cell.again();
+  cut = false;
   await screen.waitFor({ state: 'hidden', timeout: 15_000 });
   await one.getByText('Connected').waitFor();
 });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { axe, bench, open, tab } from './operator.mjs';
 
-const { one, cell, options } = await bench({ mock: true });
+const { one, cell } = await bench();
 
 const table = (name) => one.locator('fieldset', { has: one.locator(`legend[title="${name}"]`) });
 const text = async () => {
@@ -13,7 +13,7 @@ const text = async () => {
   return lines;
 };
 
-test('values of nested inline tables can be read and changed', options, async () => {
+test('values of nested inline tables can be read and changed', async () => {
   await open(one, cell.address);
   await tab(one, 'Jobs');
   await one.locator('li.card', { hasText: 'Hillside' }).getByRole('button', { name: 'New from template' }).click();
@@ -27,7 +27,7 @@ test('values of nested inline tables can be read and changed', options, async ()
   assert.match(await text(), /process = \{ current_a = 155, voltage_v = 18/);
 });
 
-test('a value that the format allows can be added, with what it means', options, async () => {
+test('a value that the format allows can be added, with what it means', async () => {
   const shell = table('seam.nozzle.body.cylinder');
   const add = shell.getByRole('combobox', { name: 'Add a value' });
   assert.match(await add.locator('option[value="thickness_mm"]').getAttribute('title'), /Thickness of the wall/);

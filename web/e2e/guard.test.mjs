@@ -2,23 +2,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab } from './operator.mjs';
+import { ask, axe, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab } from './operator.mjs';
 
 const EVIL = '<img src=x onerror=globalThis.pwned=1><script>globalThis.pwned=1</script>';
 const PASSWORD = 'correct horse battery';
-const { one, cell, browser, options } = await bench({ real: 'the mock refuses nothing', only: true });
-
-/** What the server says to a request of the page's own, with the token of its session. */
-const ask = (of, method, path, body) =>
-  of.evaluate(
-    async ([how, where, text]) => {
-      const session = await (await fetch('/api/session')).json();
-      const headers = { 'content-type': 'application/json', 'x-seamwright': session.token };
-      const answer = await fetch(where, { method: how, headers, body: text });
-      return { status: answer.status, ...(await answer.json().catch(() => ({}))) };
-    },
-    [method, path, JSON.stringify(body)],
-  );
+const { one, cell, browser } = await bench();
 
 /** What the cell answers to a command over a socket of the page's own. */
 const command = (of, what) =>
@@ -36,7 +24,7 @@ const command = (of, what) =>
     what,
   );
 
-test('an alarm is raised, shown with cause and action, and goes when it is acknowledged', options, async () => {
+test('an alarm is raised, shown with cause and action, and goes when it is acknowledged', async () => {
   let through = true;
   await one.routeWebSocket('**/api/live', (client) => {
     const server = client.connectToServer();
@@ -87,7 +75,7 @@ test('an alarm is raised, shown with cause and action, and goes when it is ackno
   await one.unrouteAll({ behavior: 'ignoreErrors' });
 });
 
-test('titles, parts and comments are text on every page that shows them', options, async () => {
+test('titles, parts and comments are text on every page that shows them', async () => {
   const evil = SHORT.replace('"Short"', JSON.stringify(EVIL)).replace('name = "short"', `name = ${JSON.stringify(EVIL)} # ${EVIL}`);
   await keep(one, 'evil.toml', evil);
   await commands(one);
@@ -127,7 +115,7 @@ const user = {
   },
 };
 
-test('roles are refused on the server, whatever the page shows', options, async () => {
+test('roles are refused on the server, whatever the page shows', async () => {
   const own = { role: 'admin', enabled: true, password: PASSWORD, own_password: null };
   assert.equal((await ask(one, 'PUT', '/api/users/ada', own)).status, 200);
   // The printed address opens nothing any more, nor does the session that it gave.
@@ -174,7 +162,7 @@ test('roles are refused on the server, whatever the page shows', options, async 
   quiet(one);
 });
 
-test('a user that is there is not changed unasked, and a password is typed twice', options, async () => {
+test('a user that is there is not changed unasked, and a password is typed twice', async () => {
   await user.page(one);
   const key = one.getByRole('button', { name: 'Save', exact: true });
   const save = async () => {

@@ -3,8 +3,8 @@ import { test } from 'node:test';
 import { page } from './browser.mjs';
 import { axe, bench, control, keep, open, quiet, SHORT, sleep, tab } from './operator.mjs';
 
-const { one, cell, browser, options, onReal } = await bench({ real: 'the mock plans nothing' });
-if (one) await open(one, cell.address);
+const { one, cell, browser } = await bench();
+await open(one, cell.address);
 
 /** A straight line in six points, as poses. */
 const STRAIGHT = `schema = 1
@@ -36,7 +36,7 @@ async function planned() {
   await one.waitForFunction(() => !document.querySelector('.view.plans'), null, { timeout: 120_000 });
 }
 
-test('every template is planned and shown', onReal, async () => {
+test('every template is planned and shown', async () => {
   await tab(one, 'Jobs');
   await one.locator('li.card').first().waitFor();
   const count = await one.locator('li.card').count();
@@ -60,7 +60,7 @@ test('every template is planned and shown', onReal, async () => {
   quiet(one);
 });
 
-test('a number changed in the form, undone, done again; kept under a name; comments stay', options, async () => {
+test('a number changed in the form, undone, done again; kept under a name; comments stay', async () => {
   await tab(one, 'Jobs');
   await row('saddle.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
@@ -82,7 +82,7 @@ test('a number changed in the form, undone, done again; kept under a name; comme
   assert.match(text, /radius_mm = 240 +# outer radius/);
 });
 
-test('a job for another machine has the names and units of that machine, not of the cell', onReal, async () => {
+test('a job for another machine has the names and units of that machine, not of the cell', async () => {
   await one.getByRole('button', { name: '← Jobs' }).click();
   await row('hillside.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
@@ -99,7 +99,7 @@ test('a job for another machine has the names and units of that machine, not of 
   await planned();
 });
 
-test('what is wrong is said with its line, and the text stays in hand', onReal, async () => {
+test('what is wrong is said with its line, and the text stays in hand', async () => {
   await one.getByRole('button', { name: 'Text', exact: true }).click();
   const editor = one.locator('.editor .cm-content');
   await editor.click();
@@ -112,7 +112,7 @@ test('what is wrong is said with its line, and the text stays in hand', onReal, 
   quiet(one);
 });
 
-test('in the form what is no number stays out, what cannot be is marked where it stands; a seam that nobody can weld is drawn', onReal, async () => {
+test('in the form what is no number stays out, what cannot be is marked where it stands; a seam that nobody can weld is drawn', async () => {
   await one.getByRole('button', { name: 'Form', exact: true }).click();
   const field = one.getByRole('textbox', { name: 'speed [mm/s]' }).first();
   const was = await field.inputValue();
@@ -149,7 +149,7 @@ test('in the form what is no number stays out, what cannot be is marked where it
   quiet(one);
 });
 
-test('a part program for a control, with its proof', onReal, async () => {
+test('a part program for a control, with its proof', async () => {
   await one.getByRole('button', { name: 'G-code', exact: true }).click();
   await one.getByRole('button', { name: 'Make part program' }).click();
   await one.getByRole('textbox', { name: 'G-code' }).waitFor({ timeout: 120_000 });
@@ -165,7 +165,7 @@ test('a part program for a control, with its proof', onReal, async () => {
   await one.getByRole('button', { name: '← Jobs' }).click();
 });
 
-test('points: set in several at once, insert, delete, undo; the row stands in 3D', onReal, async () => {
+test('points: set in several at once, insert, delete, undo; the row stands in 3D', async () => {
   await keep(one, 'short.toml', SHORT);
   await tab(one, 'Weld');
   await tab(one, 'Jobs');
@@ -194,7 +194,7 @@ test('points: set in several at once, insert, delete, undo; the row stands in 3D
   quiet(one);
 });
 
-test('points by touch: several without a key, a span split, lines reduced', onReal, async () => {
+test('points by touch: several without a key, a span split, lines reduced', async () => {
   await keep(one, 'straight.toml', STRAIGHT);
   await one.getByRole('button', { name: '← Jobs' }).click();
   await tab(one, 'Weld');
@@ -233,7 +233,7 @@ test('points by touch: several without a key, a span split, lines reduced', onRe
   quiet(one);
 });
 
-test('points: the way to them is chosen, an arc from two; undone byte by byte', onReal, async () => {
+test('points: the way to them is chosen, an arc from two; undone byte by byte', async () => {
   await row('points.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   await one.getByRole('button', { name: 'Points', exact: true }).click();
@@ -267,7 +267,7 @@ test('points: the way to them is chosen, an arc from two; undone byte by byte', 
   quiet(one);
 });
 
-test('points with times can be cubics, which have the speeds of the spline; a speed is set', onReal, async () => {
+test('points with times can be cubics, which have the speeds of the spline; a speed is set', async () => {
   const timed = STRAIGHT.replace('"speed_mm_s"', '"time_s"').replaceAll(', 8],', ', 1.25],').replace('"line"', '"spline"');
   await keep(one, 'timed.toml', timed);
   await tab(one, 'Weld');
@@ -302,7 +302,7 @@ test('points with times can be cubics, which have the speeds of the spline; a sp
   quiet(one);
 });
 
-test('a span, or the whole pass, is chosen in 3D: its length and time, its points in the table', onReal, async () => {
+test('a span, or the whole pass, is chosen in 3D: its length and time, its points in the table', async () => {
   await row('points.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   await one.getByRole('button', { name: 'Points', exact: true }).click();
@@ -326,7 +326,7 @@ test('a span, or the whole pass, is chosen in 3D: its length and time, its point
   quiet(one);
 });
 
-test('a joint and a procedure are added in the form; a procedure of its own is held against', onReal, async () => {
+test('a joint and a procedure are added in the form; a procedure of its own is held against', async () => {
   await row('first-weld.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   const form = one.locator('.form');
@@ -365,7 +365,7 @@ test('a joint and a procedure are added in the form; a procedure of its own is h
   quiet(one);
 });
 
-test('limits: what bounds the speed where, linked with 3D, and what is used of each axis', onReal, async () => {
+test('limits: what bounds the speed where, linked with 3D, and what is used of each axis', async () => {
   await row('ellipse.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
   const field = one.getByRole('textbox', { name: 'speed [mm/s]' }).first();
@@ -392,7 +392,7 @@ test('limits: what bounds the speed where, linked with 3D, and what is used of e
   quiet(one);
 });
 
-test('names and titles are text, whatever is in them', options, async () => {
+test('names and titles are text, whatever is in them', async () => {
   const evil = '<img src=x onerror=globalThis.pwned=1><script>globalThis.pwned=1</script>';
   await keep(one, 'evil.toml', SHORT.replace('"Short"', JSON.stringify(evil)));
   const two = await page(browser);
@@ -406,7 +406,7 @@ test('names and titles are text, whatever is in them', options, async () => {
   await two.close();
 });
 
-test('ten thousand points: the table has few rows in the page, and scrolls at once', options, async () => {
+test('ten thousand points: the table has few rows in the page, and scrolls at once', async () => {
   const rows = Array.from({ length: 10_000 }, (_, i) => `    [${(i / 1000).toFixed(3)}, 0, 60, -20, 200, 6],`);
   const text = SHORT.replace(/points = \[[^]*\n\]/, `points = [\n${rows.join('\n')}\n]`);
   await keep(one, 'long.toml', text);

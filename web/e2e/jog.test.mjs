@@ -1,41 +1,17 @@
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, NO_CELL, startCell } from './cell.mjs';
-import { axis, commands, control, mode, open, ready, record, shot, sleep, tab } from './operator.mjs';
+import { afterEach, test } from 'node:test';
+import { axis, bench, commands, control, mode, open, ready, record, shot, sleep, tab } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
-const onReal = { skip: hasBrowser ? (isReal ? false : `the mock goes nowhere by itself: ${NO_CELL}`) : 'no Chromium' };
-let cell;
-let browser;
-let one;
-let other;
-
-before(async () => {
-  if (!hasBrowser) return;
-  cell = await startCell();
-  browser = await launch();
-  one = await page(browser);
-  await open(one, cell.address);
-  if (!isReal) {
-    other = await page(browser);
-    await open(other, cell.address);
-  }
-  await control(one);
-  await ready(one);
-  await tab(one, 'Jog · Teach');
-  await one.getByRole('button', { name: 'Start jogging' }).click();
-  await mode(one, 'jog');
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+const { one, cell } = await bench();
+await open(one, cell.address);
+await control(one);
+await ready(one);
+await tab(one, 'Jog · Teach');
+await one.getByRole('button', { name: 'Start jogging' }).click();
+await mode(one, 'jog');
 
 // What fails leaves no key held for the next.
-afterEach(async () => {
-  if (one && !one.isClosed()) await one.mouse.up();
-});
+afterEach(() => one.mouse.up());
 
 /** In jogging and in command, also after a silence took both. */
 async function jogs() {
@@ -72,7 +48,7 @@ async function place() {
   return { status: answer.status(), ...(await answer.json()) };
 }
 
-test('no place is recorded while an axis moves, by the key or past it', onReal, async () => {
+test('no place is recorded while an axis moves, by the key or past it', async () => {
   const recordable = one.getByRole('button', { name: 'Record point', disabled: false });
   await recordable.waitFor();
   // A page that draws by software shows it for a moment only, so both are watched all the while.
@@ -103,11 +79,11 @@ test('no place is recorded while an axis moves, by the key or past it', onReal, 
 });
 
 /**
- * Waits until the axes stand, at most 5 s, and checks that they still do half a second later. The cell reports it; with the mock, another
- * panel. (A page drawn in software shows an axis late, and the cell gives no position while an axis moves.)
+ * Waits until the axes stand, at most 5 s, and checks that they still do half a second later. The cell reports it: a page drawn in
+ * software shows an axis late. It gives no position while an axis moves.
  */
 async function stands() {
-  const where = async () => (isReal ? (await place()).axes?.[0] : axis(other, 'theta'));
+  const where = async () => (await place()).axes?.[0];
   await sleep(700);
   let then = await where();
   for (let i = 0; i < 22 && then === undefined; i += 1) {
@@ -138,7 +114,7 @@ const ways = {
 };
 
 for (const [way, release] of Object.entries(ways)) {
-  test(`jogging ends by ${way}`, options, async () => {
+  test(`jogging ends by ${way}`, async () => {
     const key = await held();
     await release(key);
     await stands();
@@ -150,7 +126,7 @@ for (const [way, release] of Object.entries(ways)) {
   });
 }
 
-test('the cell stops by itself when the page hangs with the button held', options, async () => {
+test('the cell stops by itself when the page hangs with the button held', async () => {
   await held();
   const hangs = one.evaluate(() => {
     const until = performance.now() + 3000;
@@ -172,7 +148,7 @@ test('the cell stops by itself when the page hangs with the button held', option
   await stands();
 });
 
-test('the keyboard: an arrow moves while held, and no longer', options, async () => {
+test('the keyboard: an arrow moves while held, and no longer', async () => {
   let moved = 0;
   // Without a heartbeat it does not move: then once more.
   for (let tries = 0; tries < 3 && moved > -0.2; tries += 1) {
@@ -188,7 +164,7 @@ test('the keyboard: an arrow moves while held, and no longer', options, async ()
   assert.ok(moved < -0.2, `theta moved by ${moved}`);
 });
 
-test('a key that sends all axes to a place: they go while it is held, and stand there', onReal, async () => {
+test('a key that sends all axes to a place: they go while it is held, and stand there', async () => {
   await held();
   await one.mouse.up();
   await stands();
@@ -216,7 +192,7 @@ test('a key that sends all axes to a place: they go while it is held, and stand 
   assert.ok(Math.abs(await theta()) < 0.02, `theta is not at home: ${await theta()}`);
 });
 
-test('recorded places become a program', options, async () => {
+test('recorded places become a program', async () => {
   for (let i = 0; i < 3; i += 1) {
     await record(one);
     await held();
@@ -228,7 +204,7 @@ test('recorded places become a program', options, async () => {
   await one.getByText('Saved: by-hand.toml').waitFor();
 });
 
-test('the page closed with the button held', options, async () => {
+test('the page closed with the button held', async () => {
   await held();
   await one.close();
   await stands();

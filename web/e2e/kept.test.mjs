@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { SHORT, bench, commands, control, keep, mode, open, quiet, ready, record, sleep, tab } from './operator.mjs';
 
-const { one, cell, options } = await bench({ real: 'the mock keeps no jobs', only: true });
+const { one, cell } = await bench();
 const row = (name) => one.locator('li.card', { hasText: name }).first();
 const text = (name) => one.evaluate(async (of) => (await (await fetch(`/api/jobs/${of}`)).json()).text, name);
 const cellOf = (title, i) => one.getByRole('textbox', { name: `${title} ${i}`, exact: true });
@@ -17,7 +17,7 @@ async function points(name) {
   await one.locator('tbody tr').first().waitFor();
 }
 
-test('a row of points is written from field to field by the keyboard; keys of the machine move nothing there', options, async () => {
+test('a row of points is written from field to field by the keyboard; keys of the machine move nothing there', async () => {
   await open(one, cell.address);
   await control(one);
   await ready(one);
@@ -41,7 +41,7 @@ test('a row of points is written from field to field by the keyboard; keys of th
   quiet(one);
 });
 
-test('what is no number is said, and does not stand in the table', options, async () => {
+test('what is no number is said, and does not stand in the table', async () => {
   const field = cellOf('h mm', 2);
   const was = await field.inputValue();
   for (const wrong of ['12.3.4', 'abc', '', '1e400']) {
@@ -52,7 +52,7 @@ test('what is no number is said, and does not stand in the table', options, asyn
   }
 });
 
-test('Save keeps what was just written, also where the line is slow, and says saved of nothing else', options, async () => {
+test('Save keeps what was just written, also where the line is slow, and says saved of nothing else', async () => {
   await one.route('**/api/edit', async (route) => {
     await sleep(400);
     await route.continue();
@@ -70,7 +70,7 @@ test('Save keeps what was just written, also where the line is slow, and says sa
   await one.unroute('**/api/edit');
 });
 
-test('a job of somebody else is replaced only when that is said; a copy gets a name that nothing has', options, async () => {
+test('a job of somebody else is replaced only when that is said; a copy gets a name that nothing has', async () => {
   await keep(one, 'short.toml', SHORT.replace('Short', 'Elsewhere'));
   await cellOf('h mm', 3).fill('57');
   await one.keyboard.press('Tab');
@@ -97,7 +97,7 @@ test('a job of somebody else is replaced only when that is said; a copy gets a n
   await one.locator('dialog[open]').getByRole('button', { name: 'Cancel' }).click();
 });
 
-test('a procedure that was changed is asked about, one that cannot be is refused, and a copy replaces none', options, async () => {
+test('a procedure that was changed is asked about, one that cannot be is refused, and a copy replaces none', async () => {
   const form = one.locator('.form');
   await form.getByRole('button', { name: /^▸ Procedure/ }).click();
   await form.getByRole('button', { name: 'Make a copy' }).click();
@@ -124,7 +124,7 @@ test('a procedure that was changed is asked about, one that cannot be is refused
   assert.match((await text('saddle-135-saddle.toml')).match(/speed_mm_s.*/)[0], /9/);
 });
 
-test('the page is not left without a question while something is not saved', options, async () => {
+test('the page is not left without a question while something is not saved', async () => {
   let asked = 0;
   one.on('dialog', (dialog) => {
     asked += 1;
@@ -138,7 +138,7 @@ test('the page is not left without a question while something is not saved', opt
   await one.locator('li.card').first().waitFor();
 });
 
-test('points recorded by hand come back after Clear and over a reload, and belong to their machine', options, async () => {
+test('points recorded by hand come back after Clear and over a reload, and belong to their machine', async () => {
   await tab(one, 'Jog · Teach');
   await commands(one);
   await one.getByRole('button', { name: 'Start jogging' }).click();
@@ -177,7 +177,7 @@ test('points recorded by hand come back after Clear and over a reload, and belon
   quiet(one);
 });
 
-test('numbers of an axis stay typed while another is looked at; one that is ten times as much is asked about', options, async () => {
+test('numbers of an axis stay typed while another is looked at; one that is ten times as much is asked about', async () => {
   await tab(one, 'Set-up');
   await one.getByRole('button', { name: 'Axes and drives' }).click();
   const axes = one.getByRole('group', { name: 'Axis' });

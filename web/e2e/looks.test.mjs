@@ -1,23 +1,10 @@
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page, SIZES } from './browser.mjs';
-import { startCell } from './cell.mjs';
-import { axe, control, open, quiet, shot, sleep } from './operator.mjs';
+import { test } from 'node:test';
+import { page, SIZES } from './browser.mjs';
+import { axe, bench, control, open, quiet, shot, sleep } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
 const TABS = 5;
-let cell;
-let browser;
-
-before(async () => {
-  if (!hasBrowser) return;
-  cell = await startCell();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+const { cell, browser } = await bench();
 
 const go = (of, i) => of.locator('nav button').nth(i).click();
 
@@ -57,7 +44,7 @@ async function fits(one, where) {
 }
 
 for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
-  test(`${language}: everything fits on every screen`, options, async () => {
+  test(`${language}: everything fits on every screen`, async () => {
     const one = await page(browser, { language });
     await open(one, cell.address);
     for (let i = 0; i < TABS; i += 1) {
@@ -94,7 +81,7 @@ for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
 }
 
 for (const dark of [false, true]) {
-  test(`axe finds nothing on any tab, ${dark ? 'dark' : 'light'}`, options, async () => {
+  test(`axe finds nothing on any tab, ${dark ? 'dark' : 'light'}`, async () => {
     const one = await page(browser, { dark });
     await open(one, cell.address);
     const check = (where) => axe(one, where);

@@ -4,11 +4,11 @@ import { test } from 'node:test';
 import { bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
 import { page } from './browser.mjs';
 
-const { one, cell, browser, options } = await bench({ real: 'the mock has one machine', only: true });
+const { one, cell, browser } = await bench();
 
 const names = (of) => of.locator('aside dl dt').allTextContents();
 
-test('a job for another machine: both pages have its axes, keys and process', options, async () => {
+test('a job for another machine: both pages have its axes, keys and process', async () => {
   await open(one, cell.address);
   await control(one);
   const two = await page(browser);
@@ -30,7 +30,7 @@ test('a job for another machine: both pages have its axes, keys and process', op
   await two.close();
 });
 
-test('the speed that is shown is that of the axes, whatever the override', options, async () => {
+test('the speed that is shown is that of the axes, whatever the override', async () => {
   await keep(one, 'short.toml', SHORT);
   await load(one, 'short.toml');
   await tab(one, 'Weld');

@@ -3,26 +3,30 @@ import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after } from 'node:test';
-import { hasBrowser, launch, page as blank } from './browser.mjs';
-import { isReal, NO_CELL, startCell, startMock } from './cell.mjs';
+import { launch, page as blank } from './browser.mjs';
+import { startCell } from './cell.mjs';
 
-/**
- * A cell, a browser and a page for the tests of a file, ended after them. `real` says why the mock does not do: for the tests with
- * `onReal`, or, with `only`, for all of the file. With `mock` the cell is a mock in any case. With `scenes` the browser draws them. `options` are for the others.
- */
-export async function bench({ real = '', only = false, mock = false, job, scenes = false, ...view } = {}) {
-  const skip = hasBrowser ? false : 'no Chromium';
-  const onReal = { skip: skip || (isReal ? false : `${real}: ${NO_CELL}`) };
-  const options = only ? onReal : { skip };
-  if (options.skip) return { options, onReal };
-  const cell = await (mock ? startMock() : startCell(job));
-  const browser = await launch({ scenes });
+/** A cell with a job (see `startCell`), a browser and a page for the tests of a file, ended after them. With `scenes` the browser draws them. */
+export async function bench({ job, scenes = false, ...view } = {}) {
+  const [cell, browser] = await Promise.all([startCell(job), launch({ scenes })]);
   after(async () => {
     await browser.close();
     await cell.end();
   });
-  return { cell, browser, one: await blank(browser, view), options, onReal };
+  return { cell, browser, one: await blank(browser, view) };
 }
+
+/** What the server answers to a request of the page's own, with the token of its session. */
+export const ask = (page, method, path, body) =>
+  page.evaluate(
+    async ([how, where, text]) => {
+      const session = await (await fetch('/api/session')).json();
+      const headers = { 'content-type': 'application/json', 'x-seamwright': session.token };
+      const answer = await fetch(where, { method: how, headers, body: text });
+      return { status: answer.status, ...(await answer.json().catch(() => ({}))) };
+    },
+    [method, path, JSON.stringify(body)],
+  );
 
 /** A page that drew a second by software has lost its heartbeat, and control with it: then it takes it again. */
 export async function commands(page) {
@@ -75,14 +79,7 @@ export const burns = (page, on) => page.waitForSelector(`[data-burns="${on}"]`, 
 
 /** Keeps a job through the server, as the editor would. */
 export async function keep(page, name, text) {
-  const status = await page.evaluate(
-    async ([of, body]) => {
-      const session = await (await fetch('/api/session')).json();
-      const headers = { 'content-type': 'application/json', 'x-seamwright': session.token };
-      return (await fetch(`/api/jobs/${of}`, { method: 'PUT', headers, body: JSON.stringify({ text: body }) })).status;
-    },
-    [name, text],
-  );
+  const { status } = await ask(page, 'PUT', `/api/jobs/${name}`, { text });
   assert.ok(status < 300, `keeping ${name}: ${status}`);
 }
 

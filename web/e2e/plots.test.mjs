@@ -1,27 +1,10 @@
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, NO_CELL, startCell } from './cell.mjs';
-import { axe, open, quiet, sleep } from './operator.mjs';
+import { test } from 'node:test';
+import { axe, bench, open, quiet, sleep } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
-const onReal = { skip: hasBrowser ? (isReal ? false : `the mock has no beam: ${NO_CELL}`) : 'no Chromium' };
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (!hasBrowser) return;
-  // A machine with a beam.
-  cell = await startCell('half-ring');
-  browser = await launch();
-  one = await page(browser);
-  await open(one, cell.address);
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+// A machine with a beam.
+const { one, cell } = await bench({ job: 'half-ring' });
+await open(one, cell.address);
 
 const state = () => one.evaluate(() => document.querySelector('[data-mode]').dataset.mode);
 
@@ -41,7 +24,7 @@ async function dryRun() {
   assert.fail(`no dry run, but ${await state()}`);
 }
 
-test('the operator chooses what is drawn: it stays chosen, has units, and a value under the cursor', options, async () => {
+test('the operator chooses what is drawn: it stays chosen, has units, and a value under the cursor', async () => {
   const figures = one.locator('.charts figure');
   const titles = () => figures.locator('.title').allTextContents();
   await figures.first().waitFor();
@@ -74,7 +57,7 @@ test('the operator chooses what is drawn: it stays chosen, has units, and a valu
   quiet(one);
 });
 
-test('the greatest following error says of which axis it is, and in its unit', options, async () => {
+test('the greatest following error says of which axis it is, and in its unit', async () => {
   const two = await page(browser);
   await open(two, cell.address);
   const figure = two.locator('.charts figure', { hasText: 'Max. following error' });
@@ -84,7 +67,7 @@ test('the greatest following error says of which axis it is, and in its unit', o
   await two.close();
 });
 
-test('in a dry run the spot of the beam is on its path; beside passes the speed is that of the tip', onReal, async () => {
+test('in a dry run the spot of the beam is on its path; beside passes the speed is that of the tip', async () => {
   await dryRun();
   await one.locator('.speed', { hasText: 'Tip speed' }).waitFor();
   const off = one.locator('.below .off', { hasText: 'Beam deviation' });

@@ -4,10 +4,10 @@ import { test } from 'node:test';
 import { page } from './browser.mjs';
 import { axe, bench, commands, control, cutOff, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab, weld } from './operator.mjs';
 
-const { one, cell, browser, options } = await bench({ real: 'the mock welds nothing', only: true });
+const { one, cell, browser } = await bench();
 const row = (of, part) => of.locator('tr', { hasText: part });
 
-test('welds by arc and by beam are compared: what both have is drawn, with the values under the cursor', options, async () => {
+test('welds by arc and by beam are compared: what both have is drawn, with the values under the cursor', async () => {
   await open(one, cell.address);
   await control(one);
   await keep(one, 'short.toml', SHORT);
@@ -46,7 +46,7 @@ test('welds by arc and by beam are compared: what both have is drawn, with the v
   quiet(one);
 });
 
-test('what is looked for and looked at stays when another page is looked at', options, async () => {
+test('what is looked for and looked at stays when another page is looked at', async () => {
   await tab(one, 'Weld');
   await tab(one, 'Records');
   await one.locator('.charts').waitFor();
@@ -66,7 +66,7 @@ test('what is looked for and looked at stays when another page is looked at', op
 });
 
 for (const language of ['de', 'uk']) {
-  test(`no number of a record or of tuning is cut off, ${language}`, options, async () => {
+  test(`no number of a record or of tuning is cut off, ${language}`, async () => {
     const two = await page(browser, { language });
     await open(two, cell.address);
     await two.locator('nav button').nth(3).click();
@@ -89,7 +89,7 @@ for (const language of ['de', 'uk']) {
 }
 
 for (const [language, dark] of [['en', false], ['zh', true]]) {
-  test(`on a phone the list is read by scrolling sideways, and a record is opened, ${language}`, options, async () => {
+  test(`on a phone the list is read by scrolling sideways, and a record is opened, ${language}`, async () => {
     const two = await page(browser, { size: 'phone', language, dark });
     await open(two, cell.address);
     await two.locator('nav button').nth(3).click();

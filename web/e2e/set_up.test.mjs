@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { page as blank } from './browser.mjs';
 import { axe, axis, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab } from './operator.mjs';
 
-const { one, cell, browser, options } = await bench({ real: 'the mock has no machine file', only: true });
+const { one, cell, browser } = await bench();
 
 const page = (name) => one.getByRole('group', { name: 'Pages of the set-up' }).getByRole('button', { name, exact: true }).click();
 const file = () => readFileSync(join(cell.data, 'jobs/machines/saddle-4axis.toml'), 'utf8');
@@ -28,7 +28,7 @@ async function hold(name, key, by) {
   await sleep(500);
 }
 
-test('a tool is found by touching one point, looked at, kept, and in force with the next loading', options, async () => {
+test('a tool is found by touching one point, looked at, kept, and in force with the next loading', async () => {
   await open(one, cell.address);
   await control(one);
   await keep(one, 'short.toml', SHORT);
@@ -63,7 +63,7 @@ test('a tool is found by touching one point, looked at, kept, and in force with 
   assert.match(file(), /tip_mm = \[0\.0, 0\.0, 0\.0\]/);
 });
 
-test('one axis goes home alone', options, async () => {
+test('one axis goes home alone', async () => {
   await tab(one, 'Weld');
   await commands(one);
   await press(one, /Hold/);
@@ -79,7 +79,7 @@ test('one axis goes home alone', options, async () => {
   assert.ok(Math.abs(await axis(one, 'beta')) < 0.05);
 });
 
-test('a drive is set as the loader allows, and in force with the next loading', options, async () => {
+test('a drive is set as the loader allows, and in force with the next loading', async () => {
   await tab(one, 'Set-up');
   await page('Axes and drives');
   await one.getByRole('group', { name: 'Axis' }).getByRole('button', { name: 's', exact: true }).click();
@@ -109,7 +109,7 @@ test('a drive is set as the loader allows, and in force with the next loading', 
   await one.getByRole('row', { name: /^s \[mm\].* 40\.0/ }).waitFor();
 });
 
-test('a camera is found from a picture of a grid, what is no grid is refused with its reason, and the map is kept', options, async () => {
+test('a camera is found from a picture of a grid, what is no grid is refused with its reason, and the map is kept', async () => {
   await tab(one, 'Set-up');
   await page('Sensors');
   await one.getByRole('group', { name: 'Sensors' }).getByRole('button', { name: 'camera', exact: true }).click();
@@ -153,7 +153,7 @@ test('a camera is found from a picture of a grid, what is no grid is refused wit
   assert.match(file(), /angle_deg = 26/);
 });
 
-test('an alarm is acknowledged by itself, and one that only tells is put aside', options, async () => {
+test('an alarm is acknowledged by itself, and one that only tells is put aside', async () => {
   await tab(one, 'Weld');
   await commands(one);
   await ready(one);
@@ -186,7 +186,7 @@ test('an alarm is acknowledged by itself, and one that only tells is put aside',
   quiet(one);
 });
 
-test('the audit log says that there is more, shows it, is searched whole, and what is new comes by itself', options, async () => {
+test('the audit log says that there is more, shows it, is searched whole, and what is new comes by itself', async () => {
   await tab(one, 'Set-up');
   for (let i = 0; i < 210; i += 1) await keep(one, i === 0 ? 'needle.toml' : 'many.toml', SHORT.replace('"Short"', `"Short ${i}"`));
   await page('Audit log');
@@ -212,7 +212,7 @@ test('the audit log says that there is more, shows it, is searched whole, and wh
   await axe(one, 'audit log');
 });
 
-test('on a phone the pages of the set-up are one choice before their content', options, async () => {
+test('on a phone the pages of the set-up are one choice before their content', async () => {
   const two = await blank(browser, { size: 'phone' });
   await open(two, cell.address);
   await two.locator('nav button').nth(4).click();

@@ -1,14 +1,14 @@
 // Stopping from wherever one is, and going on with nothing but the weld that was left.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bench, burns, commands, control, keep, load, mode, open, press, ready, SHORT, tab, weld } from './operator.mjs';
+import { bench, burns, commands, control, keep, load, mode, open, press, ready, SHORT, weld } from './operator.mjs';
 
-const { one, cell, options } = await bench({ real: 'the mock welds nothing', only: true });
+const { one, cell } = await bench();
 const LONG = SHORT.replace('"Short"', '"Long"').replaceAll(', 6]', ', 1.5]');
 const dialog = () => one.locator('dialog[open]');
 const continues = () => one.getByRole('button', { name: /Continue pass 1/ });
 
-test('Hold and STOP are heard after the override was moved by the mouse', options, async () => {
+test('Hold and STOP are heard after the override was moved by the mouse', async () => {
   await open(one, cell.address);
   await control(one);
   await ready(one);
@@ -25,7 +25,7 @@ test('Hold and STOP are heard after the override was moved by the mouse', option
   await commands(one);
 });
 
-test('a machine that goes back in a hold says so, and can be held', options, async () => {
+test('a machine that goes back in a hold says so, and can be held', async () => {
   const hold = one.getByRole('group', { name: 'Commands' }).getByRole('button', { name: /Hold/ });
   // As soon as it stands there is nothing to hold.
   await one.waitForFunction(() => [...document.querySelectorAll('.orders button')].some((key) => /Hold/.test(key.textContent) && key.disabled));
@@ -40,7 +40,7 @@ test('a machine that goes back in a hold says so, and can be held', options, asy
   await mode(one, 'ready');
 });
 
-test('going on is offered for the weld that was left alone, and its crater is asked about each time', options, async () => {
+test('going on is offered for the weld that was left alone, and its crater is asked about each time', async () => {
   await commands(one);
   await continues().click();
   await dialog().getByText(/Weld \d+: Long, part N-1/).waitFor();
@@ -66,7 +66,7 @@ test('going on is offered for the weld that was left alone, and its crater is as
   await one.locator('.strip', { hasText: 'Part N-1' }).waitFor();
 });
 
-test('whoever is thrown out in a run still has STOP, and is told why', options, async () => {
+test('whoever is thrown out in a run still has STOP, and is told why', async () => {
   await commands(one);
   await load(one, 'short.toml');
   await press(one, /^Dry run/);
@@ -86,7 +86,7 @@ test('whoever is thrown out in a run still has STOP, and is told why', options, 
   await one.getByText(/STOP was sent. State then: Ready/).waitFor();
 });
 
-test('the printed address, opened over the login page, logs in', options, async () => {
+test('the printed address, opened over the login page, logs in', async () => {
   await one.goto(cell.address);
   await one.waitForSelector('.panel');
   await mode(one, 'ready', 'idle', 'off');

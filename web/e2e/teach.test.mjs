@@ -1,27 +1,11 @@
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, NO_CELL, startCell } from './cell.mjs';
-import { axis, control, keep, load, mode, open, press, quiet, ready, shot, sleep, tab } from './operator.mjs';
+import { after, test } from 'node:test';
+import { axis, bench, control, keep, load, mode, open, quiet, ready, shot, sleep, tab } from './operator.mjs';
 
-const options = { skip: hasBrowser ? (isReal ? false : `the mock has no eye: ${NO_CELL}`) : 'no Chromium' };
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (options.skip) return;
-  cell = await startCell('half-ring');
-  browser = await launch();
-  one = await page(browser);
-  await open(one, cell.address);
-  await control(one);
-});
-after(async () => {
-  if (one) await shot(one, 'teach-last');
-  await browser?.close();
-  await cell?.end();
-});
+after(() => shot(one, 'teach-last'));
+const { one, cell } = await bench({ job: 'half-ring' });
+await open(one, cell.address);
+await control(one);
 
 const phase = (...wanted) =>
   one.waitForFunction((list) => list.includes(document.querySelector('[data-teach]')?.dataset.teach), wanted, { timeout: 120_000 });
@@ -81,7 +65,7 @@ async function allInSight() {
   assert.ok(last.y + last.height <= stop.y, JSON.stringify({ last, stop }));
 }
 
-test('a seam is taught by eye, from its start in 3D to a saved job', options, async () => {
+test('a seam is taught by eye, from its start in 3D to a saved job', async () => {
   // 80 mm of the half ring.
   const text = await one.evaluate(async () => (await (await fetch('/api/jobs/half-ring.toml')).json()).text);
   await keep(one, 'ring.toml', text.replace('end_phi_deg = 210', 'end_phi_deg = 60').split('[cosmetic]')[0]);
@@ -152,7 +136,7 @@ async function pick() {
   assert.fail('no place of the pass could be picked');
 }
 
-test('a step jog goes so far and stands, though the key is held', options, async () => {
+test('a step jog goes so far and stands, though the key is held', async () => {
   await tab(one, 'Jog · Teach');
   await commands();
   if (await button('Start jogging').isVisible()) await button('Start jogging').click();

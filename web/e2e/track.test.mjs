@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { bench, burns, commands, control, keep, mode, open, quiet, ready, shot, sleep, tab, weld } from './operator.mjs';
 
-const { one, cell, options } = await bench({ real: 'the mock has no sensors', only: true });
+const { one, cell } = await bench();
 
 /** Up to which part of the pass the first chart of *Tracking* has a line. */
 const farthest = () =>
@@ -24,7 +24,7 @@ const short = async () => {
   return text;
 };
 
-test('a part out of its place is found by the sensor, and the record says by how much', options, async () => {
+test('a part out of its place is found by the sensor, and the record says by how much', async () => {
   await open(one, cell.address);
   await control(one);
   await keep(one, 'tracked.toml', await short());

@@ -1,12 +1,16 @@
-// Parts that were left in the middle, on a mock that remembers them by job and part as the cell does.
+// Parts that were left in the middle, which the cell remembers by job and part.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bench, commands, control, mode, open, press, ready, sleep, weld } from './operator.mjs';
+import { ask, bench, commands, control, keep, mode, open, press, ready, SHORT, sleep, weld } from './operator.mjs';
 
-const { one, cell, options } = await bench({ mock: true });
+const { one, cell } = await bench();
 
-const load = (job, part, from = null) =>
-  one.evaluate((body) => fetch('/api/load', { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body) }), { job, part, from });
+/** Two passes; the second one is welded for longer. */
+const [HEAD, PASS] = SHORT.split(/(?=\[\[passes\]\])/);
+const load = async (job, part, from = null) => {
+  const { status } = await ask(one, 'POST', '/api/load', { job, part, from });
+  assert.equal(status, 200);
+};
 const passes = () => one.locator('.passes li button');
 const ticks = async () => (await passes().allTextContents()).map((text) => text.includes('✓'));
 const continues = (pass) => one.getByRole('button', { name: new RegExp(`^Continue pass ${pass}`) });
@@ -21,24 +25,25 @@ async function leaveIn(pass) {
   await mode(one, 'ready');
 }
 
-test('a part that was left keeps its finished passes and its newest place, whatever is welded in between', options, async () => {
+test('a part that was left keeps its finished passes and its newest place, whatever is welded in between', async () => {
   await open(one, cell.address);
   await control(one);
   await ready(one);
-  // Nearly at the end of its first pass, so that the second one comes soon.
-  await load('saddle.toml', 'N1-001', [1, 1500]);
+  const [first, second] = [PASS, PASS.replace('"short"', '"cap"').replaceAll(', 6]', ', 1]')];
+  await keep(one, 'two.toml', HEAD + first + second);
+  await load('two.toml', 'N1-001');
   await leaveIn(2);
   await continues(2).waitFor();
   assert.deepEqual(await ticks(), [true, false]);
-  await load('ellipse.toml', 'G-1');
+  await load('first-weld.toml', 'G-1');
   await one.getByText(/part N1-001\) is unfinished: pass 2/).waitFor();
   assert.equal(await continues(2).count(), 0);
-  await load('saddle.toml', 'N1-001');
+  await load('two.toml', 'N1-001');
   await continues(2).waitFor();
   assert.deepEqual(await ticks(), [true, false]);
 });
 
-test('going on with the overlap that is offered is not asked about', options, async () => {
+test('going on with the overlap that is offered is not asked about', async () => {
   const dialog = one.locator('dialog[open]');
   await commands(one);
   await continues(2).click();
@@ -53,7 +58,7 @@ test('going on with the overlap that is offered is not asked about', options, as
   await one.keyboard.press('F1');
   await mode(one, 'ready');
   // The same place once more, with less than was welded over: it is asked about.
-  await load('saddle.toml', 'N1-001', [2, 0]);
+  await load('two.toml', 'N1-001', [2, 0]);
   await press(one, /^Arm/);
   await press(one, /Start weld/);
   await dialog.getByText(/N1-001/).waitFor();
@@ -65,7 +70,7 @@ test('going on with the overlap that is offered is not asked about', options, as
   await dialog.waitFor({ state: 'hidden' });
 });
 
-test('what is finished is welded again only after a question that names it', options, async () => {
+test('what is finished is welded again only after a question that names it', async () => {
   await commands(one);
   await press(one, /^Arm/);
   await press(one, /Start weld/);

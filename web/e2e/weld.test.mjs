@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { page } from './browser.mjs';
 import { axe, bench, burns, control, home, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
 
-const { one, cell, browser, options } = await bench({ toured: false, scenes: true, real: 'the mock welds nothing', only: true, job: null });
+const { one, cell, browser } = await bench({ toured: false, scenes: true, job: null });
 
 /** What the issue of the tour is: from its first step to the record. */
 const WITHIN_S = 120;
@@ -27,7 +27,7 @@ async function scrubbed() {
   assert.equal(new Set(pictures).size, 3, 'the torch in 3D does not follow the cursor');
 }
 
-test('the first run, led by the tour: from the printed address to a finished weld with its record, in two minutes', options, async (test) => {
+test('the first run, led by the tour: from the printed address to a finished weld with its record, in two minutes', async (test) => {
   const begun = Date.now();
   await open(one, cell.address);
   assert.ok(!one.url().includes('key='), 'the key is left in the address');
@@ -61,7 +61,7 @@ test('the first run, led by the tour: from the printed address to a finished wel
   quiet(one);
 });
 
-test('hold and resume: the arc is off in the hold, and only arming brings it back', options, async () => {
+test('hold and resume: the arc is off in the hold, and only arming brings it back', async () => {
   // A page that drew a second by software has lost its heartbeat, and control with it.
   if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
   await keep(one, 'short.toml', SHORT);
@@ -81,7 +81,7 @@ test('hold and resume: the arc is off in the hold, and only arming brings it bac
   await mode(one, 'weld');
 });
 
-test('STOP in the weld, from the keyboard; then going on where it was left, with overlap, and nothing by itself', options, async () => {
+test('STOP in the weld, from the keyboard; then going on where it was left, with overlap, and nothing by itself', async () => {
   await burns(one, true);
   await sleep(1500);
   await one.keyboard.press('F1');
@@ -101,7 +101,7 @@ test('STOP in the weld, from the keyboard; then going on where it was left, with
   quiet(one);
 });
 
-test('STOP is pressed in its corner while a dialog is open', options, async () => {
+test('STOP is pressed in its corner while a dialog is open', async () => {
   if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
   await load(one, 'short.toml');
   await press(one, /^Dry run/);
@@ -118,7 +118,7 @@ test('STOP is pressed in its corner while a dialog is open', options, async () =
   await tab(one, 'Weld');
 });
 
-test('keys: not in text fields, not by repeat', options, async () => {
+test('keys: not in text fields, not by repeat', async () => {
   await tab(one, 'Jobs');
   const field = one.getByRole('searchbox');
   await field.fill('');

@@ -445,6 +445,8 @@ pub(crate) enum Format {
     Program,
     /// OpenAPI 3.1 of the panel's server
     Rest,
+    /// Types of the panel's server
+    Typescript,
 }
 
 #[derive(Debug, Args)]

@@ -51,7 +51,7 @@ mod users;
 mod view;
 pub mod wire;
 
-pub use http::openapi;
+pub use http::{openapi, typescript};
 pub use planner::answer_one_question;
 pub use serve::{Error, Settings, serve};
 pub use tls::Tls;

@@ -1,46 +1,4 @@
-import type {
-  AlarmEntry,
-  ArchiveView,
-  AuditRow,
-  ChoicesView,
-  DistortionRow,
-  DeviceView,
-  DraftAnswer,
-  EditAnswer,
-  JobRow,
-  JobText,
-  Load,
-  Login,
-  MachineView,
-  MessageView,
-  ParameterChange,
-  ParametersView,
-  PlaceAnswer,
-  PlaceText,
-  PlanAnswer,
-  PostAnswer,
-  RecordRow,
-  RecordView,
-  SensorAnswer,
-  SensorChange,
-  SensorsView,
-  SessionView,
-  StandingView,
-  Shelving,
-  Stopped,
-  TaughtProgram,
-  TaughtView,
-  TeachProgram,
-  ToolAnswer,
-  ToolTip,
-  ToolTouches,
-  TraceView,
-  TuningView,
-  Trouble,
-  UserChange,
-  UserRow,
-  WorkView,
-} from '../wire';
+import type * as Wire from '../wire';
 
 /** A request that the server refused. */
 export class Refusal extends Error {
@@ -48,7 +6,7 @@ export class Refusal extends Error {
     readonly status: number,
     readonly key: string,
     /** What the server says; text as it stands if it is not of Seamwright's server. */
-    readonly said: MessageView | string,
+    readonly said: Wire.MessageView | string,
   ) {
     super(typeof said === 'string' ? said : said.text);
   }
@@ -99,7 +57,7 @@ async function answered(path: string, init: RequestInit = {}): Promise<Response>
 /** What a refusal says: the server's own, or what stands before its handlers, which speaks plain text. */
 export function refusal(status: number, said: string): Refusal {
   try {
-    const trouble = JSON.parse(said) as Trouble;
+    const trouble = JSON.parse(said) as Wire.Trouble;
     if (typeof trouble.key === 'string' && typeof trouble.text === 'string' && Array.isArray(trouble.arguments)) return new Refusal(status, trouble.key, trouble);
   } catch {
     // Plain text.
@@ -117,63 +75,63 @@ const query = (of: Record<string, string | number>): string =>
 
 /** The server's routes, one function each. */
 export const api = {
-  login: (login: Login) => request<SessionView>('POST', '/api/login', login),
+  login: (login: Wire.Login) => request<Wire.SessionView>('POST', '/api/login', login),
   logout: () => request<void>('POST', '/api/logout'),
   /** STOP of a page without login. */
-  stop: () => request<Stopped>('POST', '/api/stop'),
-  session: () => request<SessionView>('GET', '/api/session'),
-  machine: () => request<MachineView>('GET', '/api/machine'),
+  stop: () => request<Wire.Stopped>('POST', '/api/stop'),
+  session: () => request<Wire.SessionView>('GET', '/api/session'),
+  machine: () => request<Wire.MachineView>('GET', '/api/machine'),
   /** The machine that a job names, by that name. */
-  machineOfJob: (of: string) => request<MachineView>('GET', `/api/machine/of-job?${query({ name: of })}`),
-  devices: () => request<DeviceView[]>('GET', '/api/devices'),
-  catalogue: () => request<AlarmEntry[]>('GET', '/api/alarms/catalogue'),
-  jobs: () => request<JobRow[]>('GET', '/api/jobs'),
-  choices: () => request<ChoicesView>('GET', '/api/choices'),
-  distortions: () => request<DistortionRow[]>('GET', '/api/distortions'),
-  job: (of: string) => request<JobText>('GET', `/api/jobs/${name(of)}`),
+  machineOfJob: (of: string) => request<Wire.MachineView>('GET', `/api/machine/of-job?${query({ name: of })}`),
+  devices: () => request<Wire.DeviceView[]>('GET', '/api/devices'),
+  catalogue: () => request<Wire.AlarmEntry[]>('GET', '/api/alarms/catalogue'),
+  jobs: () => request<Wire.JobRow[]>('GET', '/api/jobs'),
+  choices: () => request<Wire.ChoicesView>('GET', '/api/choices'),
+  distortions: () => request<Wire.DistortionRow[]>('GET', '/api/distortions'),
+  job: (of: string) => request<Wire.JobText>('GET', `/api/jobs/${name(of)}`),
   /** `over`: the text that it takes the place of, empty for none; `null`: whatever stands there. */
-  keepJob: (of: string, text: string, over: string | null) => request<JobRow>('PUT', `/api/jobs/${name(of)}`, { text, over }),
+  keepJob: (of: string, text: string, over: string | null) => request<Wire.JobRow>('PUT', `/api/jobs/${name(of)}`, { text, over }),
   deleteJob: (of: string) => request<void>('DELETE', `/api/jobs/${name(of)}`),
-  plan: (text: string, signal?: AbortSignal) => request<PlanAnswer>('POST', '/api/plan', { text }, signal),
-  draft: (text: string, signal?: AbortSignal) => request<DraftAnswer>('POST', '/api/draft', { text }, signal),
-  place: (asked: PlaceText) => request<PlaceAnswer>('POST', '/api/place', asked),
-  load: (load: Load) => request<WorkView>('POST', '/api/load', load),
+  plan: (text: string, signal?: AbortSignal) => request<Wire.PlanAnswer>('POST', '/api/plan', { text }, signal),
+  draft: (text: string, signal?: AbortSignal) => request<Wire.DraftAnswer>('POST', '/api/draft', { text }, signal),
+  place: (asked: Wire.PlaceText) => request<Wire.PlaceAnswer>('POST', '/api/place', asked),
+  load: (load: Wire.Load) => request<Wire.WorkView>('POST', '/api/load', load),
   post: (text: string, dialect: string) =>
-    request<PostAnswer>('POST', '/api/post', { text, dialect }),
+    request<Wire.PostAnswer>('POST', '/api/post', { text, dialect }),
   edit: (text: string, operations: unknown[]) =>
-    request<EditAnswer>('POST', '/api/edit', { text, operations }),
+    request<Wire.EditAnswer>('POST', '/api/edit', { text, operations }),
   /** Positions of axes and tip; refused while an axis moves. */
-  position: () => request<StandingView>('GET', '/api/position'),
-  taught: () => request<TaughtView>('GET', '/api/teach'),
-  taughtProgram: (how: TeachProgram) => request<TaughtProgram>('POST', '/api/teach/program', how),
+  position: () => request<Wire.StandingView>('GET', '/api/position'),
+  taught: () => request<Wire.TaughtView>('GET', '/api/teach'),
+  taughtProgram: (how: Wire.TeachProgram) => request<Wire.TaughtProgram>('POST', '/api/teach/program', how),
   records: (query: Record<string, string>) =>
-    request<RecordRow[]>('GET', `/api/records?${new URLSearchParams(query).toString()}`),
-  record: (id: number) => request<RecordView>('GET', `/api/records/${id}`),
+    request<Wire.RecordRow[]>('GET', `/api/records?${new URLSearchParams(query).toString()}`),
+  record: (id: number) => request<Wire.RecordView>('GET', `/api/records/${id}`),
   /** The program as it was welded; null if it is not kept. */
   recordWork: (id: number) =>
-    request<WorkView | null>('GET', `/api/records/${id}/work`).catch((error: unknown) => {
+    request<Wire.WorkView | null>('GET', `/api/records/${id}/work`).catch((error: unknown) => {
       if (error instanceof Refusal && error.status === 404) return null;
       throw error;
     }),
   trace: (id: number, columns: string[], most: number) =>
-    request<TraceView>('GET', `/api/records/${id}/trace?columns=${columns.map(name).join(',')}&most=${most}`),
-  tuning: (axis: string) => request<TuningView>('GET', `/api/tuning?axis=${name(axis)}`),
-  parameters: () => request<ParametersView>('GET', '/api/parameters'),
-  setParameters: (change: ParameterChange) => request<ParametersView>('PUT', '/api/parameters', change),
-  findTool: (touches: ToolTouches) => request<ToolAnswer>('POST', '/api/tool', touches),
-  keepTool: (tip: ToolTip) => request<ParametersView>('PUT', '/api/tool', tip),
-  sensors: () => request<SensorsView>('GET', '/api/sensors'),
+    request<Wire.TraceView>('GET', `/api/records/${id}/trace?columns=${columns.map(name).join(',')}&most=${most}`),
+  tuning: (axis: string) => request<Wire.TuningView>('GET', `/api/tuning?axis=${name(axis)}`),
+  parameters: () => request<Wire.ParametersView>('GET', '/api/parameters'),
+  setParameters: (change: Wire.ParameterChange) => request<Wire.ParametersView>('PUT', '/api/parameters', change),
+  findTool: (touches: Wire.ToolTouches) => request<Wire.ToolAnswer>('POST', '/api/tool', touches),
+  keepTool: (tip: Wire.ToolTip) => request<Wire.ParametersView>('PUT', '/api/tool', tip),
+  sensors: () => request<Wire.SensorsView>('GET', '/api/sensors'),
   /** What a picture of a grid of dots says of a camera. */
   findSensor: (plate: Plate, picture: Blob) =>
-    request<SensorAnswer>('POST', `/api/sensor?${query(plate)}`, new Blob([picture], { type: 'image/png' })),
+    request<Wire.SensorAnswer>('POST', `/api/sensor?${query(plate)}`, new Blob([picture], { type: 'image/png' })),
   gridPicture: (plate: Plate & { seed: number }) => answered(`/api/sensor/picture?${query(plate)}`).then((response) => response.blob()),
-  keepSensor: (change: SensorChange) => request<SensorsView>('PUT', '/api/sensor', change),
-  shelve: (of: Shelving) => request<void>('POST', '/api/alarms/shelve', of),
-  audit: (asked: { most: number; text?: string; before?: number; after?: number }) => request<AuditRow[]>('GET', `/api/audit?${query(asked)}`),
-  checkArchive: (file: Blob) => request<ArchiveView>('PUT', '/api/restore', file),
+  keepSensor: (change: Wire.SensorChange) => request<Wire.SensorsView>('PUT', '/api/sensor', change),
+  shelve: (of: Wire.Shelving) => request<void>('POST', '/api/alarms/shelve', of),
+  audit: (asked: { most: number; text?: string; before?: number; after?: number }) => request<Wire.AuditRow[]>('GET', `/api/audit?${query(asked)}`),
+  checkArchive: (file: Blob) => request<Wire.ArchiveView>('PUT', '/api/restore', file),
   restore: (own_password: string | null) => request<void>('POST', '/api/restore', { own_password }),
-  users: () => request<UserRow[]>('GET', '/api/users'),
-  keepUser: (of: string, change: UserChange) => request<UserRow>('PUT', `/api/users/${name(of)}`, change),
+  users: () => request<Wire.UserRow[]>('GET', '/api/users'),
+  keepUser: (of: string, change: Wire.UserChange) => request<Wire.UserRow>('PUT', `/api/users/${name(of)}`, change),
   deleteUser: (of: string, own_password: string | null) =>
     request<void>('DELETE', `/api/users/${name(of)}`, { own_password }),
 };

@@ -3,16 +3,17 @@ import type {
   AskView,
   EventView,
   FromCell,
-  JogOf,
   LackView,
+  Load,
   MachineView,
+  RefusedView,
   Status,
   TeachOrder,
   TeachView,
   WorkView,
 } from '../wire';
 import { api, usePage } from './api';
-import { Link, type Answer, type LinkState } from './socket';
+import { Link, type Answer, type LinkState, type Move } from './socket';
 import { session } from './session.svelte';
 import { Stopping } from './stopping.svelte';
 import { shownSpeed, type Shown } from './speed';
@@ -30,9 +31,6 @@ const ASK_AGAIN_MS = 1000;
 const CLOSED: TeachView = {
   phase: 'closed', job: '', key: null, why: null, way_mm: 0, nominal_mm: 0, frames: 0, confidence: 0, least_confidence: 0, picture: 0, size_px: [0, 0],
 };
-
-/** What the status says of the cycle's timing; a cell of an earlier version says less. */
-type Timing = { realtime?: { missing: string[]; text: string }; longest_gap_ms?: number };
 
 type Control = { station: number | null; user: string | null; mine: boolean };
 
@@ -57,6 +55,8 @@ class Cell {
   ran = $state<'dry_run' | 'weld' | null>(null);
   station = $state(0);
   version = $state('');
+  /** Commands that the cell would refuse now, or that would have no effect, whoever gives them; null: it has not said. */
+  unready = $state.raw<RefusedView[] | null>(null);
   /** What stands against the command that was last asked about. */
   lacks = $state.raw<{ ask: string; lacks: LackView[] } | null>(null);
   /** The last refused command, until the next one. */
@@ -75,10 +75,12 @@ class Cell {
   /** What is shown is what the cell is doing now. */
   readonly current = $derived(this.state === 'open' && !this.stale);
   /** What the system does not grant to the cycle, in the system's words; empty if nothing is missing. */
-  readonly unrealtime = $derived((this.status as (Status & Timing) | null)?.realtime?.missing.length ? ((this.status as Timing).realtime?.text ?? '') : '');
+  readonly unrealtime = $derived(this.status?.realtime.missing.length ? this.status.realtime.text : '');
   /** The longest time without a cycle, ms. */
-  readonly longestGap = $derived((this.status as (Status & Timing) | null)?.longest_gap_ms ?? NaN);
+  readonly longestGap = $derived(this.status?.longest_gap_ms ?? NaN);
   readonly mode = $derived(this.status?.mode ?? null);
+  /** Axes follow the jog keys. */
+  readonly jogs = $derived(this.mode === 'jog' || this.mode === 'teach');
   readonly powered = $derived(this.status?.powered ?? false);
 
   private link: Link | null = null;
@@ -121,16 +123,17 @@ class Cell {
     return answer;
   }
 
-  jog(of: JogOf, speeds: number[]): void {
-    this.link?.jog(of, speeds);
+  /** Why a command cannot be given now, as far as mode and power decide; null if it can. */
+  against(order: string): LackView | null {
+    return this.unready?.find((of) => of.ask === order)?.why ?? null;
   }
 
-  step(of: JogOf, index: number, by: number): void {
-    this.link?.step(of, index, by);
+  can(order: string): boolean {
+    return this.unready !== null && this.against(order) === null;
   }
 
-  go(axes: number[]): void {
-    this.link?.go(axes);
+  move(by: Move): void {
+    this.link?.move(by);
   }
 
   async teaches(order: TeachOrder): Promise<Answer> {
@@ -147,6 +150,12 @@ class Cell {
 
   giveControl(): void {
     this.link?.send({ kind: 'give_control' });
+  }
+
+  /** Plans the program of the cell once more, from where the axes are now, and loads it. */
+  async reload(from: Load['from'], overlap_mm = 0): Promise<void> {
+    const { work } = this;
+    if (work) await api.load({ job: work.job, from, overlap_mm, part: this.status?.part || null, distortion: work.distortion });
   }
 
   /** Calls back for every status, until the function that is returned is called. */
@@ -171,6 +180,7 @@ class Cell {
     if (state === 'open') return;
     this.control = { station: null, user: null, mine: false };
     this.lacks = null;
+    this.unready = null;
     // The server may have ended the session.
     if (state === 'closed') void session.ask();
   }
@@ -195,6 +205,9 @@ class Cell {
         break;
       case 'alarms':
         this.alarms = message.list;
+        break;
+      case 'commands':
+        this.unready = message.refused;
         break;
       case 'event':
         this.takeEvent(message);

@@ -58,19 +58,19 @@ describe('the socket', () => {
     const { link, sockets, states } = linked();
     sockets[0]?.opens();
     const open = link.ask({ do: 'start_weld' });
-    link.jog('joints', [1]);
+    link.move({ kind: 'jog', of: 'joints', speeds: [1] });
     sockets[0]?.close();
     expect(await open).toMatchObject({ ok: false, why: { key: 'lost' } });
     // While it is closed nothing is kept for later.
     expect(await link.ask({ do: 'resume' })).toMatchObject({ ok: false, why: { key: 'lost' } });
-    link.jog('joints', [1]);
+    link.move({ kind: 'jog', of: 'joints', speeds: [1] });
     await vi.advanceTimersByTimeAsync(5000);
     expect(sockets.length).toBe(2);
     sockets[1]?.opens();
     await vi.advanceTimersByTimeAsync(5000);
     expect(sockets[1]?.sent).toEqual([]);
     void link.ask({ do: 'home' });
-    link.jog('tip', [0]);
+    link.move({ kind: 'jog', of: 'tip', speeds: [0] });
     expect(sockets[1]?.sent).toMatchObject([{ seq: 1, ask: { do: 'home' } }, { seq: 1, of: 'tip' }]);
     expect(states).toEqual(['opening', 'open', 'closed', 'opening', 'open']);
   });

@@ -1,4 +1,4 @@
-import type { AskView, FromCell, JogOf, LackView, TeachOrder, ToCell } from '../wire';
+import type { AskView, FromCell, LackView, TeachOrder, ToCell } from '../wire';
 
 /** What the cell said to a command. */
 export type Answer = { ok: boolean; why: LackView | null };
@@ -13,6 +13,10 @@ export type LinkEvents = {
 };
 
 /** A command that the connection lost is not known to have been done; nothing is ever sent twice. */
+type Unnumbered<T> = T extends unknown ? Omit<T, 'seq'> : never;
+/** A motion by hand, without its number. */
+export type Move = Unnumbered<Extract<ToCell, { kind: 'jog' | 'step' | 'go' }>>;
+
 const LOST: Answer = { ok: false, why: { key: 'lost', code: 'panel-lack-lost', text: 'the connection was lost', arguments: [] } };
 const WAITS_MS = [300, 600, 1200, 2500];
 
@@ -71,16 +75,9 @@ export class Link {
     return new Promise((done) => this.waiting.set(message.seq, done));
   }
 
-  jog(of: JogOf, speeds: number[]): void {
-    this.send({ kind: 'jog', seq: ++this.jogSeq, of, speeds });
-  }
-
-  step(of: JogOf, index: number, by: number): void {
-    this.send({ kind: 'step', seq: ++this.jogSeq, of, index, by });
-  }
-
-  go(axes: number[]): void {
-    this.send({ kind: 'go', seq: ++this.jogSeq, axes });
+  /** Motion by hand, said again as long as a key is held. */
+  move(by: Move): void {
+    this.send({ ...by, seq: ++this.jogSeq });
   }
 
   /** False if there is no open connection: then nothing was sent, now or later. */

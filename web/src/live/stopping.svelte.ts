@@ -1,4 +1,4 @@
-import { canAbort } from '../parts/orders';
+import { runs } from '../parts/orders';
 import type { Stopped } from '../wire';
 import type { Answer } from './socket';
 
@@ -48,7 +48,7 @@ export class Stopping {
 
   /** Takes a status of the cell that has just come: one that stands confirms the STOP. */
   seen(mode: string): void {
-    if (!this.round || canAbort(mode) || (this.fate === 'sent' && !this.round.heard)) return;
+    if (!this.round || runs(mode) || (this.fate === 'sent' && !this.round.heard)) return;
     this.confirm(this.round, mode);
   }
 
@@ -89,7 +89,7 @@ export class Stopping {
       this.hear(round);
       if (this.round !== round) return;
       this.mode = mode;
-      if (!canAbort(mode)) this.confirm(round, mode);
+      if (!runs(mode)) this.confirm(round, mode);
     } catch {
       // This way is closed.
     }

@@ -2,7 +2,7 @@ import { cell } from '../live/cell.svelte';
 import { session } from '../live/session.svelte';
 import { layers } from './layers.svelte';
 import { meant, type Spot } from './meant';
-import { hasMeaning, type Order } from './orders';
+import type { Order } from './orders';
 import { starting } from './starting.svelte';
 import { place } from './place.svelte';
 
@@ -30,8 +30,7 @@ export function order(of: Order): void {
     void cell.stopping.stop();
     return;
   }
-  if (of !== 'hold' && (!cell.control.mine || !session.may(of))) return;
-  if (!hasMeaning(of, cell.mode, cell.powered)) return;
+  if (of !== 'hold' && (!cell.control.mine || !session.may(of) || !cell.can(of))) return;
   if (of === 'start_weld') void starting.start();
   else void cell.ask({ do: of });
 }

@@ -1,9 +1,12 @@
-/** Units by the ends of keys and of names of process values. */
+/** Units by the ends of keys of files and of names of process values. */
 const units = {
   a: 'A', v: 'V', kv: 'kV', ma: 'mA', w: 'W', kw: 'kW',
   mm: 'mm', m_min: 'm/min', mm_s: 'mm/s', mm_min: 'mm/min', l_min: 'l/min',
   hz: 'Hz', khz: 'kHz', deg: '°', s: 's', ms: 'ms', percent: '%',
   mbar: 'mbar', bar: 'bar', c: '°C', k: 'K', kj_mm: 'kJ/mm',
+  mm_s2: 'mm/s²', mm_s3: 'mm/s³', deg_s: '°/s', deg_s2: '°/s²', deg_s3: '°/s³',
+  per_s: '1/s', per_s2: '1/s²', per_mm: '1/mm', per_deg: '1/°',
+  n: 'N', n_m: 'N m', kg: 'kg', kg_m2: 'kg m²', n_s_m: 'N s/m', n_m_s_rad: 'N m s/rad',
 };
 
 /** A number with a decimal point in every language, and a true minus sign; what is not there is a dash. */

@@ -2,7 +2,6 @@ import { describe, expect, test } from 'vitest';
 import { Layers } from './layers.svelte';
 import { meant, type Meaning, type Spot } from './meant';
 import { dayAndTime, digitsFor, duration, limit, number, span, valueName } from './numbers';
-import { canAbort, canHold, hasMeaning, movesHeld, next, powerComes, type Order } from './orders';
 import { programText } from './taught.svelte';
 import type { MachineView } from '../wire';
 import { pointPasses } from '../jobs/points';
@@ -38,24 +37,6 @@ describe('numbers', () => {
   });
 });
 
-test('stop and hold have a meaning in every state', () => {
-  for (const mode of ['off', 'idle', 'homing', 'ready', 'jog', 'teach', 'dry_run', 'weld', 'hold', 'fault']) {
-    expect(hasMeaning('stop', mode) && hasMeaning('hold', mode)).toBe(true);
-    const order = next(mode);
-    if (order) expect(hasMeaning(order, mode)).toBe(true);
-    // The key goes through always; the button says where there is something to hold.
-    expect(canHold(mode)).toBe(!['off', 'idle', 'ready', 'hold', 'fault'].includes(mode));
-    expect(canAbort(mode)).toBe(!['off', 'idle', 'ready', 'fault'].includes(mode));
-  }
-});
-
-test('until the drives have power nothing that moves can be asked for, and switching off can', () => {
-  expect(['home', 'start_jog', 'start_teach', 'start_dry_run', 'start_weld'].map((of) => hasMeaning(of as Order, 'ready', false))).not.toContain(true);
-  expect(hasMeaning('home', 'idle', false)).toBe(false);
-  expect(hasMeaning('home', 'idle', true) && hasMeaning('switch_off', 'idle', false) && hasMeaning('stop', 'idle', false)).toBe(true);
-  expect([powerComes('idle', false), powerComes('idle', true), powerComes('off', false)]).toEqual([true, false, false]);
-});
-
 test('taught points become a program that reads back as they were', () => {
   const machine = { name: 'm', axes: [{ name: 'x' }, { name: 'b' }] } as unknown as MachineView;
   const tip: [number, number, number, number, number, number] = [0, 0, 0, 0, 0, 1];
@@ -72,13 +53,6 @@ test('only Modal makes a dialog: it has STOP in it, which is out of reach behind
   const makers = Object.entries(sources).flatMap(([path, text]) => (/<dialog|popover=/.test(text) ? path : []));
   expect(makers).toEqual(['./Modal.svelte']);
   expect(sources['./Modal.svelte']).toContain('<Stop />');
-});
-
-test('a machine that goes back in a hold can be held', () => {
-  for (const [mode, speed, moves] of [['hold', -4, true], ['hold', 4, true], ['hold', 0, false], ['weld', 4, false], [null, 4, false]] as const) {
-    expect(movesHeld(mode, { speed_mm_s: speed })).toBe(moves);
-  }
-  expect(movesHeld('hold', null)).toBe(false);
 });
 
 describe('layers', () => {

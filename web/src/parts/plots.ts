@@ -1,9 +1,8 @@
 import type { AxisView } from '../wire';
-import type { Key } from '../words/index.svelte';
 import { axisUnit, valueName } from './numbers';
 
 /** A line of a plot: a column of the strip; `whose`: a column with the number of the axis that it is of. */
-export type PlotLine = { column: string; name: Key | ''; unit: string; whose?: string; dashed?: boolean };
+export type PlotLine = { column: string; name: string; unit: string; whose?: string; dashed?: boolean };
 
 /** What can be drawn over time. */
 export type Plot = {

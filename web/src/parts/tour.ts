@@ -1,5 +1,3 @@
-import type { Key } from '../words/index.svelte';
-
 /** Input of the tour: the state of the cell, not clicks. Users who know the steps can take them directly. */
 export type Seen = {
   mine: boolean;
@@ -24,7 +22,7 @@ export type Seen = {
 export const STEPS = 7;
 
 /** The step, from 1, and what is to be done now; off the way (dry run, hold, fault ..) that is something else than usual. */
-export function lead(seen: Seen): { step: number; key: Key } {
+export function lead(seen: Seen): { step: number; key: string } {
   const { mode } = seen;
   if (mode === 'weld') return { step: 6, key: 'tour.watch' };
   if (mode === 'hold') return { step: 6, key: seen.mine ? 'tour.hold' : 'tour.control' };

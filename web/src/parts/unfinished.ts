@@ -3,9 +3,6 @@ import type { LeftView, WorkView } from '../wire';
 /** A place in a weld: pass from 1, and path length in mm. */
 export type Place = [number, number];
 
-/** A weld that was left in the middle; `finished`: passes that are done, if the cell says it. */
-export type Unfinished = LeftView & { finished?: number };
-
 /** A longer way back than the pass asks for, as somebody chose it for one interruption. */
 export type Overlap = { of: string; extra_mm: number };
 
@@ -13,8 +10,8 @@ export type Overlap = { of: string; extra_mm: number };
 export const interruption = (left: LeftView): string => `${left.record ?? ''} ${left.pass} ${left.s_mm}`;
 
 /** How many passes of what is in the cell are finished, from the first one on. */
-export function finishedPasses(left: Unfinished | null): number {
-  return left?.here ? (left.finished ?? left.pass - 1) : 0;
+export function finishedPasses(left: LeftView | null): number {
+  return left?.here ? left.finished : 0;
 }
 
 /** How much of what is welded is welded over on purpose where the weld goes on, mm: loaded with it, the cell does not ask about it. */

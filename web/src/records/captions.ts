@@ -1,8 +1,8 @@
 import { valueName } from '../parts/numbers';
-import { named, t, type Key } from '../words/index.svelte';
+import { named, t } from '../words/index.svelte';
 
 /** What every trace of a cell or of a simulation has. */
-const KNOWN: Record<string, Key[]> = {
+const KNOWN: Record<string, string[]> = {
   mode: ['mode'],
   welded_mm: ['trace.welded'],
   speed_set_mm_s: ['plot.path', 'set'],
@@ -20,7 +20,7 @@ const KNOWN: Record<string, Key[]> = {
   steady: ['trace.steady'],
 };
 const AXIS = /^(.+)_(set|measured|true|following_error|current)_(mm|deg|part)$/;
-const OF_AXIS: Record<string, Key> = { set: 'set', measured: 'actual', true: 'trace.true', following_error: 'plot.error', current: 'axis.current' };
+const OF_AXIS: Record<string, string> = { set: 'set', measured: 'actual', true: 'trace.true', following_error: 'plot.error', current: 'axis.current' };
 /** Of a head that is tracked; with several heads its name is the end. */
 const HEAD = /^(deviation|correction|miss)_(lateral|height)_mm(?:_(.+))?$/;
 const SURE = /^(sigma_mm|confidence)(?:_(.+))?$/;

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { isWild, meaning } from './parameters';
 
 const catalogue = readFileSync(new URL('../../../messages/en/panel.ftl', import.meta.url), 'utf8');
-const hasWords = (key: string): boolean => catalogue.includes(`\npanel-${key.replace(/[._]/g, '-')} = `);
+const hasWords = (key: string): boolean => catalogue.includes(`\npanel-${key.replace(/[._ ]/g, '-')} = `);
 
 test('every parameter of an axis has a word and the unit that its key ends in', () => {
   const rust = readFileSync(new URL('../../../crates/server/src/view/parameters.rs', import.meta.url), 'utf8');
@@ -17,8 +17,8 @@ test('every parameter of an axis has a word and the unit that its key ends in', 
     expect(unit === '', key).toBe(bare);
   }
   // What differs by the kind of axis differs by its unit only.
-  expect(meaning('max_speed_mm_s')).toEqual({ word: 'max_speed', unit: 'mm/s' });
-  expect(meaning('max_speed_deg_s')).toEqual({ word: 'max_speed', unit: '°/s' });
+  expect(meaning('max_speed_mm_s')).toEqual({ word: 'max speed', unit: 'mm/s' });
+  expect(meaning('max_speed_deg_s')).toEqual({ word: 'max speed', unit: '°/s' });
   expect(meaning('torque_limit_n_m')).toEqual({ word: 'limit', unit: 'N m' });
   expect(meaning('force_limit_n')).toEqual({ word: 'limit', unit: 'N' });
   expect(meaning('inertia_kg_m2')).toEqual({ word: 'inertia', unit: 'kg m²' });

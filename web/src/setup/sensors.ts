@@ -1,5 +1,4 @@
 import type { HeightView } from '../wire';
-import type { Key } from '../words/index.svelte';
 
 /** Residuals of dots are drawn so much longer. */
 export const LONGER = 50;
@@ -7,11 +6,11 @@ export const LONGER = 50;
 const SAME_MM = 1e-6;
 
 /** A key of a sensor as what it means and its unit. */
-export function sensorMeaning(key: string): { word: Key; unit: string } | null {
+export function sensorMeaning(key: string): { word: string; unit: string } | null {
   return KEYS[key] ?? null;
 }
 
-const KEYS: Record<string, { word: Key; unit: string }> = {
+const KEYS: Record<string, { word: string; unit: string }> = {
   'at.move_mm': { word: 'sensor.move', unit: 'mm' },
   'at.turn': { word: 'sensor.turn', unit: '' },
   'at.angle_deg': { word: 'sensor.angle', unit: '°' },

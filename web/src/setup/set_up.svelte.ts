@@ -1,4 +1,3 @@
-import { api } from '../live/api';
 import { cell } from '../live/cell.svelte';
 import { machineOf } from '../parts/taught.svelte';
 
@@ -54,8 +53,6 @@ export const typed = new Typed();
 
 /** The job of the cell anew, so that what was kept of its machine is in force. */
 export async function loadAnew(): Promise<void> {
-  const work = cell.work;
-  if (!work) return;
-  await api.load({ job: work.job, from: null, part: cell.status?.part || null, distortion: work.distortion });
+  await cell.reload(null);
   await cell.askMachine();
 }

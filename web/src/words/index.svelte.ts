@@ -1,11 +1,8 @@
 import type { AlarmView, MessageView } from '../wire';
-import { ALARMS } from './alarms';
 import { Catalogue, languages, load, whole, type Language, type Tongue } from './catalogue';
-import { ARGUMENTS, type Key } from './panel';
 import { loadShipped } from './shipped';
 
 export { languages, type Language } from './catalogue';
-export type { Key } from './panel';
 
 const RETRY_MS = 5000;
 const KEPT = 'seamwright.language';
@@ -67,24 +64,22 @@ class Words {
 
 export const words = new Words();
 
-const code = (key: string): string => `panel-${key.replace(/[._ ]/g, '-')}`;
+/** Code of a key's words: the panel's own, or those that reports have too. */
+function code(key: string): string {
+  const name = key.replace(/[._ ]/g, '-');
+  return words.catalogue.has(`panel-${name}`) ? `panel-${name}` : name;
+}
 const value = (of: string | number) => (typeof of === 'number' && Number.isInteger(of) ? whole(of) : String(of));
 
-/** The words of a key in the chosen language, with its arguments in the order of `ARGUMENTS`. */
-export function t(key: Key, ...of: (string | number)[]): string {
-  const names: readonly string[] = key in ARGUMENTS ? ARGUMENTS[key as keyof typeof ARGUMENTS] : [];
-  return words.catalogue.words(code(key), Object.fromEntries(names.map((name, i) => [name, value(of[i] ?? '')]))) ?? key;
-}
-
-/** True if there are words for a key that is made of a name from the cell. */
-export function isKey(key: string): key is Key {
-  return words.catalogue.has(code(key));
+/** The words of a key in the chosen language: `tab.weld` is `panel-tab-weld` in `messages/LANGUAGE/panel.ftl`, `value.current` is `value-current` in `words.ftl`. A test finds keys without words. */
+export function t(key: string, of: Record<string, string | number> = {}): string {
+  return words.catalogue.words(code(key), Object.fromEntries(Object.entries(of).map(([name, one]) => [name, value(one)]))) ?? key;
 }
 
 /** The words of a key that is made of a name from the cell; a name without words is shown as it is. */
 export function named(prefix: string, name: string): string {
   const key = `${prefix}.${name}`;
-  return isKey(key) ? t(key) : name;
+  return words.catalogue.has(code(key)) ? t(key) : name;
 }
 
 /** A message of the cell in the chosen language. Text, as in old records, stays as it is. */
@@ -103,7 +98,7 @@ export function about(of: MessageView | string): string {
 }
 
 /** Title, cause, consequence, or operator action of an alarm, by its number in the catalogue. */
-export function alarmPart(number: number, part: 'title' | 'cause' | 'consequence' | 'action'): string | null {
+function alarmPart(number: number, part: 'title' | 'cause' | 'consequence' | 'action'): string | null {
   return words.catalogue.words(`alarm-${number}-${part}`, {});
 }
 
@@ -117,22 +112,4 @@ export function alarmWords(number: number, of: AlarmWords): AlarmWords {
     consequence: alarmPart(number, 'consequence') ?? of.consequence,
     action: alarmPart(number, 'action') ?? of.action,
   };
-}
-
-/** Title of a recorded alarm, with what it is about. Records of older versions have its name, like `limit switch (x)`. */
-export function alarmTitle(of: MessageView): string {
-  return of.code === 'text' ? titleOf(of.text) : message(of);
-}
-
-function titleOf(name: string): string {
-  const [, stable = name, of = null] = /^(.+?)(?: \((.*)\))?$/s.exec(name) ?? [];
-  const title = alarmPart(ALARMS.indexOf(stable) + 1, 'title');
-  if (title === null) return name;
-  return of === null ? title : `${title} (${about(of)})`;
-}
-
-/** Cause of a recorded alarm. */
-export function alarmCause(of: { name: MessageView; cause: MessageView }): string {
-  if (of.cause.code !== 'text') return message(of.cause);
-  return alarmPart(ALARMS.indexOf(of.name.text.replace(/ \(.*\)$/s, '')) + 1, 'cause') ?? of.cause.text;
 }

@@ -3,9 +3,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test, vi } from 'vitest';
 import { read } from '../jobs/toml';
 import type { MessageView } from '../wire';
-import { ALARMS } from './alarms';
 import { accented, Catalogue, languages, load, type Language } from './catalogue';
-import { ARGUMENTS } from './panel';
 
 vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
 vi.stubGlobal('navigator', { languages: ['en'] });
@@ -21,17 +19,37 @@ function rows(text: string): Map<string, string> {
   return new Map(found.map(([, id = '', words = '']) => [id, words]));
 }
 const english = rows(ftl('en', 'panel'));
+const shared = rows(ftl('en', 'words'));
+/** The English words of a key: the panel's own, or those that reports have too. */
+const wordsOf = (key: string): string | undefined => english.get(code(key)) ?? shared.get(code(key).slice('panel-'.length));
 const names = (words: string): string[] => [...new Set([...words.matchAll(/\$(\w+)/g)].map((of) => of[1] ?? ''))].sort();
 
-test('the keys are those of the catalogue, with the same arguments', () => {
-  const source = file('web/src/words/panel.ts');
-  const keys = [...source.matchAll(/^ {2}(?:\| )?'([^']+)'/gm)].map((key) => key[1] ?? '');
-  expect(keys.length).toBeGreaterThan(800);
-  expect(keys.map(code).sort()).toEqual([...english.keys()].sort());
-  for (const key of keys) {
-    const own: readonly string[] = key in ARGUMENTS ? ARGUMENTS[key as keyof typeof ARGUMENTS] : [];
-    expect([...own].sort(), key).toEqual(names(english.get(code(key)) ?? ''));
-  }
+const sources = (folder: string, name: RegExp): string[] =>
+  readdirSync(new URL(folder, root), { recursive: true, encoding: 'utf8' }).flatMap((path) => (name.test(path) ? file(folder + path) : []));
+const panel = sources('web/src/', /(?<!\.test)\.(ts|svelte)$/);
+
+test('every key that the panel gives has words, with the arguments that they need', () => {
+  const calls = panel.flatMap((text) => [...text.matchAll(/\bt\(([^()`{}]*?)(?:, (\{.*?\}|which))?\)(?=[^'])/g)]);
+  const given = calls.flatMap(([, keys = '', of = '']) => [...keys.matchAll(/(?<!=== )'([a-z][\w.]*)'/g)].map(([, key = '']) => ({ key, of })));
+  expect(given.length).toBeGreaterThan(600);
+  expect(given.filter(({ key }) => wordsOf(key) === undefined)).toEqual([]);
+  const lacks = given.filter(({ key, of }) => !of.includes('which') && !names(wordsOf(key) ?? '').every((name) => new RegExp(`\\b${name}\\b`).test(of)));
+  expect(lacks).toEqual([]);
+});
+
+test('every key in a table has words', () => {
+  const isGroup = (key: string): boolean => [...english.keys()].some((id) => id.startsWith(`${code(key.split('.')[0] ?? '')}-`));
+  const given = panel.flatMap((text) => [...text.matchAll(/(?<!named\()'([a-z_]+\.[a-z_.]+)'/g)].map(([, key = '']) => key));
+  // Permissions have words by the name of their action.
+  expect(given.filter((key) => isGroup(key) && wordsOf(key) === undefined && !english.has(code(`action.${key}`)))).toEqual([]);
+});
+
+test('the panel or the cell uses all words of the panel', () => {
+  const literals = [...panel, ...sources('crates/', /\.rs$/)].flatMap((text) => [...text.matchAll(/(['"`])([a-z][\w. -]*)\1/g)].map((of) => of[2] ?? ''));
+  const used = new Set(literals.flatMap((text) => [code(text), text]));
+  // Groups whose last part is a name of the cell or of a page.
+  const groups = ['panel-action-', ...panel.flatMap((text) => [...text.matchAll(/\bt\(`([\w.]+)[._]\$|named\('([\w.]+)'/g)].map(([, of, by]) => `${code(of ?? by ?? '')}-`))];
+  expect([...english.keys()].filter((id) => !used.has(id) && !groups.some((group) => id.startsWith(group)))).toEqual([]);
 });
 
 describe.each(Object.keys(languages))('%s', (language) => {
@@ -89,17 +107,15 @@ describe('messages', () => {
 });
 
 test('the panel speaks the language that is chosen', async () => {
-  const { alarmTitle, message, named, shipped, t, words } = await import('./index.svelte');
+  const { message, named, shipped, t, words } = await import('./index.svelte');
   await words.begin();
-  expect([words.language, t('audit.whole', 1), t('audit.whole', 1234), t('link.stale', '2.5')]).toEqual(['en', '1 entry', '1234 entries', 'Data 2.5 s old']);
+  expect([words.language, t('audit.whole', { n: 1 }), t('audit.whole', { n: 1234 }), t('link.stale', { age: '2.5' })]).toEqual(['en', '1 entry', '1234 entries', 'Data 2.5 s old']);
   expect(message('as it stands')).toBe('as it stands');
   await words.choose('de');
-  expect([words.language, t('audit.whole', 2), named('mode', 'dry run'), named('mode', 'unheard of')]).toEqual(['de', '2 Einträge', 'Probelauf', 'unheard of']);
+  expect([words.language, t('audit.whole', { n: 2 }), named('mode', 'dry run'), named('mode', 'unheard of')]).toEqual(['de', '2 Einträge', 'Probelauf', 'unheard of']);
   // Words of messages and of supplied files come later.
   await vi.waitFor(() => expect(shipped('a beam is thin')).toBe('ein Strahl ist dünn'), { timeout: 30_000 });
   expect([shipped('First weld: 60 degrees of the saddle'), shipped('mine')]).toEqual(['Erste Naht: 60 Grad des Sattels', 'mine']);
-  const old = (text: string): MessageView => ({ code: 'text', text, arguments: [['text', { type: 'text', value: text }]] });
-  expect([alarmTitle(old('drive fault (theta)')), alarmTitle(old('nothing of the cell (x)'))]).toEqual(['Antriebsstörung (theta)', 'nothing of the cell (x)']);
   await words.choose('en');
 }, 60_000);
 
@@ -107,15 +123,8 @@ test('the pseudo-language is asked for in the address', async () => {
   vi.stubGlobal('location', { search: '?language=pseudo' });
   const { t, words } = await import('./index.svelte');
   await words.begin();
-  expect([words.language, t('all'), t('recording', 7)]).toEqual(['en', accented('All'), accented('Record ') + '7']);
+  expect([words.language, t('all'), t('recording', { weld: 7 })]).toEqual(['en', accented('All'), accented('Record ') + '7']);
   vi.stubGlobal('location', { search: '' });
-});
-
-test('the alarms are those of the cell, in its order', () => {
-  const rust = file('crates/executive/src/executive/alarm.rs');
-  const count = Number(/const ALL: \[Self; (\d+)\]/.exec(rust)?.[1]);
-  expect(ALARMS.length).toBe(count);
-  for (const name of ALARMS) expect(rust).toContain(`"${name}"`);
 });
 
 test('every condition of the supplied machines has words', () => {

@@ -1,5 +1,5 @@
 use crate::args::{Format, SchemaArgs};
-use crate::rows::print_json;
+use crate::rows::{print_json, print_text};
 use seamwright_machine::MachineFile;
 use seamwright_program::edit::Operation;
 use seamwright_program::{Procedure, Program};
@@ -14,6 +14,7 @@ pub(crate) fn run(args: &SchemaArgs) -> Result<(), Failure> {
         Format::Procedure => schemars::schema_for!(Procedure),
         Format::Program => schemars::schema_for!(Program),
         Format::Rest => return print_json(&seamwright_server::openapi()),
+        Format::Typescript => return print_text(&seamwright_server::typescript()),
     };
     print_json(&schema)
 }

@@ -157,8 +157,7 @@ fn section(schema: &Value, owner: &str, examples: &Examples, text: &mut String) 
 }
 
 fn page(name: &str, title: &str, folder: &str) -> String {
-    let schema = std::fs::read_to_string(root().join(format!("docs/schema/{name}.json"))).unwrap();
-    let schema: Value = serde_json::from_str(&schema).unwrap();
+    let schema: Value = serde_json::from_str(&good(&["schema", name])).unwrap();
     let mut examples = Examples::new();
     if !folder.is_empty() {
         for file in files(&root().join(folder)) {

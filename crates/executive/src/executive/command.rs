@@ -1,3 +1,4 @@
+use super::{Missing, Mode, Refused};
 use super::alarm::Alarm;
 use super::mode::Event;
 use seamwright_message::{Message, Unit};
@@ -81,6 +82,43 @@ impl Ask {
     /// Returns true for commands that are always accepted.
     pub(super) fn stops(&self) -> bool {
         matches!(self, Self::Stop | Self::Hold)
+    }
+
+    /// Returns the event that the command triggers; `None` if it does not change the mode. `welds`: the held program
+    /// welds.
+    pub(super) fn event(&self, welds: bool) -> Option<Event> {
+        Some(match self {
+            Self::SwitchOn => Event::SwitchOn,
+            Self::SwitchOff => Event::SwitchOff,
+            Self::Home | Self::HomeAxis(_) => Event::Home,
+            Self::StartJog => Event::Jog,
+            Self::StartTeach => Event::Teach,
+            Self::StartDryRun => Event::DryRun,
+            Self::StartWeld => Event::Weld,
+            Self::Reset => Event::Reset,
+            Self::Resume if welds => Event::Weld,
+            Self::Resume => Event::DryRun,
+            _ => return None,
+        })
+    }
+
+    /// Returns why a mode refuses the command, whatever else is missing. `welds`: the program that runs, or ran last,
+    /// welds; `powered`: the drives have power.
+    pub fn refused_in(&self, mode: Mode, welds: bool, powered: bool) -> Option<Missing> {
+        let event = match self {
+            Self::Reverse if mode != Mode::Hold => return Some(Missing::Motion),
+            Self::Arm if mode == Mode::Hold && !welds => return Some(Missing::Motion),
+            Self::Reverse => Event::DryRun,
+            Self::Arm => Event::Weld,
+            _ => self.event(welds)?,
+        };
+        // A held program resumes in its own mode.
+        let starts = matches!(self, Self::StartDryRun | Self::StartWeld);
+        if mode == Mode::Hold && starts || mode != Mode::Hold && *self == Self::Resume {
+            return Some(Missing::Mode(Refused { mode, event }));
+        }
+        let needs_power = !matches!(event, Event::SwitchOn | Event::SwitchOff | Event::Reset);
+        mode.after(event).err().map(Missing::Mode).or((needs_power && !powered).then_some(Missing::Power))
     }
 
     /// Its name in files and interfaces; for people there is [`Ask::message`].

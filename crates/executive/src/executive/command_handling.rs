@@ -34,29 +34,16 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             }
             return Ok(());
         }
-        let event = match ask {
-            Ask::SwitchOn => Event::SwitchOn,
-            Ask::SwitchOff => Event::SwitchOff,
-            Ask::Home | Ask::HomeAxis(_) => Event::Home,
-            Ask::StartJog => Event::Jog,
-            Ask::StartTeach => Event::Teach,
-            Ask::StartDryRun => Event::DryRun,
-            Ask::StartWeld => Event::Weld,
-            Ask::Reset => Event::Reset,
-            Ask::Resume if self.activity.welds => Event::Weld,
-            Ask::Resume => Event::DryRun,
-            _ => return self.adjust(ask, work),
-        };
-        // A held program resumes in its own mode.
-        let starts = matches!(ask, Ask::StartDryRun | Ask::StartWeld);
-        if self.mode == Mode::Hold && starts || self.mode != Mode::Hold && ask == Ask::Resume {
-            return Err(Missing::Mode(Refused { mode: self.mode, event }));
+        let Some(event) = ask.event(self.activity.welds) else { return self.adjust(ask, work) };
+        // The drives' power is one of the conditions of `missing`.
+        if let Some(refused) = ask.refused_in(self.mode, self.activity.welds, true) {
+            return Err(refused);
         }
         if let Some(missing) = self.missing(event, work).first() {
             return Err(*missing);
         }
         let one = if let Ask::HomeAxis(axis) = ask { Some(self.home_one(axis)?) } else { None };
-        if starts {
+        if matches!(ask, Ask::StartDryRun | Ask::StartWeld) {
             self.activity.welds = event == Event::Weld;
         }
         self.requests.homes_one = one;
@@ -86,8 +73,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 if let Some(missing) = missing.iter().find(|m| **m != Missing::Arming) {
                     return Err(*missing);
                 }
-                if self.mode == Mode::Hold && !self.activity.welds {
-                    return Err(Missing::Motion);
+                if let Some(refused) = ask.refused_in(self.mode, self.activity.welds, true) {
+                    return Err(refused);
                 }
                 self.process.arm(self.now());
             }

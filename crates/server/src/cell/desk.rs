@@ -1,5 +1,6 @@
 use super::alarms::Mirror;
 use super::archive::Archive;
+use super::commands::Readiness;
 use super::connection::Connection;
 use super::display_distances::Around;
 use super::happening::{Happening, happening};
@@ -89,6 +90,7 @@ pub(super) struct Desk {
     now: Option<Shown>,
     shown: Instant,
     stillness: Stillness,
+    readiness: Option<Readiness>,
     /// Real-time rights granted to the cycle.
     pub(super) footing: Arc<OnceLock<RealtimeRights>>,
     /// The missing real-time rights have been reported.
@@ -163,6 +165,7 @@ impl Desk {
             now: None,
             shown: Instant::now(),
             stillness: Stillness::default(),
+            readiness: None,
             footing,
             granted: false,
             longest: 0,
@@ -322,6 +325,11 @@ impl Desk {
             self.left.get_or_insert(before);
         }
         self.names.watch(&mut self.stillness, shown);
+        let readiness = Some(Readiness::at(shown, self.readiness));
+        if self.readiness != readiness {
+            self.readiness = readiness;
+            self.hub.refuses(readiness.map_or_else(Vec::new, |now| now.refused(&self.names)));
+        }
         self.now = Some(*shown);
         if self.shown.elapsed() >= SHOW {
             self.shown = Instant::now();

@@ -2,7 +2,7 @@ use super::connection::Connection;
 use super::display_distances::Around;
 use super::happening::Happening;
 use crate::view::written;
-use crate::wire::{AlarmView, EventView, FromCell, NearView, Role, Status, TeachView, WorkView};
+use crate::wire::{AlarmView, EventView, FromCell, NearView, RefusedView, Role, Status, TeachView, WorkView};
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;
 use std::collections::{HashMap, VecDeque};
@@ -47,6 +47,7 @@ struct Told {
     events: VecDeque<EventView>,
     numbers: u64,
     alarms: Vec<AlarmView>,
+    refused: Vec<RefusedView>,
     work: Option<Arc<WorkView>>,
     work_text: Option<Text>,
     machine: Option<Arc<Machine>>,
@@ -123,6 +124,7 @@ impl Hub {
         // Reuses the serialised text: the program may be long.
         first.push(told.work_text.clone().unwrap_or_else(|| text(&FromCell::Work { work: None })));
         first.push(text(&told.alarms()));
+        first.push(text(&FromCell::Commands { refused: told.refused.clone() }));
         first.push(text(&FromCell::Teach(told.teach.clone())));
         first.extend(told.events.iter().cloned().map(|event| text(&FromCell::Event(event))));
         for message in first {
@@ -196,6 +198,13 @@ impl Hub {
         told.alarms = list;
         let message = told.alarms();
         told.all(&message);
+    }
+
+    /// Publishes the commands without effect.
+    pub(super) fn refuses(&self, refused: Vec<RefusedView>) {
+        let mut told = self.lock();
+        told.refused.clone_from(&refused);
+        told.all(&FromCell::Commands { refused });
     }
 
     /// Publishes the state of teaching by camera.

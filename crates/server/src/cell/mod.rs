@@ -4,6 +4,7 @@ mod alarms;
 mod archive;
 mod audit_entry;
 mod base;
+mod commands;
 mod connection;
 mod cycle;
 mod desk;

@@ -27,6 +27,7 @@ mod socket;
 mod stop;
 mod teach;
 mod turns;
+mod typescript;
 mod users;
 
 pub(crate) use answer::Refused;
@@ -45,3 +46,4 @@ pub(crate) use plan::begin_with;
 pub(crate) use routes::all_routes;
 pub(crate) use routes::{MAX_BYTES, MAX_UNKNOWN, URGENT, app, urgent_app};
 pub(crate) use turns::{Turn, Turns};
+pub use typescript::typescript;

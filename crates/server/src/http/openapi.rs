@@ -24,7 +24,7 @@ pub fn openapi() -> Value {
                 if reads { json!([{ "session": [] }]) } else { json!([{ "session": [], "token": [] }]) };
         }
         if let Some(body) = route.body {
-            let schema = body(&mut generator);
+            let schema = (body.schema)(&mut generator);
             operation["requestBody"] =
                 json!({ "required": true, "content": { "application/json": { "schema": schema } } });
         }
@@ -34,7 +34,8 @@ pub fn openapi() -> Value {
         }
         let ok = match route.answer {
             Some(answer) => {
-                json!({ "description": "Done", "content": { "application/json": { "schema": answer(&mut generator) } } })
+                let schema = (answer.schema)(&mut generator);
+                json!({ "description": "Done", "content": { "application/json": { "schema": schema } } })
             }
             None => json!({ "description": "Done" }),
         };

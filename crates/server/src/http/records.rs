@@ -9,6 +9,7 @@ use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
+use seamwright_cell::executive::Alarm;
 use seamwright_message::Message;
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
 use seamwright_record::trace::{Outline, Trace};
@@ -104,6 +105,14 @@ fn traces(data: &DataFolder, weld: i64) -> Result<Vec<Trace>, Refused> {
     Ok(parts.map(|f| Trace::open(&data.weld_folder(weld).join(&f.name))).collect::<Result<_, _>>()?)
 }
 
+/// Returns title and cause of a recorded alarm as messages, also where an older version has recorded sentences.
+fn words(title: &Message, cause: &Message) -> (Message, Message) {
+    match Alarm::from_title(title) {
+        Some((alarm, of)) if title.code == "text" => (alarm.title_of(of), alarm.entry().cause),
+        _ => (title.clone(), cause.clone()),
+    }
+}
+
 pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) -> Answer<RecordView> {
     reads(&panel, move |data| {
         let detail = data.library().detail(id)?;
@@ -128,13 +137,16 @@ pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) ->
             alarms: detail
                 .alarms
                 .iter()
-                .map(|a| RecordedAlarm {
-                    name: (&a.name).into(),
-                    cause: (&a.cause).into(),
-                    pass: a.place.pass,
-                    s_mm: a.place.s_mm,
-                    t_s: a.place.t_s,
-                    first_out: a.first_out,
+                .map(|a| {
+                    let (name, cause) = words(&a.name, &a.cause);
+                    RecordedAlarm {
+                        name: name.into(),
+                        cause: cause.into(),
+                        pass: a.place.pass,
+                        s_mm: a.place.s_mm,
+                        t_s: a.place.t_s,
+                        first_out: a.first_out,
+                    }
                 })
                 .collect(),
             events: detail

@@ -1,6 +1,7 @@
 use super::answer::JSON;
 use super::guard::{Need, host, need};
 use super::panel::Panel;
+use super::typescript::Declarations;
 use super::{
     assets, audit, cell_views, choices, edit, health, jobs, login, openapi, plan, records, restore, sensors, setup,
     socket, stop, teach, users,
@@ -17,6 +18,7 @@ use axum::routing::{MethodRouter, delete, get, post, put};
 use axum::{Router, middleware};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use std::sync::Arc;
+use ts_rs::{TS, TypeVisitor};
 
 /// Maximum size of a request, bytes.
 pub(crate) const MAX_BYTES: usize = 4 << 20;
@@ -42,22 +44,21 @@ pub(super) struct Route {
     handler: MethodRouter<Arc<Panel>>,
 }
 
-/// Writes the schema of a type.
-pub(super) type Shape = fn(&mut SchemaGenerator) -> Schema;
+/// Type of a body or an answer.
+pub(super) struct Shape {
+    /// Writes its JSON Schema.
+    pub(super) schema: fn(&mut SchemaGenerator) -> Schema,
+    /// Declares it in TypeScript.
+    pub(super) declare: fn(&mut Declarations),
+}
 
-fn shape<T: JsonSchema>() -> Option<Shape> {
-    Some(SchemaGenerator::subschema_for::<T>)
+fn shape<T: JsonSchema + TS + 'static>() -> Option<Shape> {
+    Some(Shape { schema: SchemaGenerator::subschema_for::<T>, declare: Declarations::visit::<T> })
 }
 
 impl Route {
-    fn get(
-        path: &'static str,
-        action: &'static str,
-        about: &'static str,
-        answer: Option<Shape>,
-        handler: MethodRouter<Arc<Panel>>,
-    ) -> Self {
-        Self { method: "get", path, action: Some(action), about, body: None, takes: JSON, answer, handler }
+    fn get(path: &'static str, action: &'static str, about: &'static str, handler: MethodRouter<Arc<Panel>>) -> Self {
+        Self::write("get", path, action, about, handler)
     }
 
     /// Creates a route without the data of body and answer.
@@ -71,11 +72,11 @@ impl Route {
         Self { method, path, action: Some(action), about, body: None, takes: JSON, answer: None, handler }
     }
 
-    fn with_body<T: JsonSchema>(self) -> Self {
+    fn with_body<T: JsonSchema + TS + 'static>(self) -> Self {
         Self { body: shape::<T>(), ..self }
     }
 
-    fn with_answer<T: JsonSchema>(self) -> Self {
+    fn with_answer<T: JsonSchema + TS + 'static>(self) -> Self {
         Self { answer: shape::<T>(), ..self }
     }
 }
@@ -98,53 +99,24 @@ pub(super) fn routes() -> Vec<Route> {
         login,
         stop,
         Route::write("post", "/api/logout", "watch", "Ends the session", post(login::logout)),
-        Route::get("/api/session", "watch", "The logged-in user", shape::<SessionView>(), get(login::session)),
-        Route::get(
-            "/api/machine",
-            "watch",
-            "The machine of the cell",
-            shape::<MachineView>(),
-            get(cell_views::machine),
-        ),
-        Route::get(
-            "/api/machine/of-job",
-            "plan",
-            "The machine that a job names",
-            shape::<MachineView>(),
-            get(cell_views::machine_of_job),
-        ),
-        Route::get(
-            "/api/devices",
-            "watch",
-            "Inputs, outputs and lines to devices",
-            shape::<Vec<DeviceView>>(),
-            get(cell_views::devices),
-        ),
-        Route::get("/api/work", "watch", "The program in the cell", shape::<Option<WorkView>>(), get(cell_views::work)),
-        Route::get(
-            "/api/alarms/catalogue",
-            "watch",
-            "All alarms",
-            shape::<Vec<AlarmEntry>>(),
-            get(cell_views::catalogue),
-        ),
-        Route::get("/api/live", "watch", "The socket: status, events, commands", None, get(socket::live)),
-        Route::get("/api/jobs", "jobs.read", "Jobs and examples", shape::<Vec<JobRow>>(), get(jobs::list)),
-        Route::get(
-            "/api/choices",
-            "jobs.read",
-            "Machines and procedures that jobs can name",
-            shape::<ChoicesView>(),
-            get(choices::choices),
-        ),
-        Route::get(
-            "/api/distortions",
-            "jobs.read",
-            "Distortions of simulated parts",
-            shape::<Vec<DistortionRow>>(),
-            get(jobs::distortions),
-        ),
-        Route::get(jobs, "jobs.read", "A job's text", shape::<JobText>(), get(jobs::get)),
+        Route::get("/api/session", "watch", "The logged-in user", get(login::session)).with_answer::<SessionView>(),
+        Route::get("/api/machine", "watch", "The machine of the cell", get(cell_views::machine))
+            .with_answer::<MachineView>(),
+        Route::get("/api/machine/of-job", "plan", "The machine that a job names", get(cell_views::machine_of_job))
+            .with_answer::<MachineView>(),
+        Route::get("/api/devices", "watch", "Inputs, outputs and lines to devices", get(cell_views::devices))
+            .with_answer::<Vec<DeviceView>>(),
+        Route::get("/api/work", "watch", "The program in the cell", get(cell_views::work))
+            .with_answer::<Option<WorkView>>(),
+        Route::get("/api/alarms/catalogue", "watch", "All alarms", get(cell_views::catalogue))
+            .with_answer::<Vec<AlarmEntry>>(),
+        Route::get("/api/live", "watch", "The socket: status, events, commands", get(socket::live)),
+        Route::get("/api/jobs", "jobs.read", "Jobs and examples", get(jobs::list)).with_answer::<Vec<JobRow>>(),
+        Route::get("/api/choices", "jobs.read", "Machines and procedures that jobs can name", get(choices::choices))
+            .with_answer::<ChoicesView>(),
+        Route::get("/api/distortions", "jobs.read", "Distortions of simulated parts", get(jobs::distortions))
+            .with_answer::<Vec<DistortionRow>>(),
+        Route::get(jobs, "jobs.read", "A job's text", get(jobs::get)).with_answer::<JobText>(),
         Route::write("put", jobs, "jobs.write", "Saves a job", put(jobs::put))
             .with_body::<JobKept>()
             .with_answer::<JobRow>(),
@@ -168,9 +140,9 @@ pub(super) fn routes() -> Vec<Route> {
             "/api/planning",
             "plan",
             "Running plans of this page (header x-seamwright-page) and their durations",
-            shape::<Vec<PlanningView>>(),
             get(plan::planning),
-        ),
+        )
+        .with_answer::<Vec<PlanningView>>(),
         Route::write("delete", "/api/planning", "plan", "Cancels the running plans of this page", delete(plan::cancel)),
         Route::write("post", "/api/load", "load", "Plans a job and loads it into the cell", post(plan::load))
             .with_body::<Load>()
@@ -183,11 +155,11 @@ pub(super) fn routes() -> Vec<Route> {
             "/api/position",
             "watch",
             "Positions of axes and tip; refused while an axis moves",
-            shape::<StandingView>(),
             get(teach::position),
-        ),
-        Route::get("/api/teach", "watch", "Taught points and frames", shape::<TaughtView>(), get(teach::taught)),
-        Route::get("/api/teach/picture", "watch", "The newest picture of the camera, PNG", None, get(teach::picture)),
+        )
+        .with_answer::<StandingView>(),
+        Route::get("/api/teach", "watch", "Taught points and frames", get(teach::taught)).with_answer::<TaughtView>(),
+        Route::get("/api/teach/picture", "watch", "The newest picture of the camera, PNG", get(teach::picture)),
         Route::write(
             "post",
             "/api/teach/program",
@@ -201,28 +173,23 @@ pub(super) fn routes() -> Vec<Route> {
             "/api/report",
             "jobs.read",
             "The report of a plan as a page; ?job=NAME, ?language=en, uk, zh, de or ru",
-            None,
             get(plan::report),
         ),
-        Route::get("/api/records", "records.read", "Welds", shape::<Vec<RecordRow>>(), get(records::list)),
-        Route::get("/api/records/{id}", "records.read", "A weld", shape::<RecordView>(), get(records::get)),
-        Route::get("/api/records/{id}/trace", "records.read", "Its trace", shape::<TraceView>(), get(records::trace)),
-        Route::get("/api/records/{id}/work", "records.read", "Its program", shape::<WorkView>(), get(plan::recorded)),
+        Route::get("/api/records", "records.read", "Welds", get(records::list)).with_answer::<Vec<RecordRow>>(),
+        Route::get("/api/records/{id}", "records.read", "A weld", get(records::get)).with_answer::<RecordView>(),
+        Route::get("/api/records/{id}/trace", "records.read", "Its trace", get(records::trace))
+            .with_answer::<TraceView>(),
+        Route::get("/api/records/{id}/work", "records.read", "Its program", get(plan::recorded))
+            .with_answer::<WorkView>(),
         Route::get(
             "/api/records/{id}/report",
             "records.read",
             "Its report as a page; ?language=en, uk, zh, de or ru",
-            None,
             get(records::report),
         ),
-        Route::get("/api/tuning", "tune", "An axis tuned in simulation", shape::<TuningView>(), get(plan::tuning)),
-        Route::get(
-            "/api/parameters",
-            "watch",
-            "Axes, drives and tools in the machine file",
-            shape::<ParametersView>(),
-            get(setup::parameters),
-        ),
+        Route::get("/api/tuning", "tune", "An axis tuned in simulation", get(plan::tuning)).with_answer::<TuningView>(),
+        Route::get("/api/parameters", "watch", "Axes, drives and tools in the machine file", get(setup::parameters))
+            .with_answer::<ParametersView>(),
         Route::write(
             "put",
             "/api/parameters",
@@ -244,18 +211,12 @@ pub(super) fn routes() -> Vec<Route> {
         Route::write("put", "/api/tool", "set_up", "Saves a tool's tip in the machine file", put(setup::keep_tool))
             .with_body::<ToolTip>()
             .with_answer::<ParametersView>(),
-        Route::get(
-            "/api/sensors",
-            "watch",
-            "Sensors in the machine file",
-            shape::<SensorsView>(),
-            get(sensors::sensors),
-        ),
+        Route::get("/api/sensors", "watch", "Sensors in the machine file", get(sensors::sensors))
+            .with_answer::<SensorsView>(),
         Route::get(
             "/api/sensor/picture",
             "set_up",
             "Picture of a plate with a grid of dots by a simulated camera, PNG",
-            None,
             get(sensors::picture),
         ),
         Route {
@@ -286,8 +247,9 @@ pub(super) fn routes() -> Vec<Route> {
             post(setup::shelve),
         )
         .with_body::<Shelving>(),
-        Route::get("/api/audit", "audit.read", "Entries of the audit log", shape::<Vec<AuditRow>>(), get(audit::list)),
-        Route::get("/api/backup", "backup", "All data as a tar archive", None, get(records::backup)),
+        Route::get("/api/audit", "audit.read", "Entries of the audit log", get(audit::list))
+            .with_answer::<Vec<AuditRow>>(),
+        Route::get("/api/backup", "backup", "All data as a tar archive", get(records::backup)),
         Route {
             takes: TAR,
             ..Route::write(
@@ -307,12 +269,12 @@ pub(super) fn routes() -> Vec<Route> {
             post(restore::begin),
         )
         .with_body::<OwnPassword>(),
-        Route::get("/api/users", "users.read", "Users", shape::<Vec<UserRow>>(), get(users::list)),
+        Route::get("/api/users", "users.read", "Users", get(users::list)).with_answer::<Vec<UserRow>>(),
         Route::write("put", user, "users.write", "Makes or changes a user", put(users::put))
             .with_body::<UserChange>()
             .with_answer::<UserRow>(),
         Route::write("delete", user, "users.write", "Removes a user", delete(users::delete)).with_body::<OwnPassword>(),
-        Route::get("/api/openapi.json", "watch", "Description of this interface", None, get(openapi::document)),
+        Route::get("/api/openapi.json", "watch", "Description of this interface", get(openapi::document)),
     ]
 }
 

@@ -136,7 +136,8 @@ mod tests {
             .collect();
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/src/words/formatted.json");
         if std::env::var_os("SEAMWRIGHT_BLESS").is_some() {
-            std::fs::write(path, serde_json::to_string_pretty(&cases).unwrap() + "\n").unwrap();
+            let lines: Vec<String> = cases.iter().map(ToString::to_string).collect();
+            std::fs::write(path, format!("[\n{}\n]\n", lines.join(",\n"))).unwrap();
         }
         let file: Vec<serde_json::Value> = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
         assert!(file == cases, "{path}: SEAMWRIGHT_BLESS=1 writes it anew");

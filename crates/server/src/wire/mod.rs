@@ -1,4 +1,4 @@
-//! Messages in both directions: JSON, and the panel's types generated from them (`web/src/wire.ts`).
+//! Messages in both directions: JSON. The panel's types are generated from them.
 //!
 //! Lengths in mm, axis angles in degrees, times in s, as in files. Every socket message has a `kind`.
 
@@ -11,7 +11,6 @@ mod setup;
 mod socket;
 mod status;
 mod teach;
-mod typescript;
 mod weld;
 
 pub use cell::*;
@@ -23,5 +22,4 @@ pub use setup::*;
 pub use socket::*;
 pub use status::*;
 pub use teach::*;
-pub use typescript::typescript;
 pub use weld::*;

@@ -133,6 +133,15 @@ pub enum AskView {
     },
 }
 
+/// A command that the mode of the cell refuses, or in which it has no effect.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct RefusedView {
+    /// The command, by its name in `do` of [`AskView`].
+    pub ask: String,
+    /// Reason: `mode`, `power`, `motion`, or `at_rest` (nothing to stop).
+    pub why: LackView,
+}
+
 /// To the panel over the socket.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
@@ -152,6 +161,11 @@ pub enum FromCell {
     Alarms {
         /// All active or unacknowledged alarms, the first one first.
         list: Vec<AlarmView>,
+    },
+    /// Commands that the cell would refuse now, or that would have no effect, whenever they change.
+    Commands {
+        /// Each with the first reason; all others are possible as far as mode and power decide.
+        refused: Vec<RefusedView>,
     },
     /// The machine of the cell changed, see `GET /api/machine`; also sent on connecting.
     Machine,
