@@ -60,7 +60,7 @@ test('every template is planned and shown', onReal, async () => {
   quiet(one);
 });
 
-test('a number changed in the form, undone, done again; kept under a name; comments stay', options, async () => {
+test('a number changed in the form, undone, done again; kept under a name; comments stay', onReal, async () => {
   await tab(one, 'Jobs');
   await row('saddle.toml').getByRole('button', { name: 'New from template' }).click();
   await planned();
@@ -406,7 +406,7 @@ test('names and titles are text, whatever is in them', options, async () => {
   await two.close();
 });
 
-test('ten thousand points: the table has few rows in the page, and scrolls at once', options, async () => {
+test('ten thousand points: the table has few rows in the page, and scrolls at once', onReal, async () => {
   const rows = Array.from({ length: 10_000 }, (_, i) => `    [${(i / 1000).toFixed(3)}, 0, 60, -20, 200, 6],`);
   const text = SHORT.replace(/points = \[[^]*\n\]/, `points = [\n${rows.join('\n')}\n]`);
   await keep(one, 'long.toml', text);

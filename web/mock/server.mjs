@@ -51,6 +51,8 @@ const routes = [
   ['GET', /^\/api\/work$/, () => cell.work],
   ['POST', /^\/api\/post$/, () => ({ text: 'G21\nG1 X0\nM2\n', proof: ['read back: 0.001 mm'] })],
   ['POST', /^\/api\/edit$/, ({ text }) => ({ text, words: [] })],
+  // It reads no files: forms are empty.
+  ['POST', /^\/api\/form$/, ({ text }) => ({ text, form: { tables: [], passes: [] }, wrong: null })],
   ['GET', /^\/api\/records$/, () => [weld]],
   ['GET', /^\/api\/records\/\d+$/, () => ({ weld, values: [], alarms: [], events: [], columns: [['pass', ''], ['s_mm', 'mm'], ['arc', ''], ['tip_speed_mm_s', 'mm/s'], ['path_error_mm', 'mm'], ['current_a', 'A']], rows: 361 })],
   ['GET', /^\/api\/records\/\d+\/work$/, () => work(1, '', null)],

@@ -2697,3 +2697,13 @@ ask: string,
  * Its missing conditions.
  */
 lacks: Array<LackView>, };
+export type FormChange = { "op": "set", path: string, value: unknown } | { "op": "add", path: string } | { "op": "choose", path: string, kind: string } | { "op": "remove", path: string } | { "op": "insert", path: string, value: unknown } | { "op": "move", path: string, to: number };
+export type FormAnswer = { text: string, form: FormView | null, wrong: WrongView | null };
+export type FormView = { tables: Array<FormTable>, passes: Array<PointsView> };
+export type FormTable = { path: string, entries: Array<FormEntry>, addable: Array<AddableView>, kinds: Array<string>, removable: boolean };
+export type FormEntry = { key: string, path: string, value: FormValue, line: number, comment: string, help: string, choices: Array<string>, range: RangeView | null };
+export type RangeView = { min: number | null, open: boolean, max: number | null };
+export type FormValue = { "kind": "number", number: number } | { "kind": "text", text: string } | { "kind": "truth", truth: boolean } | { "kind": "list", items: Array<FormValue> } | { "kind": "long", count: number } | { "kind": "table", entries: Array<FormEntry>, addable: Array<AddableView> };
+export type AddableView = { key: string, path: string, help: string, is_table: boolean };
+export type PointsView = { pass: number, columns: Array<string>, arc: boolean, moving: Array<string>, rows: Array<PointRow> };
+export type PointRow = { along: string, span: number, numbers: Array<number | null>, speeds: Array<number | null> };

@@ -37,13 +37,18 @@
 
 mod address;
 mod bounds;
+mod change;
 mod document;
+mod entries;
 mod error;
 mod number;
+mod path;
 mod vector;
 
 pub use bounds::{BOUNDS, Bound};
+pub use change::{Change, changed};
 pub use document::{Document, closest, fault_in_serde, in_serde, serde_text};
+pub use entries::{Entry, EntryValue, TableEntries, entries};
 pub use error::DocumentError;
 /// Names of columns in tables and traces, which no axis and no process value may have.
 pub const RESERVED_COLUMNS: [&str; 11] = [
@@ -61,4 +66,5 @@ pub const RESERVED_COLUMNS: [&str; 11] = [
 ];
 
 pub use number::{Finite, NonNegative, Positive, SchemaVersion};
+pub use path::{Step, path_of, steps};
 pub use vector::{Direction, Point, Transform};

@@ -37,6 +37,7 @@
 //! ```
 
 mod cell;
+mod form;
 mod front;
 mod http;
 mod lack;

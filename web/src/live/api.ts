@@ -7,6 +7,8 @@ import type {
   DeviceView,
   DraftAnswer,
   EditAnswer,
+  FormAnswer,
+  FormChange,
   JobRow,
   JobText,
   Load,
@@ -140,6 +142,8 @@ export const api = {
   load: (load: Load) => request<WorkView>('POST', '/api/load', load),
   post: (text: string, dialect: string) =>
     request<PostAnswer>('POST', '/api/post', { text, dialect }),
+  /** The entries of a text, after changes of some; nothing is saved. */
+  form: (text: string, changes: FormChange[] = []) => request<FormAnswer>('POST', '/api/form', { text, changes }),
   edit: (text: string, operations: unknown[]) =>
     request<EditAnswer>('POST', '/api/edit', { text, operations }),
   /** Positions of axes and tip; refused while an axis moves. */
