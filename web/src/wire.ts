@@ -1952,6 +1952,273 @@ allowed: MessageView | null,
 help: MessageView | null, };
 
 /**
+ * `POST /api/form`: a text, and changes of its entries that are made first; nothing is saved.
+ */
+export type FormText = { 
+/**
+ * TOML of a job, a program, a procedure or a machine.
+ */
+text: string, 
+/**
+ * Changes, one after the other.
+ */
+changes: Array<FormChange>, };
+
+/**
+ * A change of an entry; everything else of the text stays as it is. Paths are like `passes[0].points.start[2]`.
+ */
+export type FormChange = { "op": "set", 
+/**
+ * Path of the value.
+ */
+path: string, 
+/**
+ * Number, text, truth, list or table.
+ */
+value: unknown, } | { "op": "add", 
+/**
+ * Path of the key.
+ */
+path: string, } | { "op": "choose", 
+/**
+ * Path of the table, the kind is its last key.
+ */
+path: string, 
+/**
+ * The new kind.
+ */
+kind: string, } | { "op": "remove", 
+/**
+ * Its path.
+ */
+path: string, } | { "op": "insert", 
+/**
+ * Path of the new element.
+ */
+path: string, 
+/**
+ * A value; a table in a list of tables.
+ */
+value: unknown, } | { "op": "move", 
+/**
+ * Path of the element.
+ */
+path: string, 
+/**
+ * Its new index.
+ */
+to: number, };
+
+/**
+ * Its answer.
+ */
+export type FormAnswer = { 
+/**
+ * The text with the changes.
+ */
+text: string, 
+/**
+ * Its form; none if the text is not TOML.
+ */
+form: FormView | null, 
+/**
+ * First fault that reading finds.
+ */
+wrong: WrongView | null, };
+
+/**
+ * What a text contains, and what its format allows beside that.
+ */
+export type FormView = { 
+/**
+ * Tables in the order of the text.
+ */
+tables: Array<FormTable>, 
+/**
+ * Passes through points.
+ */
+passes: Array<PointsView>, };
+
+/**
+ * A table with the entries under its header, or the root.
+ */
+export type FormTable = { 
+/**
+ * Path of the table; empty for the root.
+ */
+path: string, 
+/**
+ * Its values.
+ */
+entries: Array<FormEntry>, 
+/**
+ * Keys that it can still be given.
+ */
+addable: Array<AddableView>, 
+/**
+ * The kinds that the table can be of, if its last key is one of several; empty otherwise.
+ */
+kinds: Array<string>, 
+/**
+ * Whether the format allows to remove it.
+ */
+removable: boolean, };
+
+/**
+ * A key with its value, and what the format says of it.
+ */
+export type FormEntry = { 
+/**
+ * The key.
+ */
+key: string, 
+/**
+ * Its path.
+ */
+path: string, 
+/**
+ * The value.
+ */
+value: FormValue, 
+/**
+ * Line, from 1.
+ */
+line: number, 
+/**
+ * Comment behind the value.
+ */
+comment: string, 
+/**
+ * Description in the format.
+ */
+help: string, 
+/**
+ * Allowed texts; empty if any text is allowed.
+ */
+choices: Array<string>, 
+/**
+ * Allowed numbers.
+ */
+range: RangeView | null, };
+
+/**
+ * Allowed numbers.
+ */
+export type RangeView = { 
+/**
+ * Smallest number.
+ */
+min: number | null, 
+/**
+ * Whether the smallest number itself is excluded.
+ */
+open: boolean, 
+/**
+ * Largest number.
+ */
+max: number | null, };
+
+/**
+ * A value.
+ */
+export type FormValue = { "kind": "number", 
+/**
+ * The number.
+ */
+number: number, } | { "kind": "text", 
+/**
+ * The text.
+ */
+text: string, } | { "kind": "truth", 
+/**
+ * The value.
+ */
+truth: boolean, } | { "kind": "list", 
+/**
+ * Its elements.
+ */
+items: Array<FormValue>, } | { "kind": "long", 
+/**
+ * Number of its elements.
+ */
+count: number, } | { "kind": "table", 
+/**
+ * Its entries.
+ */
+entries: Array<FormEntry>, 
+/**
+ * Keys that it can still be given.
+ */
+addable: Array<AddableView>, };
+
+/**
+ * A key that a table can be given.
+ */
+export type AddableView = { 
+/**
+ * The key.
+ */
+key: string, 
+/**
+ * Its path.
+ */
+path: string, 
+/**
+ * Description in the format.
+ */
+help: string, 
+/**
+ * Whether its value is a table.
+ */
+is_table: boolean, };
+
+/**
+ * The points of a pass as they are written.
+ */
+export type PointsView = { 
+/**
+ * From 1.
+ */
+pass: number, 
+/**
+ * Names of the columns.
+ */
+columns: Array<string>, 
+/**
+ * Whether arc or beam is on.
+ */
+arc: boolean, 
+/**
+ * Columns that cubics have speeds of; empty without cubics.
+ */
+moving: Array<string>, 
+/**
+ * The start and the points.
+ */
+rows: Array<PointRow>, };
+
+/**
+ * A point.
+ */
+export type PointRow = { 
+/**
+ * The way to it; empty for the start.
+ */
+along: string, 
+/**
+ * Its span, from 1; 0 for the start.
+ */
+span: number, 
+/**
+ * A number for each column; null for an expression.
+ */
+numbers: Array<number | null>, 
+/**
+ * Speeds of `moving` where a cubic ends or begins; null for an expression.
+ */
+speeds: Array<number | null>, };
+
+/**
  * `POST /api/plan`, `POST /api/draft`, `GET /api/jobs/NAME`.
  */
 export type JobText = { 
@@ -2697,13 +2964,3 @@ ask: string,
  * Its missing conditions.
  */
 lacks: Array<LackView>, };
-export type FormChange = { "op": "set", path: string, value: unknown } | { "op": "add", path: string } | { "op": "choose", path: string, kind: string } | { "op": "remove", path: string } | { "op": "insert", path: string, value: unknown } | { "op": "move", path: string, to: number };
-export type FormAnswer = { text: string, form: FormView | null, wrong: WrongView | null };
-export type FormView = { tables: Array<FormTable>, passes: Array<PointsView> };
-export type FormTable = { path: string, entries: Array<FormEntry>, addable: Array<AddableView>, kinds: Array<string>, removable: boolean };
-export type FormEntry = { key: string, path: string, value: FormValue, line: number, comment: string, help: string, choices: Array<string>, range: RangeView | null };
-export type RangeView = { min: number | null, open: boolean, max: number | null };
-export type FormValue = { "kind": "number", number: number } | { "kind": "text", text: string } | { "kind": "truth", truth: boolean } | { "kind": "list", items: Array<FormValue> } | { "kind": "long", count: number } | { "kind": "table", entries: Array<FormEntry>, addable: Array<AddableView> };
-export type AddableView = { key: string, path: string, help: string, is_table: boolean };
-export type PointsView = { pass: number, columns: Array<string>, arc: boolean, moving: Array<string>, rows: Array<PointRow> };
-export type PointRow = { along: string, span: number, numbers: Array<number | null>, speeds: Array<number | null> };

@@ -9,6 +9,9 @@
 //! exact, and describe themselves in the JSON Schema. Then every number is checked against the bound of its key's unit
 //! ([`BOUNDS`]): a new key of a format is bounded without further code.
 //!
+//! [`entries`] reads a text of any format for a form, and [`changed`] changes single entries of it; everything else of
+//! the text stays byte by byte.
+//!
 //! # Examples
 //!
 //! Read a file, and report an invalid value at its key:
