@@ -4,12 +4,12 @@ use crate::pair::Pair;
 use crate::surroundings::PITCH;
 use crate::{
     Axis, AxisKind, AxisSet, ControlsFile, Head, InterlockFile, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES,
-    MachineDevices, MachineFile, RangeViolation, Sensor, Source, TipLimits, assemble,
+    MachineDevices, MachineFile, RangeViolation, Sensor, Sight, Source, TipLimits, assemble,
 };
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError};
-use seamwright_geometry::Pose;
+use seamwright_geometry::{HeightTable, Pose};
 use std::f64::consts::TAU;
 
 /// Number of positions of the redundant axes tried to reach a pose.
@@ -152,6 +152,14 @@ impl Machine {
     /// Index of the axis called `name`.
     pub fn axis(&self, name: &str) -> Option<usize> {
         self.axes.iter().position(|a| a.name == name)
+    }
+
+    /// Returns the cameras, each with its map from pixels.
+    pub fn cameras(&self) -> impl Iterator<Item = (&Sensor, &HeightTable)> {
+        self.sensors.iter().filter_map(|sensor| match &sensor.sight {
+            Sight::Camera(camera) => Some((sensor, &camera.table)),
+            Sight::Stripe(_) => None,
+        })
     }
 
     /// Converts axis positions in mm or degrees, in the machine file's order.

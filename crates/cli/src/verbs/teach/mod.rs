@@ -18,7 +18,7 @@ use crate::refusals::{between, in_file, not_allowed, of_option, refused, unreada
 use glam::DVec3;
 use seamwright_geometry::HeightTable;
 use seamwright_geometry::reduce::Method;
-use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_machine::{Machine, Sensor};
 use seamwright_message::Message;
 use seamwright_teaching::{
     self as teaching, CameraPose, EVERY_MM, JointFollower, Kind, Outcome, ReductionTolerances, SeamLine, Settings,
@@ -150,11 +150,7 @@ fn within(name: &str, value: f64, allowed: RangeInclusive<f64>) -> Result<f64, F
 
 /// The camera that is asked for, with its map.
 fn camera<'a>(args: &TeachArgs, machine: &'a Machine) -> Result<(&'a Sensor, &'a HeightTable), Failure> {
-    let table = |sensor: &'a Sensor| match &sensor.sight {
-        Sight::Camera(camera) => Some((sensor, &camera.table)),
-        Sight::Stripe(_) => None,
-    };
-    let cameras: Vec<_> = machine.sensors.iter().filter_map(table).collect();
+    let cameras: Vec<_> = machine.cameras().collect();
     let names = || cameras.iter().map(|(s, _)| s.name.as_str()).collect::<Vec<_>>().join(", ");
     let refuse = |message: Message| {
         let allowed =
