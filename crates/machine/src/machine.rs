@@ -10,14 +10,14 @@ use crate::inverse::{self, Branches, Inverse, PairFault, Solution, Unreachable, 
 use crate::lever::{Lever, PITCH, travel};
 use crate::links::{LinkFrames, Links};
 use crate::pair::Pair;
-use crate::AxisLimits;
+use crate::{AxisLimits, Sight};
 use crate::sensor::Sensor;
 use crate::solids::LinkSolids;
 use crate::tip_limits::TipLimits;
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError};
-use seamwright_geometry::Pose;
+use seamwright_geometry::{HeightTable, Pose};
 use std::f64::consts::TAU;
 
 /// Number of positions of the redundant axes tried to reach a pose.
@@ -147,6 +147,14 @@ impl Machine {
     /// Index of the axis called `name`.
     pub fn axis(&self, name: &str) -> Option<usize> {
         self.axes.iter().position(|a| a.name == name)
+    }
+
+    /// Returns the cameras, each with its map from pixels.
+    pub fn cameras(&self) -> impl Iterator<Item = (&Sensor, &HeightTable)> {
+        self.sensors.iter().filter_map(|sensor| match &sensor.sight {
+            Sight::Camera(camera) => Some((sensor, &camera.table)),
+            Sight::Stripe(_) => None,
+        })
     }
 
     /// Converts axis positions in mm or degrees, in the machine file's order.

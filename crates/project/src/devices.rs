@@ -5,7 +5,7 @@ use crate::steps::StreamedSteps;
 use seamwright_executive::devices::modbus::{ModbusError, TrafficView};
 #[cfg(target_os = "linux")]
 use seamwright_executive::devices::{DeviceSet, Drives, InputBits, Inputs, LinuxCncDrives, Source, modbus};
-use seamwright_executive::{DriveReport, Interlocks, SourceReport};
+use seamwright_executive::{DriveReport, SourceReport};
 use seamwright_machine::{LinuxCnc, Machine};
 use seamwright_message::{Argument, Language, Message, Unit};
 use seamwright_simulation::devices::{Device, Fault, Faulty, SimulatedDrives, SimulatedInputs, SimulatedSource};
@@ -48,7 +48,7 @@ pub fn check_period(machine: &Machine) -> Result<(), Failure> {
 /// # Errors
 /// Values in the machine file that make no drive.
 pub fn simulated(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell, Failure> {
-    let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
+    let inputs = SimulatedInputs::all_met(machine);
     let source = SimulatedSource::new(seed, machine.servo_period_s);
     Ok(put_together(machine, simulated_drives(machine, seed)?, Box::new(source), Box::new(inputs), faults))
 }
@@ -136,8 +136,7 @@ pub fn of_machine(
         note(&Message::new("project-simulated").list("devices", devices).to_string());
     }
     let source = source.unwrap_or_else(|| Box::new(SimulatedSource::new(seed, machine.servo_period_s)));
-    let inputs =
-        inputs.unwrap_or_else(|| Box::new(SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met())));
+    let inputs = inputs.unwrap_or_else(|| Box::new(SimulatedInputs::all_met(machine)));
     let drives = drives.map_or_else(|| simulated_drives(machine, seed), Ok)?;
     Ok((put_together(machine, drives, source, inputs, faults), lines))
 }

@@ -19,7 +19,7 @@ mod linux {
     use seamwright_executive::devices::{DeviceSet, Drives, LinuxCncDrives, LinuxCncError, Taken};
     use seamwright_executive::realtime::{Paced, Pacer, RealtimeRights};
     use seamwright_executive::{
-        Alarm, Ask, Command, Cycle, DriveReport, Executive, Interlocks, Mode, Note, Orders, Port, Slack, Start, Work,
+        Alarm, Ask, Command, Cycle, DriveReport, Executive, Mode, Note, Orders, Port, Slack, Start, Work,
     };
     use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
     use seamwright_motion::WeldMotion;
@@ -168,7 +168,7 @@ mod linux {
         let devices = DeviceSet {
             drives: Corrected { drives, cycles: 0, by: 0.0, steps: Vec::with_capacity(1000), starved: 0 },
             source: SimulatedSource::new(1, period),
-            inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
+            inputs: SimulatedInputs::all_met(&machine),
         };
         let footing = RealtimeRights::ask(None);
         let mut operator = Operator {

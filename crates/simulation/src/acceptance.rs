@@ -34,6 +34,12 @@ pub enum Limit {
 }
 
 impl Gate {
+    /// Creates a value with a maximum.
+    #[must_use]
+    pub fn at_most(frames: &str, what: &'static str, value: f64, limit: f64, unit: &'static str) -> Self {
+        Self { frames: frames.to_owned(), what, value, limit: Limit::Most(limit), unit }
+    }
+
     /// Returns true if the value is within its limit.
     #[must_use]
     pub fn is_kept(&self) -> bool {

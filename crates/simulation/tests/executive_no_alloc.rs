@@ -2,14 +2,13 @@
 //! on, and refused jogs.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
-use seamwright_executive::devices::DeviceSet;
-use seamwright_executive::{Ask, Command, Cycle, Executive, Interlocks, Mode, Note, Port, Start, Work};
+use seamwright_executive::{Ask, Command, Cycle, Executive, Mode, Note, Port, Start, Work};
 use seamwright_machine::{Clamped, Joints, MAX_AXES, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
 use seamwright_motion::feed_override::RunPhase;
 use seamwright_motion::jog;
 use seamwright_program::{Pass, TorchPath};
-use seamwright_simulation::devices::{SimulatedDrives, SimulatedInputs, SimulatedSource};
+use seamwright_simulation::devices::simulated_devices;
 use seamwright_weld::Welding;
 
 #[global_allocator]
@@ -73,12 +72,7 @@ fn a_weld_costs_no_allocation() {
     let motion = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap();
     let passes: Vec<&Pass> = program.passes.iter().collect();
     let work = Work::new(&machine, None, &passes, &motion, Start::at_home(&motion)).unwrap();
-    let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
-    let mut devices = DeviceSet {
-        drives: SimulatedDrives::new(&machine, 1).unwrap(),
-        source: SimulatedSource::new(1, machine.servo_period_s),
-        inputs,
-    };
+    let mut devices = simulated_devices(&machine, 1).unwrap();
     let mut operator = Operator::default();
     let mut executive = Executive::new(&machine, &mut devices, &mut operator);
     assert_no_alloc(|| executive.serve(Some(&work)));
@@ -205,11 +199,7 @@ fn jogging_costs_no_allocation() {
     let machine = Machine::read("m.toml", shipped("torch-5axis").unwrap().text).unwrap();
     let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
     let work = Work::none(&machine, &around);
-    let mut devices = DeviceSet {
-        drives: SimulatedDrives::new(&machine, 1).unwrap(),
-        source: SimulatedSource::new(1, machine.servo_period_s),
-        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-    };
+    let mut devices = simulated_devices(&machine, 1).unwrap();
     let mut hand = Hand { home: machine.home(), ..Hand::default() };
     let mut executive = Executive::new(&machine, &mut devices, &mut hand);
     assert_no_alloc(|| executive.serve(Some(&work)));

@@ -88,12 +88,8 @@ impl<'a> PassSensors<'a> {
 
 impl<'a> BeamCamera<'a> {
     fn of(machine: &'a Machine, beam: BeamDeflection) -> Result<Self, Error> {
-        let cameras = machine.sensors.iter().filter_map(|sensor| match &sensor.sight {
-            Sight::Camera(camera) => Some((sensor, &camera.table)),
-            Sight::Stripe(_) => None,
-        });
         let none = || Error::NoCamera { machine: machine.name.clone() };
-        let (camera, table) = cameras.into_iter().next().ok_or_else(none)?;
+        let (camera, table) = machine.cameras().next().ok_or_else(none)?;
         Ok(Self { camera, beam, reach_mm: half_mm(camera, table).ok_or_else(none)? - RIM_MM })
     }
 

@@ -1,5 +1,4 @@
-use crate::EncoderSide;
-use crate::axis::{Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, Transmission};
+use crate::axis::{Axis, AxisKind, Drive, EncoderSide, Load};
 use crate::file::{DriveFile, File};
 use seamwright_document::{DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};

@@ -10,7 +10,7 @@ use crate::wire::{TaughtLook, TaughtPointView, TeachPhase};
 use glam::DVec3;
 use seamwright_frames::LiveFrames;
 use seamwright_geometry::HeightTable;
-use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_machine::{Machine, Sensor};
 use seamwright_message::Message;
 use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
@@ -154,12 +154,8 @@ fn turn(panel: &Panel) -> Option<Turn> {
 
 /// Returns the first camera of a machine, with its map.
 fn camera(machine: &Machine) -> Result<(&Sensor, &HeightTable), Failure> {
-    let table = |sensor: &'_ Sensor| matches!(sensor.sight, Sight::Camera(_));
-    let sensor = machine.sensors.iter().find(|sensor| table(sensor));
-    match sensor.map(|sensor| (sensor, &sensor.sight)) {
-        Some((sensor, Sight::Camera(camera))) => Ok((sensor, &camera.table)),
-        _ => Err(Failure::input(Message::new("server-teach-no-camera").text("machine", &machine.name))),
-    }
+    let none = || Failure::input(Message::new("server-teach-no-camera").text("machine", &machine.name));
+    machine.cameras().next().ok_or_else(none)
 }
 
 fn crawl(

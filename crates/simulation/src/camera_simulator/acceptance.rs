@@ -105,7 +105,7 @@ pub fn joint_gates(seeds: Range<u64>, mut done: impl FnMut(Kind, u64, &Outcome))
     }
     let value = 100.0 * all.0 as f64 / all.1.max(1) as f64;
     let what = "confident rows off by more than 2 px";
-    rows.push(Gate { frames: "all".to_owned(), what, value, limit: Limit::Most(0.01), unit: "%" });
+    rows.push(Gate::at_most("all", what, value, 0.01, "%"));
     Table { title: "The joint in a frame".to_owned(), rows }
 }
 

@@ -6,4 +6,4 @@ pub(crate) mod fault;
 pub(crate) mod simulated;
 
 pub use fault::{Device, Fault, FaultKind, Faulty, InvalidFault, When};
-pub use simulated::{SimulatedDrives, SimulatedInputs, SimulatedSource};
+pub use simulated::{SimulatedDrives, SimulatedInputs, SimulatedSource, simulated_devices};

@@ -2,8 +2,10 @@ use crate::disturbance::uniform;
 use crate::drives::DriveSet;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
-use seamwright_executive::devices::{Drives, InputBits, Inputs, LATE_PERIODS, PowerState, Source, UNREFERENCED_ERROR};
-use seamwright_executive::{DriveReport, Error, Orders, ProcessOrders, Slack, SourceReport, VALUES};
+use seamwright_executive::devices::{
+    DeviceSet, Drives, InputBits, Inputs, LATE_PERIODS, PowerState, Source, UNREFERENCED_ERROR,
+};
+use seamwright_executive::{DriveReport, Error, Interlocks, Orders, ProcessOrders, Slack, SourceReport, VALUES};
 use seamwright_machine::{Joints, Machine};
 
 /// All drives of a machine in simulation: position loops, motors, friction, cogging, encoders; brakes that close
@@ -89,6 +91,21 @@ impl Drives for SimulatedDrives {
     }
 }
 
+/// Simulated devices of `machine` with all interlocks met; `seed` sets friction, noise and ignition.
+///
+/// # Errors
+/// Invalid drive values in the machine file.
+pub fn simulated_devices(
+    machine: &Machine,
+    seed: u64,
+) -> Result<DeviceSet<SimulatedDrives, SimulatedSource, SimulatedInputs>, Error> {
+    Ok(DeviceSet {
+        drives: SimulatedDrives::new(machine, seed)?,
+        source: SimulatedSource::new(seed, machine.servo_period_s),
+        inputs: SimulatedInputs::all_met(machine),
+    })
+}
+
 /// Time constant of process values, s.
 const FOLLOWS_S: f64 = 0.03;
 /// Noise of measured process values, relative.
@@ -152,6 +169,11 @@ pub struct SimulatedInputs {
 }
 
 impl SimulatedInputs {
+    /// Creates inputs with which all interlocks of `machine` are met.
+    pub fn all_met(machine: &Machine) -> Self {
+        Self::new(Interlocks::new(&machine.interlocks).all_met())
+    }
+
     /// Creates inputs that always read `bits`.
     pub fn new(bits: u64) -> Self {
         Self { bits }

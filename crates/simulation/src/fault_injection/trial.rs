@@ -8,7 +8,7 @@ use crate::simulate::SimulatedCell;
 use crate::tracking::simulated_sensors::SimulatedSensors;
 use seamwright_executive::devices::{DeviceSet, InputBits, WithSensors};
 use seamwright_executive::{
-    Devices, DriveReport, Executive, Interlocks, Orders, Place, Reports, SensorReport, Slack, SourceReport, Work,
+    Devices, DriveReport, Executive, Orders, Place, Reports, SensorReport, Slack, SourceReport, Work,
 };
 use seamwright_machine::Machine;
 use seamwright_tracking::beam::Picture;
@@ -105,7 +105,7 @@ impl<'a> Trial<'a> {
         let first =
             Fault { device: Device::Inputs, kind: FaultKind::Wrong, when: When::At(BEFORE_S), lasts_s: 0.05, which: 0 };
         let before: &[Fault] = if situation == Situation::Fault { &[first] } else { &[] };
-        let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
+        let inputs = SimulatedInputs::all_met(machine);
         let inputs = Faulty::new(inputs, Device::Inputs, before, period);
         let devices = DeviceSet {
             drives: Faulty::new(SimulatedDrives::new(machine, seed)?, Device::Drives, &fault, period).flagged_by(&told),

@@ -8,9 +8,7 @@ use crate::tracking::simulated_sensors::SimulatedSensors;
 use arrayvec::ArrayVec;
 use seamwright_executive::devices::{DeviceSet, InputBits, WithSensors};
 use seamwright_executive::tracking::{PassSeams, RESERVE, Tracking, TrackingConditions};
-use seamwright_executive::{
-    DriveReport, Error as CellError, Interlocks, Place, SensorReport, SourceReport, Start, Work,
-};
+use seamwright_executive::{DriveReport, Error as CellError, Place, SensorReport, SourceReport, Start, Work};
 use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, TorchPath};
@@ -80,7 +78,7 @@ impl<'a> SimulatedCell<'a> {
             (None, Some(pass)) => drives.standing_at(&pass.path.at(0.0)),
             _ => drives,
         };
-        let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
+        let inputs = SimulatedInputs::all_met(machine);
         let devices = DeviceSet {
             drives: Faulty::new(drives, Device::Drives, faults, period),
             source: Faulty::new(SimulatedSource::new(seed, period), Device::Source, faults, period),

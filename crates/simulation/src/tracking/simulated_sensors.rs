@@ -2,30 +2,18 @@
 
 use super::beam::camera::{BeamCamera, Glance, Hidden, Noise, Shown};
 use super::beam::picture_queue::PictureQueue;
+use super::beam::recent_positions::{GunPosition, RecentPositions};
 use super::sensor_model::{Sensor, SensorModel};
 use super::world::World;
 use crate::error::Error;
 use arrayvec::ArrayVec;
-use glam::{DVec2, DVec3, Vec3Swizzles as _};
+use glam::{DVec2, Vec3Swizzles as _};
 use seamwright_executive::devices::Sensors;
 use seamwright_executive::tracking::LeadingSensor;
 use seamwright_executive::{SeamOrders, SensorReport};
 use seamwright_machine::{Joints, Machine};
 use seamwright_tracking::beam::{Beam, Picture};
 use seamwright_tracking::lead::SeamFrame;
-use std::collections::VecDeque;
-
-/// Number of recent cycles kept for exposures.
-const RECENT: usize = 12;
-
-/// True position of the gun after a cycle.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct At {
-    t: f64,
-    s: f64,
-    axes: Joints,
-    tip: DVec3,
-}
 
 /// Simulated device that sees the joint of one head in a pass.
 pub(crate) struct SimulatedHead<'a> {
@@ -39,7 +27,7 @@ pub(super) enum SimulatedSensor {
     /// A sensor ahead, and its displacement in the last period: lateral and height from the planned path, mm.
     Leading(Box<Sensor>, DVec2),
     /// The beam.
-    Beam { noise: Noise, pictures: PictureQueue, recent: VecDeque<At> },
+    Beam { noise: Noise, pictures: PictureQueue, recent: RecentPositions },
 }
 
 /// The simulated seam as the camera of a beam.
@@ -59,7 +47,7 @@ impl SimulatedSensor {
 
     pub(super) fn beam(noise_mm: f64, latency_s: f64, seed: u64) -> Self {
         let (noise, pictures) = (Noise::new(noise_mm, seed), PictureQueue::new(latency_s, seed));
-        Self::Beam { noise, pictures, recent: VecDeque::with_capacity(RECENT) }
+        Self::Beam { noise, pictures, recent: RecentPositions::new() }
     }
 }
 
@@ -82,7 +70,7 @@ impl<'a> SimulatedHead<'a> {
             }
             SimulatedSensor::Beam { noise, pictures, recent } => {
                 if let Beam::Seen(exposed_s) = orders.beam
-                    && let Some(at) = at(recent, exposed_s)
+                    && let Some(at) = recent.at(exposed_s)
                 {
                     let torch = SeamFrame { point: at.tip, ..(self.world.taught)(at.s) };
                     // A simulated seam is visible wherever the search starts.
@@ -90,23 +78,11 @@ impl<'a> SimulatedHead<'a> {
                     let taken = pictures.look(&mut WorldSensor(&self.world, noise), &glance);
                     debug_assert!(taken.is_ok());
                 }
-                if recent.len() == RECENT {
-                    recent.pop_front();
-                }
-                recent.push_back(At { t, s, axes: *q, tip });
+                recent.add(GunPosition { t, s, axes: *q, tip });
                 pictures.arrive(t);
             }
         }
     }
-}
-
-/// Interpolates the position of the gun at `t_s` between two cycles.
-fn at(recent: &VecDeque<At>, t_s: f64) -> Option<At> {
-    let after = recent.iter().position(|at| at.t >= t_s).unwrap_or(recent.len().checked_sub(1)?);
-    let (a, b) = (recent.get(after.saturating_sub(1))?, recent.get(after)?);
-    let part = if b.t > a.t { ((t_s - a.t) / (b.t - a.t)).clamp(0.0, 1.0) } else { 0.0 };
-    let axes: Joints = std::array::from_fn(|i| a.axes[i] + part * (b.axes[i] - a.axes[i]));
-    Some(At { t: t_s, s: a.s + part * (b.s - a.s), axes, tip: a.tip.lerp(b.tip, part) })
 }
 
 /// All simulated devices that see the joints of a program.

@@ -4,16 +4,13 @@
 #![allow(dead_code)]
 #![allow(clippy::unwrap_used)]
 
-use seamwright_executive::devices::DeviceSet;
 use seamwright_executive::tracking::RESERVE;
-use seamwright_executive::{
-    AlarmList, Ask, Command, Cycle, Executive, Interlocks, Missing, Mode, Note, Place, Port, Start, Work,
-};
+use seamwright_executive::{AlarmList, Ask, Command, Cycle, Executive, Missing, Mode, Note, Place, Port, Start, Work};
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
 use seamwright_motion::feed_override::RunPhase;
 use seamwright_program::{Pass, TorchPath};
-use seamwright_simulation::devices::{Fault, SimulatedDrives, SimulatedInputs, SimulatedSource};
+use seamwright_simulation::devices::{Fault, simulated_devices};
 use seamwright_simulation::tracking::Distortion;
 use seamwright_simulation::{Conditions, Judge, Sample, SimulatedCell};
 use seamwright_weld::Welding;
@@ -229,11 +226,7 @@ pub(crate) fn down<'a>() -> Vec<(When<'a>, Ask)> {
 /// Runs a script on simulated devices; returns the position at which the program was left.
 pub(crate) fn play(planned: &Planned, start: Start, script: &mut Script<'_>) -> Option<Place> {
     let machine = &planned.machine;
-    let mut devices = DeviceSet {
-        drives: SimulatedDrives::new(machine, 1).unwrap(),
-        source: SimulatedSource::new(1, machine.servo_period_s),
-        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-    };
+    let mut devices = simulated_devices(machine, 1).unwrap();
     let work = planned.work(start);
     let mut executive = Executive::new(machine, &mut devices, script);
     executive.serve(Some(&work));

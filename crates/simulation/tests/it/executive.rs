@@ -1,12 +1,11 @@
 //! The executive on simulated devices: welds, holds.
 
 use crate::common::{Script, Seen, When, at, down, held, in_mode, play, short, up, weld};
-use seamwright_executive::devices::DeviceSet;
-use seamwright_executive::{Alarm, Ask, End, Event, Executive, Interlocks, Missing, Mode, Note, Start, Work};
+use seamwright_executive::{Alarm, Ask, End, Event, Executive, Missing, Mode, Note, Start, Work};
 use seamwright_machine::{Clamped, Joints, Surroundings};
 use seamwright_motion::feed_override::RunPhase;
 use seamwright_motion::jog;
-use seamwright_simulation::devices::{SimulatedDrives, SimulatedInputs, SimulatedSource};
+use seamwright_simulation::devices::simulated_devices;
 
 /// A weld without disturbance follows the plan. Gas, arc, travel and crater are timed from arc ignition on, the
 /// set-points are those of the path. All of it is welded, and the cell is home again.
@@ -174,11 +173,7 @@ fn a_hand_sends_the_axes_to_a_place() {
 fn a_program_is_changed_at_rest() {
     let planned = short();
     let machine = &planned.machine;
-    let mut devices = DeviceSet {
-        drives: SimulatedDrives::new(machine, 1).unwrap(),
-        source: SimulatedSource::new(1, machine.servo_period_s),
-        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-    };
+    let mut devices = simulated_devices(machine, 1).unwrap();
     let around = Surroundings::new(machine, &Clamped::default()).unwrap();
     let (nothing, weld_work) = (Work::none(machine, &around), planned.work(Start::at_home(&planned.motion)));
     let mut lines = up();

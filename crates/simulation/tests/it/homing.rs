@@ -2,7 +2,7 @@
 
 use crate::common::{Script, Seen, When, in_mode, up};
 use seamwright_executive::devices::DeviceSet;
-use seamwright_executive::{Alarm, Ask, Executive, Interlocks, Missing, Mode, Note, Work};
+use seamwright_executive::{Alarm, Ask, Executive, Missing, Mode, Note, Work};
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_simulation::devices::{SimulatedDrives, SimulatedInputs, SimulatedSource};
 
@@ -26,7 +26,7 @@ fn play(machine: &Machine, script: &mut Script<'_>) {
     let mut devices = DeviceSet {
         drives: SimulatedDrives::new(machine, 1).unwrap().standing_at(&beside(machine)),
         source: SimulatedSource::new(1, machine.servo_period_s),
-        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
+        inputs: SimulatedInputs::all_met(machine),
     };
     Executive::new(machine, &mut devices, &mut *script).serve(Some(&work));
 }

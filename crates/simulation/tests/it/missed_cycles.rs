@@ -1,10 +1,9 @@
 //! Repeatedly missed cycles, and the alarms that must be raised nevertheless.
 
 use crate::common::{Script, in_mode, short, up, weld};
-use seamwright_executive::devices::DeviceSet;
-use seamwright_executive::{Alarm, Ask, Devices, Executive, Interlocks, Mode, Note, Orders, Reports, Slack, Start};
+use seamwright_executive::{Alarm, Ask, Devices, Executive, Mode, Note, Orders, Reports, Slack, Start};
 use seamwright_machine::Machine;
-use seamwright_simulation::devices::{SimulatedDrives, SimulatedInputs, SimulatedSource};
+use seamwright_simulation::devices::simulated_devices;
 
 /// Devices whose cycle misses some periods each time, and whose inputs may die.
 struct Gappy<D> {
@@ -50,11 +49,7 @@ impl<D: Devices> Devices for Gappy<D> {
 }
 
 fn gappy(machine: &Machine, lost: u32, every: u32) -> Gappy<impl Devices + use<>> {
-    let devices = DeviceSet {
-        drives: SimulatedDrives::new(machine, 1).unwrap(),
-        source: SimulatedSource::new(1, machine.servo_period_s),
-        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
-    };
+    let devices = simulated_devices(machine, 1).unwrap();
     Gappy {
         devices,
         period_s: machine.servo_period_s,

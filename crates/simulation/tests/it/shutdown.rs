@@ -6,7 +6,7 @@ use crate::modbus_server::TestServer;
 use seamwright_executive::devices::DeviceSet;
 use seamwright_executive::realtime::{Shutdown, ShutdownCause, guarded};
 use seamwright_executive::{
-    Ask, Command, Cycle, Devices as _, End, Executive, Interlocks, Mode, Note, Orders, Port, Reports, Start,
+    Ask, Command, Cycle, Devices as _, End, Executive, Mode, Note, Orders, Port, Reports, Start,
 };
 use seamwright_machine::shipped;
 use seamwright_simulation::devices::{
@@ -82,7 +82,7 @@ impl Way {
 fn shut_down(planned: &Planned, way: Way) -> (Script<'static>, usize) {
     let machine = &planned.machine;
     let period = machine.servo_period_s;
-    let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
+    let inputs = SimulatedInputs::all_met(machine);
     let mut devices = DeviceSet {
         drives: SimulatedDrives::new(machine, 1).unwrap(),
         source: SimulatedSource::new(1, period),

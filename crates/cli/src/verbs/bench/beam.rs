@@ -5,7 +5,7 @@ use seamwright_message::Message;
 use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath as _;
 use seamwright_project::failure::Failure;
-use seamwright_simulation::acceptance::{Gate, Limit};
+use seamwright_simulation::acceptance::Gate;
 use seamwright_simulation::tracking::beam::{BeamJob, MOVED_MM, beam_rows, moved_since};
 use seamwright_teaching::{SeamLine, Station};
 use seamwright_weld::Welding;
@@ -46,12 +46,7 @@ pub(super) fn rows(seeds: u64) -> Result<Vec<Gate>, Failure> {
     };
     let mut rows = beam_rows("half-ring", &job, seeds)?;
     let found = moved_since(&job, 1)?;
-    rows.push(Gate {
-        frames: format!("half-ring, moved by {MOVED_MM} mm before the later pass, which is refused"),
-        what: "told wrong by",
-        value: (found - MOVED_MM).abs(),
-        limit: Limit::Most(0.05),
-        unit: "mm",
-    });
+    let frames = format!("half-ring, moved by {MOVED_MM} mm before the later pass, which is refused");
+    rows.push(Gate::at_most(&frames, "told wrong by", (found - MOVED_MM).abs(), 0.05, "mm"));
     Ok(rows)
 }

@@ -25,11 +25,7 @@ pub(super) fn within(name: &str, value: f64, allowed: RangeInclusive<f64>) -> Re
 
 /// The camera that is asked for, with its map.
 pub(super) fn camera<'a>(args: &TeachArgs, machine: &'a Machine) -> Result<(&'a Sensor, &'a HeightTable), Failure> {
-    let table = |sensor: &'a Sensor| match &sensor.sight {
-        Sight::Camera(camera) => Some((sensor, &camera.table)),
-        Sight::Stripe(_) => None,
-    };
-    let cameras: Vec<_> = machine.sensors.iter().filter_map(table).collect();
+    let cameras: Vec<_> = machine.cameras().collect();
     let names = || cameras.iter().map(|(s, _)| s.name.as_str()).collect::<Vec<_>>().join(", ");
     let refuse = |message: Message| {
         let allowed =
@@ -54,7 +50,7 @@ pub(super) fn settings(args: &TeachArgs, nominal: &SeamLine) -> Result<Settings,
 }
 
 pub(super) fn follower(args: &TeachArgs, table: &HeightTable) -> Result<JointFollower, Failure> {
-    teaching::follower(table, positive("--longest-tack-mm", args.longest_tack_mm)?)
+    Ok(teaching::follower(table, positive("--longest-tack-mm", args.longest_tack_mm)?)?)
 }
 
 /// Start of the joint following: at `point`, in the direction of the nominal seam nearby unless the command line gives

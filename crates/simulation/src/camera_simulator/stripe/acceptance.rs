@@ -1,7 +1,7 @@
 //! Acceptance tests of stripe reading, measured on simulated stripes whose truth is known.
 
 use super::{Placement, Section, StripeDisturbances, StripeImage, StripeScene};
-use crate::acceptance::{Gate, Limit, Table};
+use crate::acceptance::{Gate, Table};
 use crate::camera_simulator::random::Random;
 use glam::DVec2;
 use seamwright_vision::Image;
@@ -130,9 +130,7 @@ pub fn stripe_gates(seeds: Range<u64>, mut done: impl FnMut()) -> Table {
         let [usual, holed, rough] = LEVELS.map(|how| StripeErrors::measure(kind, &how, seeds.clone(), &mut done));
         centres.extend_from_slice(&usual.centre);
         let name = format!("{kind:?}").to_lowercase();
-        let mut gate = |what, value, limit, unit| {
-            rows.push(Gate { frames: name.clone(), what, value, limit: Limit::Most(limit), unit });
-        };
+        let mut gate = |what, value, limit, unit| rows.push(Gate::at_most(&name, what, value, limit, unit));
         gate("joint point, RMS", rms(&usual.joint), 0.05, "mm");
         gate("gap, 95 %", most(&usual.gap), 0.05, "mm");
         gate("no confident result", 100.0 * usual.silent(), 25.0, "%");
@@ -140,13 +138,11 @@ pub fn stripe_gates(seeds: Range<u64>, mut done: impl FnMut()) -> Table {
         gate("confident and wrong beside the arc", rough.wrong() as f64, 0.0, "cases");
         gate("no confident result beside the arc", 100.0 * rough.silent(), 50.0, "%");
     }
-    let all =
-        |what, value, limit, unit| Gate { frames: "all".to_owned(), what, value, limit: Limit::Most(limit), unit };
-    rows.insert(0, all("centre of the stripe, RMS", rms(&centres), 0.1, "px"));
+    rows.insert(0, Gate::at_most("all", "centre of the stripe, RMS", rms(&centres), 0.1, "px"));
     let nowhere = confident_nowhere(seeds, &mut done).len() as f64;
-    rows.push(all("confident where there is no such joint", nowhere, 0.0, "cases"));
+    rows.push(Gate::at_most("all", "confident where there is no such joint", nowhere, 0.0, "cases"));
     for (frames, height, limit) in [("2048 x 256", 256, 1.0), ("2048 x 512", 512, 1.0), ("2048 x 1024", 1024, 2.0)] {
-        rows.push(Gate { frames: frames.to_owned(), ..all("time, median", time_ms([2048, height]), limit, "ms") });
+        rows.push(Gate::at_most(frames, "time, median", time_ms([2048, height]), limit, "ms"));
     }
     Table { title: "The joint in a laser stripe".to_owned(), rows }
 }

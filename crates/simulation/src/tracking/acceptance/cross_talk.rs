@@ -1,4 +1,4 @@
-use crate::acceptance::{Gate, Limit};
+use crate::acceptance::Gate;
 use crate::conditions::Conditions;
 use crate::error::Error;
 use crate::sample::Sample;
@@ -41,11 +41,6 @@ pub fn cross_talk(
     let (with, without) = (other(&displaced)?, other("schema = 1\n")?);
     let apart = with.iter().zip(&without).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
     let part = if with.len() == without.len() { 100.0 * apart / SIZE_MM } else { f64::INFINITY };
-    Ok(Gate {
-        frames: format!("two heads, the first displaced by {SIZE_MM} mm"),
-        what: "of that in the other's weld",
-        value: part,
-        limit: Limit::Most(1.0),
-        unit: "%",
-    })
+    let frames = format!("two heads, the first displaced by {SIZE_MM} mm");
+    Ok(Gate::at_most(&frames, "of that in the other's weld", part, 1.0, "%"))
 }

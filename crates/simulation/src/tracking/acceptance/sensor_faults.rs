@@ -1,7 +1,7 @@
 //! Faults of sensors and slides half-way through a weld: rows against limits that follow from the course of the seam.
 
 use super::disturbances::SPEEDS;
-use crate::acceptance::{Gate, Limit};
+use crate::acceptance::Gate;
 use crate::disturbance::uniform;
 use crate::error::Error;
 use crate::tracking::displacement::{Displacement, Part};
@@ -68,9 +68,7 @@ pub fn fault_rows(machine: &Machine, seeds: u64) -> Result<Vec<Gate>, Error> {
             rows.extend(named(&format!("{speed} mm/s, {name}"), failing, speed, worst));
         }
     }
-    let limit = Limit::Most(100.001);
-    let frames = "all of them".to_owned();
-    rows.push(Gate { frames, what: "of the slide's limits", value: 100.0 * used, limit, unit: "%" });
+    rows.push(Gate::at_most("all of them", "of the slide's limits", 100.0 * used, 100.001, "%"));
     Ok(rows)
 }
 
@@ -107,8 +105,7 @@ fn named(weld: &str, failing: Failing, speed: f64, worst: [f64; FIGURES]) -> Vec
             ("at rest, after 0.1 mm were missing by", rest, stuck + BRAKING),
         ],
     };
-    let gate =
-        |what, value, limit, unit| Gate { frames: weld.to_owned(), what, value, limit: Limit::Most(limit), unit };
+    let gate = |what, value, limit, unit| Gate::at_most(weld, what, value, limit, unit);
     let [alarm, rest] = rows.map(|(what, value, limit)| gate(what, value, limit, "mm"));
     vec![
         gate("maximum miss", missed, (1e3 * (explained + SLACK)).round() / 1e3, "mm"),

@@ -1,7 +1,7 @@
 //! Single welds that tracking must pass: a long T-joint, a misplaced saddle, a seam drawn by heat. Rows against
 //! limits.
 
-use crate::acceptance::{Gate, Limit};
+use crate::acceptance::Gate;
 use crate::error::Error;
 use crate::tracking::displacement::{Displacement, Part};
 use crate::tracking::scenario::{HeadScene, Scenario, opposite};
@@ -12,10 +12,6 @@ use seamwright_executive::tracking::Seam;
 use seamwright_machine::Machine;
 use seamwright_program::TorchPath;
 use std::f64::consts::TAU;
-
-fn gate(frames: &str, what: &'static str, value: f64, limit: f64, unit: &'static str) -> Gate {
-    Gate { frames: frames.to_owned(), what, value, limit: Limit::Most(limit), unit }
-}
 
 /// Welds a T-joint of 3 m on a skin of 3 m radius, both fillets tracked at 20 mm/s. The fillets drift apart by 4 mm.
 ///
@@ -75,7 +71,7 @@ pub fn heat_rows(machine: &Machine) -> Result<Vec<Gate>, Error> {
         let name = format!(
             "seam drawn by heat, {ahead_mm} mm ahead of the pool: of it {unseen:.3} mm behind the sensor (untracked {plain:.3} mm)"
         );
-        rows.push(gate(&name, "99 % of the weld within", tracked, unseen + TRACKED_MM, "mm"));
+        rows.push(Gate::at_most(&name, "99 % of the weld within", tracked, unseen + TRACKED_MM, "mm"));
     }
     Ok(rows)
 }
@@ -87,10 +83,16 @@ fn rows_of(name: &str, scenario: &Scenario, machine: &Machine) -> Result<Vec<Gat
     for (i, (tracked, plain)) in tracked.iter().zip(&plain).enumerate() {
         let Outcome { p99_mm, used, welded_mm, .. } = tracked;
         let weld = format!("{name}, head {} (untracked {:.3} mm)", i + 1, plain.p99_mm);
-        rows.push(gate(&weld, "99 % of the weld within", *p99_mm, 0.05, "mm"));
+        rows.push(Gate::at_most(&weld, "99 % of the weld within", *p99_mm, 0.05, "mm"));
         let missing = (scenario.heads[i].seam.length_mm - welded_mm).abs();
-        rows.push(gate(&weld, "not welded", missing, 0.1, "mm"));
-        rows.push(gate(&weld, "of the slide's limits", 100.0 * used.iter().copied().fold(0.0, f64::max), 100.001, "%"));
+        rows.push(Gate::at_most(&weld, "not welded", missing, 0.1, "mm"));
+        rows.push(Gate::at_most(
+            &weld,
+            "of the slide's limits",
+            100.0 * used.iter().copied().fold(0.0, f64::max),
+            100.001,
+            "%",
+        ));
     }
     Ok(rows)
 }

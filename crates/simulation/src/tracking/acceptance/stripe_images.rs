@@ -1,6 +1,6 @@
 //! Welds tracked with images of laser stripes: everything from the pixel to the slide.
 
-use crate::acceptance::{Gate, Limit};
+use crate::acceptance::Gate;
 use crate::camera_simulator::stripe::{Section, StripeDisturbances};
 use crate::error::Error;
 use crate::tracking::displacement::{Displacement, Part};
@@ -38,10 +38,8 @@ pub fn stripe_rows(machine: &Machine) -> Result<Vec<Gate>, Error> {
             scenario.heads[0].sensor.sees = Sees::Offsets;
             let plain = &run(&scenario, machine, Method::Uncorrected, 1)?[0];
             let weld = format!("{what} seen by its stripe, {light} (untracked {:.3} mm)", plain.p99_mm);
-            let gate =
-                |what, value, limit, unit| Gate { frames: weld.clone(), what, value, limit: Limit::Most(limit), unit };
-            rows.push(gate("99 % of the weld within", tracked.p99_mm, 0.05, "mm"));
-            rows.push(gate("not welded", (LENGTH - tracked.welded_mm).abs(), 0.1, "mm"));
+            rows.push(Gate::at_most(&weld, "99 % of the weld within", tracked.p99_mm, 0.05, "mm"));
+            rows.push(Gate::at_most(&weld, "not welded", (LENGTH - tracked.welded_mm).abs(), 0.1, "mm"));
         }
     }
     Ok(rows)

@@ -38,10 +38,6 @@ pub const MOVED_MM: f64 = 0.4;
 /// Maximum length of a tack, pixels.
 const GAP_PX: f64 = 60.0;
 
-fn most(what: &'static str, weld: &str, value: f64, limit: f64, unit: &'static str) -> Gate {
-    Gate { frames: weld.to_owned(), what, value, limit: Limit::Most(limit), unit }
-}
-
 impl BeamJob<'_> {
     fn scene(&self, later: bool, actual: &SeamLine) -> BeamScene<'_> {
         let (path, motion) = if later { self.later } else { self.first };
@@ -164,6 +160,7 @@ fn pass_rows(
     let without = uncorrected.get(uncorrected.len() * 99 / 100).copied().unwrap_or(f64::INFINITY);
     let Allowed { every_s, longest_s } = Allowed::EBW_2004;
     let missing = job.first.0.length() - tracked.welded_mm - tracked.away.0 * job.first.0.length();
+    let most = |what, value, limit, unit| Gate::at_most(weld, what, value, limit, unit);
     let mut rows = vec![
         Gate {
             frames: weld.to_owned(),
@@ -172,21 +169,20 @@ fn pass_rows(
             limit: Limit::Least(0.1),
             unit: "mm",
         },
-        most("tracked, 99 % within", weld, tracked.p99_mm, TRACKED_MM, "mm"),
-        most("not welded", weld, missing.abs(), 1.0, "mm"),
-        most("beam away from the weld", weld, 100.0 * tracked.away.0, 100.0 * longest_s / every_s + 0.05, "%"),
-        most("longest interruption", weld, 1e3 * tracked.away.1, 1e3 * longest_s + 1e-6, "ms"),
-        most("deflected by", weld, tracked.used_mm[0], 2.0, "mm"),
-        most("gun carried by", weld, tracked.used_mm[1], 5.0, "mm"),
+        most("tracked, 99 % within", tracked.p99_mm, TRACKED_MM, "mm"),
+        most("not welded", missing.abs(), 1.0, "mm"),
+        most("beam away from the weld", 100.0 * tracked.away.0, 100.0 * longest_s / every_s + 0.05, "%"),
+        most("longest interruption", 1e3 * tracked.away.1, 1e3 * longest_s + 1e-6, "ms"),
+        most("deflected by", tracked.used_mm[0], 2.0, "mm"),
+        most("gun carried by", tracked.used_mm[1], 5.0, "mm"),
     ];
     let Some(record) = tracked.record else { return Ok(rows) };
     // Through its file, as it is stored with the program.
     let record = DeviationRecord::from_csv("stored", &record.to_csv()).map_err(|e| Error::Frame(e.message()))?;
     let (again, shift) = job.replayed(record.clone(), actual, camera, seed + 1000)?;
-    rows.push(most("replayed, 99 % within", weld, again.p99_mm, TRACKED_MM, "mm"));
+    rows.push(most("replayed, 99 % within", again.p99_mm, TRACKED_MM, "mm"));
     rows.push(most(
         "replayed beside the tracked pass",
-        weld,
         apart(&tracked.places, &again.places, shift),
         REPLAYED_MM,
         "mm",

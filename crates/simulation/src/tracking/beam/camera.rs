@@ -5,7 +5,7 @@ use glam::{DAffine3, DVec2, DVec3};
 use seamwright_executive::tracking;
 use seamwright_frames::FrameSource;
 use seamwright_geometry::HeightTable;
-use seamwright_machine::{Joints, Machine, Sensor, Sight};
+use seamwright_machine::{Joints, Machine, Sensor};
 use seamwright_teaching::{Aim, Midline, SeamLine};
 use seamwright_tracking::beam::Point;
 use seamwright_tracking::lead::SeamFrame;
@@ -174,12 +174,8 @@ impl<'a, M: Midline> Pixels<'a, M> {
         midline: M,
         seed: u64,
     ) -> Result<Self, Error> {
-        let cameras = machine.sensors.iter().filter_map(|sensor| match &sensor.sight {
-            Sight::Camera(camera) => Some((sensor, &camera.table)),
-            Sight::Stripe(_) => None,
-        });
         let none = || tracking::Error::NoCamera { machine: machine.name.clone() };
-        let (sensor, table) = cameras.into_iter().next().ok_or_else(none)?;
+        let (sensor, table) = machine.cameras().next().ok_or_else(none)?;
         let camera = CameraSimulator::new(machine, sensor, actual, appearance, seed).ok_or_else(none)?;
         Ok(Self { machine, sensor, table, camera, midline })
     }

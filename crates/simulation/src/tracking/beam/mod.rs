@@ -4,6 +4,7 @@
 mod acceptance;
 pub(super) mod camera;
 pub(super) mod picture_queue;
+pub(super) mod recent_positions;
 mod scene;
 mod weld;
 

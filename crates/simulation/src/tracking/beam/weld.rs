@@ -1,5 +1,6 @@
 use super::camera::{BeamCamera, Glance};
 use super::picture_queue::PictureQueue;
+use super::recent_positions::{GunPosition, RecentPositions};
 use super::scene::BeamScene;
 use crate::drives::DriveSet;
 use crate::error::Error;
@@ -11,7 +12,6 @@ use seamwright_servo::SetPoint;
 use seamwright_tracking::actuator::Alarm;
 use seamwright_tracking::beam::{Beam, DeviationRecord, Fit, Misfit, Orders, Recorder};
 use seamwright_tracking::lead::{Moment, SeamFrame};
-use std::collections::VecDeque;
 
 /// Result of a pass.
 #[derive(Debug, Clone)]
@@ -82,7 +82,7 @@ pub fn weld(
         let now = Moment { t_s: t, s_mm: gun.along(), slide: gun.carried() };
         let next = head.cycle(now, speed, welds);
         if let Beam::Seen(exposed_s) = next.beam {
-            let at = gun.at(exposed_s);
+            let at = gun.recent.at(exposed_s).unwrap_or(gun.now);
             let taught = (scene.taught.frame)(at.s);
             let torch = SeamFrame { point: at.tip, ..taught };
             let (ahead, aside) = head.looks_for(at.s, speed);
@@ -130,15 +130,6 @@ pub fn weld(
     })
 }
 
-/// True position of the gun in a cycle.
-#[derive(Debug, Clone, Copy)]
-struct At {
-    t: f64,
-    s: f64,
-    axes: Joints,
-    tip: DVec3,
-}
-
 /// The machine's drives, which carry the gun.
 struct Gun<'a> {
     scene: &'a BeamScene<'a>,
@@ -146,11 +137,10 @@ struct Gun<'a> {
     /// Position of the set-point, mm.
     s: f64,
     set: [Joints; 3],
-    recent: VecDeque<At>,
+    /// True position.
+    now: GunPosition,
+    recent: RecentPositions,
 }
-
-/// Number of recent cycles kept for exposures.
-const RECENT: usize = 12;
 
 impl<'a> Gun<'a> {
     fn new(scene: &'a BeamScene<'a>, seed: u64) -> Result<Self, Error> {
@@ -158,8 +148,9 @@ impl<'a> Gun<'a> {
         let start = scene.motion.path.at(0.0);
         drives.settle_at(&start);
         let tip = scene.machine.forward(&start).point;
-        let recent = VecDeque::from([At { t: 0.0, s: 0.0, axes: start, tip }]);
-        Ok(Self { scene, drives, s: 0.0, set: [start; 3], recent })
+        let (now, mut recent) = (GunPosition { t: 0.0, s: 0.0, axes: start, tip }, RecentPositions::new());
+        recent.add(now);
+        Ok(Self { scene, drives, s: 0.0, set: [start; 3], now, recent })
     }
 
     /// Runs one cycle: moves the axes to the planned torch at `s`, carried aside.
@@ -182,22 +173,15 @@ impl<'a> Gun<'a> {
             q[i] = self.drives.step(i, SetPoint { position: axes[i], velocity, acceleration }).position;
         }
         self.s = s;
-        if self.recent.len() == RECENT {
-            self.recent.pop_front();
-        }
-        self.recent.push_back(At { t, s, axes: q, tip: machine.forward(&q).point });
+        self.now = GunPosition { t, s, axes: q, tip: machine.forward(&q).point };
+        self.recent.add(self.now);
         Ok(())
-    }
-
-    fn now(&self) -> &At {
-        // There is always one.
-        &self.recent[self.recent.len() - 1]
     }
 
     /// Returns the offset of the tip from the taught torch, mm: along, lateral, height.
     fn off(&self) -> DVec3 {
         let frame = (self.scene.taught.frame)(self.s);
-        frame.components(self.now().tip - frame.point)
+        frame.components(self.now.tip - frame.point)
     }
 
     /// Returns the true path length of the torch.
@@ -210,20 +194,11 @@ impl<'a> Gun<'a> {
         self.off().yz()
     }
 
-    /// Interpolates the true state at `t_s` between the nearest cycles.
-    fn at(&self, t_s: f64) -> At {
-        let after = self.recent.iter().position(|at| at.t >= t_s).unwrap_or(self.recent.len() - 1).max(1);
-        let (a, b) = (&self.recent[after - 1], &self.recent[after]);
-        let part = ((t_s - a.t) / (b.t - a.t)).clamp(0.0, 1.0);
-        let axes: Joints = std::array::from_fn(|i| a.axes[i] + part * (b.axes[i] - a.axes[i]));
-        At { t: t_s, s: a.s + part * (b.s - a.s), axes, tip: a.tip.lerp(b.tip, part) }
-    }
-
     /// Returns the distance of the weld from the seam, across and out of the surface, mm. The beam continues to the
     /// true surface, at the angle to which it is deflected.
     fn miss(&self, deflection: f64) -> Option<DVec2> {
         let frame = (self.scene.taught.frame)(self.s);
-        let tip = self.now().tip + deflection * frame.lateral;
+        let tip = self.now.tip + deflection * frame.lateral;
         let up = frame.height - deflection / self.scene.deflection.pivot_mm * frame.lateral;
         let height = |at: DVec3| {
             let foot = self.scene.actual.foot(at)?;
