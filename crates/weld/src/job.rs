@@ -1,17 +1,17 @@
 use crate::allowed::by_key;
 use crate::beads::Beads;
 use crate::order::{self, Cosmetic, Rows, Tacks, WeldOrder};
-use crate::stations::Station;
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
-use seamwright_document::{Document, DocumentError, Positive, SchemaVersion, Transform};
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_message::Message;
 use seamwright_program::{
     AtCorner, Clearance, Joint, Keyed, Offsets, OnLimit, Oscillation, Part, ProcessValues, Seam, SeamCopy, SeamStart,
     Sequence, SpareAxes, Taught, Tolerance, Torch, TransferMoves, Weave, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A job file: what is to be welded, how, and on which machine.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -175,4 +175,19 @@ impl Job {
         let placement = self.copies.first().map_or(&self.placement, |copy| &copy.placement);
         chosen.map_or(DAffine3::IDENTITY, Transform::affine) * placement.affine()
     }
+}
+
+/// Values of the weld at one place; between places they are linear in path length, before the first and after the last
+/// one they stay.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Station {
+    /// Path length from the start of the weld, mm.
+    pub s_mm: NonNegative,
+    /// Speed there, mm/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed_mm_s: Option<Positive>,
+    /// Process values there, of those in `[weld.process]`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub process: BTreeMap<String, Finite>,
 }

@@ -1,10 +1,9 @@
 //! The program of a job.
 
 use crate::allowed::{by_key, more_than, on_weld};
-use crate::job::Job;
+use crate::job::{Job, Station};
 use crate::order;
 use crate::seam::SeamCurve;
-use crate::stations::Station;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{
