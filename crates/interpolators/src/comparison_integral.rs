@@ -55,11 +55,11 @@ fn lags(deviation: i128, half_pulses: i64, sign: i64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::Random;
     use crate::method::Method;
     use crate::point::Point;
     use crate::request::Request;
     use crate::shape::Shape;
+    use crate::testing::Random;
     use glam::DVec2;
 
     fn request(shape: Shape, pulse_mm: f64) -> Request {

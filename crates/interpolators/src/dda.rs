@@ -108,10 +108,10 @@ impl Iterator for Dda {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::Random;
     use crate::method::Method;
     use crate::request::Request;
     use crate::shape::Shape;
+    use crate::testing::Random;
     use glam::DVec2;
 
     fn request(shape: Shape, pulse_mm: f64) -> Request {

@@ -83,10 +83,10 @@ impl Iterator for EccentricAngle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::Random;
     use crate::method::Method;
     use crate::request::Request;
     use crate::shape::Shape;
+    use crate::testing::Random;
     use std::f64::consts::TAU;
 
     const RULES: [AngleRule; 3] = [AngleRule::Printed, AngleRule::Polar, AngleRule::Tangent];

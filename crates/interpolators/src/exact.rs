@@ -110,10 +110,10 @@ impl Iterator for Exact {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::{Random, arc};
     use crate::method::Method;
     use crate::request::Request;
     use crate::shape::Shape;
+    use crate::testing::{Random, arc};
     use glam::DVec2;
 
     fn points(shape: Shape, equal: EqualStep, step: f64) -> (Path, Vec<Point>) {

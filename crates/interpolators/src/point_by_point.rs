@@ -38,10 +38,10 @@ pub(crate) fn pulse(course: &Course) -> Option<[i64; 3]> {
 
 #[cfg(test)]
 mod tests {
-    use crate::testing::Random;
     use crate::method::Method;
     use crate::request::Request;
     use crate::shape::Shape;
+    use crate::testing::Random;
     use glam::DVec2;
 
     fn request(shape: Shape, pulse_mm: f64) -> Request {

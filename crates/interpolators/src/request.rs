@@ -141,8 +141,8 @@ impl Request {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::Random;
     use crate::method::AngleRule;
+    use crate::testing::Random;
     use glam::DVec2;
 
     const METHODS: [Method; 8] = [

@@ -6,7 +6,6 @@ use crate::beam_deflection::BeamDeflection;
 use crate::cell::{InterlockFile, SourceFile};
 use crate::devices::DeviceFile;
 use crate::sensor::SensorFile;
-use crate::tip_limits::TipLimits;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;

@@ -47,7 +47,6 @@ mod shipped;
 mod solids;
 mod stepper;
 mod surroundings;
-mod tip_limits;
 mod tip_motion;
 
 pub use axis::{Axis, AxisKind, Drive, EncoderSide, Load, RangeViolation};
@@ -75,4 +74,4 @@ pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
 pub use stepper::{PulseTicks, Stepper, StepperMotor};
 pub use surroundings::{Course, Surroundings};
-pub use tip_limits::TipLimits;
+

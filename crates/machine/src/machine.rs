@@ -10,10 +10,9 @@ use crate::inverse::{self, Branches, Inverse, PairFault, Solution, Unreachable, 
 use crate::lever::{Lever, PITCH, travel};
 use crate::links::{LinkFrames, Links};
 use crate::pair::Pair;
-use crate::{AxisLimits, Sight};
 use crate::sensor::Sensor;
 use crate::solids::LinkSolids;
-use crate::tip_limits::TipLimits;
+use crate::{AxisLimits, Sight};
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError};

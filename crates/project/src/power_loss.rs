@@ -1,8 +1,8 @@
 //! The position of the weld on the disk, for a power failure.
 
 use crate::failure::Failure;
-use seamwright_executive::{Mode, Place};
 use seamwright_executive::realtime::Shown;
+use seamwright_executive::{Mode, Place};
 use seamwright_message::{Message, Unit};
 use seamwright_record::journal::{Journal, Position};
 use seamwright_record::{DataFolder, Error};

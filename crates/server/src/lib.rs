@@ -38,6 +38,7 @@
 //! ```
 
 mod cell;
+mod error;
 mod form;
 mod front;
 mod http;
@@ -53,7 +54,8 @@ mod users;
 mod view;
 pub mod wire;
 
+pub use error::Error;
 pub use http::{openapi, typescript};
 pub use planner::answer_one_question;
-pub use serve::{Error, Settings, serve};
+pub use serve::{Settings, serve};
 pub use tls::Tls;

@@ -1,4 +1,5 @@
 use crate::cell::{Cell, Change, happening};
+use crate::error::Error;
 use crate::front::answer;
 use crate::http::Panel;
 use crate::log;
@@ -8,7 +9,7 @@ use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
 use seamwright_executive::realtime::{Shutdown, ShutdownCause};
 use seamwright_machine::Machine;
-use seamwright_message::{Message, display_by_message};
+use seamwright_message::Message;
 use seamwright_project::failure::with_allowed;
 use seamwright_project::files;
 use seamwright_record::{discard_checked, finish_replacing, replace_by_checked};
@@ -48,31 +49,6 @@ pub struct Settings {
     pub program: Option<PathBuf>,
     /// Name of a job in `data`, or of an example, loaded at the start.
     pub job: Option<String>,
-}
-
-/// Reasons for not serving a panel.
-#[derive(Debug)]
-pub enum Error {
-    /// Invalid settings.
-    Settings(Message),
-    /// A system call failed.
-    System(Message),
-}
-
-display_by_message!(Error);
-
-impl Error {
-    /// An error of the system, in its words.
-    pub(crate) fn system(error: &dyn std::fmt::Display) -> Self {
-        Self::System(Message::outside(error))
-    }
-
-    /// Description of the error.
-    pub fn message(&self) -> Message {
-        match self {
-            Self::Settings(message) | Self::System(message) => message.clone(),
-        }
-    }
 }
 
 /// Polling period for a signal or a fault.

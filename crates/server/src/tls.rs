@@ -1,7 +1,7 @@
 //! Encrypted connections, with certificates of the user or of the cell's own authority.
 
+use crate::error::Error;
 use crate::log;
-use crate::serve::Error;
 use rcgen::{
     BasicConstraints, CertificateParams, DistinguishedName, DnType, ExtendedKeyUsagePurpose, IsCa, Issuer, KeyPair,
     KeyUsagePurpose,

@@ -11,8 +11,8 @@ use seamwright_machine::{AxisLimits, BeamDeflection, Clamped, Machine, Surroundi
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Pass, TorchPath};
 use seamwright_servo::{Gains, Notch, PositionLoop, SetPoint};
-use seamwright_simulation::{Conditions, SimulatedCell};
 use seamwright_simulation::tracking::Distortion;
+use seamwright_simulation::{Conditions, SimulatedCell};
 use seamwright_tracking::actuator::{HeadTracking, SlideLimits};
 use seamwright_tracking::beam::{Beam, BeamTracking, Picture, Point, Settings as BeamSettings};
 use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, SeamFrame, Settings};

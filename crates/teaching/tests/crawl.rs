@@ -2,10 +2,10 @@
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use seamwright_message::Message;
-use seamwright_testkit::Random;
 use seamwright_teaching::{
     Answer, CameraPose, Command, Crawl, End, Event, FrameEnd, Patch, Row, Seen, Settings, Shape, View, smoothed,
 };
+use seamwright_testkit::Random;
 use seamwright_vision::camera::{HeightTable, MapParameters, PlaneMap};
 
 const SIZE: f64 = 512.0;

@@ -6,8 +6,8 @@ use crate::rows::{Cell, Rows};
 use glam::DVec2;
 use seamwright_interpolators::{AngleRule, EqualStep, Interpolation, Method, Request, Shape, Statistics};
 use seamwright_message::Message;
-use seamwright_project::files;
 use seamwright_project::failure::Failure;
+use seamwright_project::files;
 
 const POINTS: &str = "method,t_s,phi_deg,x_mm,y_mm,z_mm,chord_mm";
 const SUMMARY: &str = "method,steps,step_mm,chord_min_mm,chord_max_mm,chord_mean_mm,chord_min_percent,chord_max_percent,\

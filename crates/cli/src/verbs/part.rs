@@ -1,8 +1,8 @@
 //! Position of the simulated part, and whether its passes are tracked, from the command line.
 
 use crate::args::part::PartArgs;
-use seamwright_project::files;
 use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use seamwright_project::part::Part;
 use seamwright_simulation::tracking::Distortion;
 use seamwright_tracking::beam::DeviationRecord;

@@ -1,6 +1,6 @@
-use super::{Missing, Mode, Refused};
 use super::alarm::Alarm;
-use super::mode::Event;
+use super::missing::Missing;
+use super::mode::{Event, Mode, Refused};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::jog;
 

@@ -3,9 +3,10 @@
 use super::bus::Devices;
 use super::command::{Ask, Command};
 use super::core::Executive;
+use super::missing::Missing;
 use super::mode::{Event, Mode, Refused};
 use super::requests::End;
-use super::state::{Missing, Note, Port};
+use super::state::{Note, Port};
 use super::work::Work;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {

@@ -3,8 +3,9 @@
 use super::alarm::{Alarm, Reaction};
 use super::bus::{Devices, LATE_S};
 use super::core::Executive;
+use super::missing::{Missing, SilentDevice};
 use super::mode::{Event, Mode};
-use super::state::{Missing, Port, SilentDevice};
+use super::state::Port;
 use super::work::Work;
 use arrayvec::ArrayVec;
 use seamwright_machine::Level;

@@ -1,11 +1,12 @@
-use super::alarm::{Alarm, named};
+use super::alarm::Alarm;
 use super::alarm_list::{AlarmList, Place, Raised};
 use super::bus::{Orders, Reports};
 use super::command::Command;
 use super::guide::Tracked;
-use super::mode::{Mode, Refused};
+use super::missing::Missing;
+use super::mode::Mode;
 use super::process::ProcessState;
-use seamwright_message::{Argument, Message, Unit};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::feed_override::RunPhase;
 use std::ops::Deref;
 
@@ -78,99 +79,6 @@ pub enum Note {
     PassEnds(Place),
     /// Position at which an unfinished program was left and can resume.
     Left(Place),
-}
-
-/// Reasons why an action is not possible now.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Missing {
-    /// The mode does not accept it.
-    Mode(Refused),
-    /// The axes still move.
-    Moving,
-    /// Axes with unknown references, one bit each.
-    References(u16),
-    /// Another axis must go home first: its number from 0.
-    HomesFirst(u8),
-    /// The drives have no power yet.
-    Power,
-    /// A device has been silent for too long.
-    Silent(SilentDevice),
-    /// An interlock condition is not met: its number from 0.
-    Condition(u8),
-    /// An alarm is active or unacknowledged; with its axis or condition.
-    Alarm(Alarm, u8),
-    /// The process was not armed, or the arming has expired.
-    Arming,
-    /// The process source is not ready.
-    Source,
-    /// The axes are not at the start of the approach: the number of the axis with the largest deviation.
-    NotAtStart(u8),
-    /// No program is loaded.
-    Work,
-    /// The value is out of range.
-    Value,
-    /// The motion does not allow it.
-    Motion,
-}
-
-/// A device that does not answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SilentDevice {
-    /// The drives.
-    Drives,
-    /// The input device.
-    Inputs,
-    /// The process source.
-    Source,
-}
-
-impl Missing {
-    /// Returns its message, with the names of `axes` and `conditions`.
-    pub fn message(&self, axes: &[&str], conditions: &[&str]) -> Message {
-        let axis = |i: u8| named(axes, i);
-        match self {
-            Self::Mode(refused) => refused.message(),
-            Self::Moving => Message::new("cell-missing-rest"),
-            Self::References(bits) => {
-                let unknown = (0..16u8).filter(|i| bits >> i & 1 == 1);
-                Message::new("cell-missing-references").list("axes", unknown.map(|i| Argument::Axis(axis(i))))
-            }
-            Self::HomesFirst(i) => Message::new("cell-missing-homes-first").axis("axis", axis(*i)),
-            Self::Power => Message::new("cell-missing-power"),
-            Self::Silent(device) => Message::new("cell-missing-answer").message("device", device.message()),
-            Self::Condition(i) => Message::new("cell-missing-interlock").text("interlock", named(conditions, *i)),
-            Self::Alarm(alarm, detail) => {
-                let title = alarm.title_of(alarm.about(*detail, axes, conditions));
-                let message = Message::new("cell-missing-acknowledgement").message("alarm", title);
-                message.message("action", alarm.entry().action)
-            }
-            Self::Arming => Message::new("cell-missing-arming"),
-            Self::Source => Message::new("cell-missing-source"),
-            Self::NotAtStart(i) => Message::new("cell-missing-start").axis("axis", axis(*i)),
-            Self::Work => Message::new("cell-missing-program"),
-            Self::Value => Message::new("cell-missing-value"),
-            Self::Motion => Message::new("cell-missing-motion"),
-        }
-    }
-}
-
-impl SilentDevice {
-    /// Its name in interfaces.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Drives => "drives",
-            Self::Inputs => "inputs",
-            Self::Source => "process source",
-        }
-    }
-
-    fn message(self) -> Message {
-        Message::new(match self {
-            Self::Drives => "cell-device-drives",
-            Self::Inputs => "cell-device-inputs",
-            Self::Source => "cell-device-source",
-        })
-    }
 }
 
 impl Note {

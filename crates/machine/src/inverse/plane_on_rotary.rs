@@ -1,5 +1,5 @@
-use super::rotaries;
 use super::branches::{Branches, Solution, Unreachable, Which};
+use super::rotaries;
 use super::vectors::in_plane;
 use crate::chain::{Chain, Joints, MAX_AXES, Turn};
 use seamwright_geometry::{Pose, angle_between};

@@ -1,21 +1,22 @@
 //! Cost of a period: at a steady override (aim: a few microseconds) and while it changes (aim: tens); the same of a run
 //! on a real weld.
 
-#[path = "../../tests/override_profile/mod.rs"]
+#[path = "../../tests/it/override_profile/mod.rs"]
 mod override_profile;
 
 use criterion::Criterion;
 use override_profile::orders::sequence;
-use override_profile::{Case, Uniform};
+use override_profile::Case;
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_motion::feed_override::{Command, FeedOverride, Order, Run, RunPhase, channel_limits};
 use seamwright_program::AtHold;
+use seamwright_testkit::Random;
 use seamwright_weld::Welding;
 use std::hint::black_box;
 
 pub(crate) fn benches(c: &mut Criterion) {
-    let case = Case::random(&mut Uniform::new(4));
+    let case = Case::random(&mut Random::new(4));
     let fresh = || {
         let mut feed_override = FeedOverride::new(&case.limits(), 1e-3, &case.base).unwrap();
         feed_override.command(Command::Resume).unwrap();

@@ -4,8 +4,8 @@ use super::Command;
 use super::course::{Course, Return, Segment, State};
 use super::error::FeedOverrideError;
 use super::shield::Shield;
-use crate::tip_channels::ChannelLimits;
 use super::timed::{Pacing, Rates, Timed};
+use crate::tip_channels::ChannelLimits;
 
 /// Maximum override.
 const MAX_OVERRIDE: f64 = 1.5;

@@ -1,4 +1,3 @@
-use crate::limit_kind::LimitKind;
 use seamwright_message::{Message, Unit};
 
 /// Error of a refused command or value. The state is then unchanged.

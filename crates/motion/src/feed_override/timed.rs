@@ -1,7 +1,5 @@
-use crate::limit_kind::LimitKind;
 use crate::tip_channels::CHANNELS;
 use seamwright_machine::Joints;
-use super::error::FeedOverrideError;
 
 /// A motion in time that can be played with a feed override.
 ///

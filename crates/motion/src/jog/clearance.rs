@@ -1,5 +1,5 @@
-use crate::transfer::{nearest, too_near};
 use super::point_to_point::PointToPoint;
+use crate::transfer::{nearest, too_near};
 use seamwright_clearance::{ClearanceError, Limits};
 use seamwright_machine::{Course, Joints, Surroundings};
 use seamwright_message::Message;

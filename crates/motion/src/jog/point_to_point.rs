@@ -1,5 +1,4 @@
 use super::error::JogError;
-use super::limits::AxisLimits;
 use super::state::{AxisState, State};
 use rsruckig::prelude::*;
 use seamwright_machine::{Axis, AxisLimits, Joints, MAX_AXES, Machine};

@@ -1,4 +1,3 @@
-use super::limits::AxisLimits;
 use super::state::AxisState;
 use seamwright_machine::AxisLimits;
 

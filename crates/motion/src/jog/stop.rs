@@ -1,8 +1,6 @@
-use super::State;
-use super::limits::AxisLimits;
 use super::ramp::Ramp;
-use seamwright_machine::{AxisLimits, Course, Joints, MAX_AXES};
 use super::state::State;
+use seamwright_machine::{AxisLimits, Course, Joints, MAX_AXES};
 
 /// Stop of every axis by its own fastest jerk-limited motion.
 #[derive(Debug, Clone, Copy, PartialEq)]

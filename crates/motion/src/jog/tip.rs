@@ -1,5 +1,3 @@
-use super::State;
-use super::limits::AxisLimits;
 use super::ramp::Ramp;
 use super::state::{AxisState, State};
 use glam::DVec3;

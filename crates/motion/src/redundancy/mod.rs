@@ -34,6 +34,7 @@ pub(crate) use explain::hold as hold_finding;
 pub use free_axes::FreeAxes;
 pub use hold_error::HoldError;
 use seamwright_machine::{AxisSet, Joints, Machine};
+use seamwright_message::{Argument, Message};
 use seamwright_program::{Finding, SpareAxes, TorchPath};
 use std::borrow::Cow;
 use task::Task;

@@ -1,7 +1,7 @@
 use super::recorded_weld_page;
 use crate::{Language, names};
-use seamwright_executive::{Alarm as Catalogue, Mode};
 use seamwright_executive::tracking;
+use seamwright_executive::{Alarm as Catalogue, Mode};
 use seamwright_message::Message;
 use seamwright_record::Moment;
 use seamwright_record::figures::{Curve, Figures, Value};

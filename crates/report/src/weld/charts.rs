@@ -8,12 +8,12 @@ use crate::{
     Axis, Band, Block, Chart, ChartGrid, Drawing, Gallery, Language, LimitLine, Mark, Series, Style, ThreeViews,
     Words as _, names,
 };
-use seamwright_simulation::Summary;
 use seamwright_machine::{Axis as MachineAxis, Machine};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
 use seamwright_program::{Pass, Run, Span, TorchPath, is_beyond};
+use seamwright_simulation::Summary;
 use seamwright_weld::{SeamCurve, Welding};
 
 /// The plots of a pass.

@@ -1,6 +1,6 @@
 use super::tracking::HeadCurves;
-use seamwright_simulation::Sample;
 use seamwright_machine::Machine;
+use seamwright_simulation::Sample;
 
 /// Number of buckets along the weld; each keeps its minimum and maximum, so that all peaks remain.
 const BUCKETS: usize = 1000;

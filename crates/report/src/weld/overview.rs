@@ -6,9 +6,9 @@ use super::range::Range;
 use crate::block::tile;
 use crate::number::{NONE, Significant as _, number, range, significant, small};
 use crate::{Language, Severity, Tile, Verdict, Words as _};
-use seamwright_simulation::Summary;
 use seamwright_message::{Argument, Message, Unit};
 use seamwright_program::group_findings;
+use seamwright_simulation::Summary;
 
 impl WeldReport {
     /// Describes the checks that were made and their limits.

@@ -13,9 +13,9 @@ use super::tracking;
 use crate::block::{paragraph, section};
 use crate::number::{NONE, Significant as _, from_to, number, significant, small};
 use crate::{Block, Language, Table, Words as _, names};
+use seamwright_message::{Message, Unit};
 use seamwright_simulation::Summary;
 use seamwright_simulation::tracking::HeadSummary;
-use seamwright_message::{Message, Unit};
 
 /// Drawings of one pass of several, after those of its seam.
 const CURVES: [&str; 9] =

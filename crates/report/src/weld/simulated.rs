@@ -4,8 +4,8 @@ use super::charts::units;
 use super::figures::ClearanceFigures;
 use crate::number::{Significant as _, significant, small};
 use crate::{Block, Language, Table, Words as _};
-use seamwright_simulation::Summary;
 use seamwright_message::{Message, Unit};
+use seamwright_simulation::Summary;
 
 /// Describes the simulation and its result.
 pub(super) fn simulation_text(s: &Summary, assumed: &[String], language: Language) -> String {

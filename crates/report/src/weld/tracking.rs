@@ -4,8 +4,8 @@ use super::curves::{Envelope, SimulationCurves};
 use crate::number::{Significant as _, fixed, significant};
 use crate::{Axis, Chart, ChartGrid, Language, Series, Style, Table, Words as _};
 use seamwright_executive::tracking::BeamFit;
-use seamwright_simulation::tracking::{BeamSummary, HeadSample, HeadSummary};
 use seamwright_message::{Message, Unit};
+use seamwright_simulation::tracking::{BeamSummary, HeadSample, HeadSummary};
 
 /// One head's curves over path length, gathered sample by sample; mm.
 #[derive(Debug, Clone, PartialEq)]

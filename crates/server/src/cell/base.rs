@@ -1,10 +1,10 @@
 //! The task of a cell, with the data that borrow from it.
 
-use seamwright_simulation::SimulatedCell;
 use seamwright_machine::{Clamped, Machine, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_project::load::Loaded;
 use seamwright_project::part::Part;
+use seamwright_simulation::SimulatedCell;
 use seamwright_weld::WeldPath;
 use self_cell::self_cell;
 

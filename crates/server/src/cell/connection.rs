@@ -1,8 +1,8 @@
 //! The devices of the cell, and the program and values they serve.
 
-use seamwright_executive::{Devices, Orders, Reports, Slack};
 use super::base::SEED;
 use super::prepared::Prepared;
+use seamwright_executive::{Devices, Orders, Reports, Slack};
 use seamwright_message::Message;
 use seamwright_project::devices::{self, Lines};
 use std::path::Path;

@@ -1,9 +1,9 @@
 //! Tracking of the loaded task: correction of its passes, and sensors of its joints.
 
-use seamwright_executive::{Guide, Guided, Place, Planned, SeamOrders, Seen, SensorReport, Tracked, Trouble};
+use super::base::Base;
 use seamwright_executive::devices::Sensors;
 use seamwright_executive::tracking::Tracking;
-use super::base::Base;
+use seamwright_executive::{Guide, Guided, Place, Planned, SeamOrders, Seen, SensorReport, Tracked, Trouble};
 use seamwright_machine::Joints;
 use seamwright_simulation::tracking::SimulatedSensors;
 use seamwright_tracking::beam::Picture;

@@ -3,9 +3,8 @@ use super::job_name::checked;
 use crate::cell::{Around, Planned, Prepared, Task};
 use crate::view::work_view;
 use crate::wire::{Load, WorkView};
-use seamwright_executive::Place;
-use seamwright_simulation::tracking::Distortion;
 use seamwright_document::DocumentError;
+use seamwright_executive::Place;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_project::load::{Loaded, load_foreign};
@@ -13,6 +12,7 @@ use seamwright_project::part::Part;
 use seamwright_project::recording::{Header, Who, record_plan};
 use seamwright_project::run_rows;
 use seamwright_record::Plan;
+use seamwright_simulation::tracking::Distortion;
 use std::path::Path as FilePath;
 
 /// A planned job to be loaded.

@@ -1,10 +1,10 @@
 //! A simulated operator who brings a cell into a situation, and checks of the result.
 
+use super::case::{Case, Situation};
+use super::outcome::Outcome;
 use crate::devices::fault::{Device, FaultKind};
 use seamwright_executive::{Alarm, Ask, Command, Cycle, Mode, Note, Place, Port, ProcessState, Reaction};
 use seamwright_machine::{Axis, AxisLimits, Joints, Machine};
-use super::case::{Case, Situation};
-use super::outcome::Outcome;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::feed_override::RunPhase;
 use seamwright_motion::jog;

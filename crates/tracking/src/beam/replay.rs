@@ -1,10 +1,10 @@
 use super::beam_authority::{BeamAuthority, SOON_S};
-use crate::actuator::{Alarm, Following, SlideLimits};
 use super::error::Error;
 use super::picture::{Course, Picture, located};
 use super::record::{DeviationRecord, Row};
 use super::schedule::{Allowed, Beam, Schedule};
 use super::tracking::{Faults, Orders, judge};
+use crate::actuator::{Alarm, Following, SlideLimits};
 use crate::lead::{Estimate, History, Moment, Sight};
 use arrayvec::ArrayVec;
 use seamwright_machine::BeamDeflection;

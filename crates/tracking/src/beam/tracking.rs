@@ -1,10 +1,10 @@
 use super::beam_authority::{BeamAuthority, SOON_S, Shares};
-use crate::actuator::{Alarm, Following, SlideLimits};
 use super::error::Error;
 use super::picture::{Course, PLACES, Picture, Place, Taken, located, on_one_line};
 use super::schedule::{Beam, Schedule};
 use super::settings::Settings;
 use super::zone::Zone;
+use crate::actuator::{Alarm, Following, SlideLimits};
 use crate::lead::{Estimate, Moment, OwnCurve, Refusal, Sight, Tracker};
 use arrayvec::ArrayVec;
 use glam::DVec2;

@@ -9,6 +9,7 @@ mod file;
 mod parts;
 mod rows;
 mod short_sequence;
+mod steady_values;
 mod tacks;
 #[cfg(test)]
 mod tests;
@@ -25,31 +26,8 @@ use crate::seam::SeamCurve;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError, Transform};
 use seamwright_message::Message;
-use seamwright_program::{MAX_PASSES, MAX_ROWS, Pass, ProcessValues, SeamCopy, check_process};
+use seamwright_program::{MAX_PASSES, MAX_ROWS, Pass, SeamCopy};
 use tour::{Leg, Stop, in_rows, tour};
-
-/// Checks the process values in the table `path` of a short pass: values that the weld has, without a ramp, which is
-/// refused with `ramp`.
-fn check_steady<T>(
-    file: &Document<T>,
-    path: &str,
-    values: &ProcessValues,
-    of_weld: &ProcessValues,
-    ramp: &'static str,
-) -> Result<(), DocumentError> {
-    check_process(file, path, values)?;
-    for (key, value) in values {
-        let path = format!("{path}.{key}");
-        if !of_weld.contains_key(key) {
-            let known: Vec<&str> = of_weld.keys().map(String::as_str).collect();
-            return Err(file.unknown_name(&path, key, &known));
-        }
-        if value.is_ramp() {
-            return Err(file.error_at(&path, Message::new(ramp), Message::new("document-number")));
-        }
-    }
-    Ok(())
-}
 
 /// Passes that are welded on a copy before the torch goes on to the next one, each with its parts.
 type Visit = Vec<Vec<Pass>>;

@@ -1,5 +1,5 @@
-use super::check_steady;
 use super::short_sequence::ShortSequence;
+use super::steady_values::check_steady;
 use crate::allowed::{between, by_key};
 use crate::seam::SeamCurve;
 use schemars::JsonSchema;

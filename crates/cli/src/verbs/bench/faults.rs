@@ -7,9 +7,9 @@ use seamwright_executive::{Place, Start};
 use seamwright_message::Message;
 use seamwright_project::failure::Failure;
 use seamwright_project::load::load_text;
-use seamwright_simulation::{Conditions, SimulatedCell, fault_injection};
 use seamwright_simulation::fault_injection::{Outcome, Stage, TrackedStage};
 use seamwright_simulation::tracking::Distortion;
+use seamwright_simulation::{Conditions, SimulatedCell, fault_injection};
 use std::path::Path;
 
 const JOB: &str = include_str!("../../../../../examples/saddle.toml");

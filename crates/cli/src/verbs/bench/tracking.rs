@@ -10,7 +10,9 @@ use seamwright_message::Message;
 use seamwright_project::failure::Failure;
 use seamwright_project::load::load_text;
 use seamwright_simulation::acceptance::Gate;
-use seamwright_simulation::tracking::acceptance::{GateRow, cross_talk, fault_rows, heat_rows, misplaced_rows, stripe_rows, t_joint_rows, tracking_gates, weld_count};
+use seamwright_simulation::tracking::acceptance::{
+    GateRow, cross_talk, fault_rows, heat_rows, misplaced_rows, stripe_rows, t_joint_rows, tracking_gates, weld_count,
+};
 use seamwright_weld::Welding;
 use serde::Serialize;
 use std::fmt::Write as _;

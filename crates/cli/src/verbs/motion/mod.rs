@@ -6,8 +6,8 @@ mod table;
 mod two_level;
 
 use super::process::ArcClock;
-use crate::args::{ExportArg, MotionArgs};
 use super::{period, positive};
+use crate::args::{ExportArg, MotionArgs};
 use crate::planning;
 use crate::progress::Progress;
 use crate::refusals::refused;

@@ -4,7 +4,6 @@ use glam::DVec2;
 use seamwright_frames::{Colour, Overlay};
 use seamwright_geometry::Homography;
 use seamwright_project::failure::Failure;
-use seamwright_project::overlay::{Colour, Overlay};
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{Features, StripeReader};
 

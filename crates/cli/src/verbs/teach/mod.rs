@@ -15,12 +15,14 @@ use crate::refusals::{in_file, not_allowed, of_option, refused, unreadable};
 use glam::DVec3;
 use seamwright_geometry::reduce::Method;
 use seamwright_message::Message;
-use seamwright_teaching as teaching;
-use seamwright_project::files;
 use seamwright_project::csv::CsvReader;
 use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use seamwright_project::load::load;
-use seamwright_teaching::{CameraPose, EVERY_MM, JointFollower, Kind, Outcome, ReductionTolerances, SeamLine, Settings, nominal, semi_manual};
+use seamwright_teaching as teaching;
+use seamwright_teaching::{
+    CameraPose, EVERY_MM, JointFollower, Kind, Outcome, ReductionTolerances, SeamLine, Settings, nominal, semi_manual,
+};
 use setup::within;
 use std::fs::File;
 use std::io::BufReader;

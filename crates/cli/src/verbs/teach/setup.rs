@@ -2,14 +2,11 @@ use crate::args::teach::TeachArgs;
 use crate::refusals::{between, not_allowed, of_option};
 use crate::verbs::positive;
 use glam::DVec3;
-use seamwright_teaching::SeamLine;
-use seamwright_teaching::JointFollower;
 use seamwright_geometry::HeightTable;
-use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_machine::{Machine, Sensor};
 use seamwright_message::Message;
 use seamwright_project::failure::Failure;
-use seamwright_project::teaching;
-use seamwright_tracking::teach::{CameraPose, Settings};
+use seamwright_teaching::{self as teaching, CameraPose, JointFollower, SeamLine, Settings};
 use std::ops::RangeInclusive;
 
 /// Minimum and maximum step from frame to frame, mm: longer ones leave the frame.

@@ -1,9 +1,9 @@
 //! Extreme and invalid paths.
 
-use seamwright_machine::AxisLimits;
 use super::check::{check, check_ends};
 use super::curves::{Saddle, Spline};
 use super::random::{Path, natural};
+use seamwright_machine::AxisLimits;
 use seamwright_motion::LimitKind;
 use seamwright_motion::speed_profile::{Channels, SpeedProfile, SpeedProfileError};
 use seamwright_testkit::Random;

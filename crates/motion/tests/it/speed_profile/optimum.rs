@@ -1,11 +1,11 @@
 //! Profiles against a slow optimiser of another kind: in time instead of path length, without interior points.
 
-use seamwright_machine::AxisLimits;
-use seamwright_motion::speed_profile::{Channels, SpeedProfile};
-use seamwright_testkit::Random;
 use super::check::check_ends;
 use super::curves::Spline;
 use super::random::Path;
+use seamwright_machine::AxisLimits;
+use seamwright_motion::speed_profile::{Channels, SpeedProfile};
+use seamwright_testkit::Random;
 
 /// Number of steps of constant jerk along the path in the reference profile.
 const STEPS: usize = 100;

@@ -1,8 +1,8 @@
 //! Profiles from a sliding window against the profile of the whole path.
 
+use super::curves::{Saddle, Spline};
 use seamwright_machine::AxisLimits;
 use seamwright_motion::speed_profile::{Channels, Feed, ProfilePoint, ProfileStream, SpeedProfile};
-use super::curves::{Saddle, Spline};
 
 /// A path repeated, known only over a window.
 struct Window<P> {
