@@ -95,7 +95,6 @@ fn jog_steps_do_not_allocate() {
                 jog.command(&Command::Rest).ok();
             }
             black_box(jog.step(&signals));
-            black_box(jog.tip_stopping_distance());
         }
     });
     assert!(halts > 5);

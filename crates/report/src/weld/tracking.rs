@@ -3,9 +3,9 @@
 use super::curves::{Envelope, SimulationCurves};
 use crate::number::{Significant as _, fixed, significant};
 use crate::{Axis, Chart, ChartGrid, Language, Series, Style, Table, Words as _};
-use seamwright_executive::tracking::BeamFit;
+use seamwright_executive::tracking::{BeamFit, BeamSummary};
 use seamwright_message::{Message, Unit};
-use seamwright_simulation::tracking::{BeamSummary, HeadSample, HeadSummary};
+use seamwright_simulation::tracking::{HeadSample, HeadSummary};
 
 /// One head's curves over path length, gathered sample by sample; mm.
 #[derive(Debug, Clone, PartialEq)]
