@@ -5,9 +5,8 @@ use std::process::Command;
 use std::{env, fs};
 
 /// Sources of the panel, relative to folder `web`; a change triggers a new build.
-const SOURCES: [&str; 9] = [
+const SOURCES: [&str; 8] = [
     "src",
-    "../docs/schema",
     "../messages",
     "public",
     "index.html",

@@ -28,6 +28,12 @@ document-suggestion = did you mean `{ $name }`?
 document-suggestion-unit = did you mean `{ $name }`? This value is given in { $unit }
 document-own-name = a name of its own
 document-own-names = names of their own
+document-no-such-entry = there is no such entry in the text
+    .cause = The text was changed meanwhile, or the path is misspelt.
+    .cure = Read the entries of the text again.
+document-unfit-change = the entry cannot be changed in this way
+    .cause = The entry is a table where a value is expected, or the other way round.
+    .cure = Change it in the text.
 
 # Values.
 document-invalid-value = invalid value: { $value }

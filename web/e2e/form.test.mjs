@@ -6,11 +6,12 @@ import { axe, bench, open, tab } from './operator.mjs';
 const { one, cell } = await bench();
 
 const table = (name) => one.locator('fieldset', { has: one.locator(`legend[title="${name}"]`) });
-const text = async () => {
+/** Waits until the text has this: the cell writes it. */
+const inText = async (wanted) => {
   await one.getByRole('button', { name: 'Text', exact: true }).click();
-  const lines = await one.locator('.cm-content').innerText();
+  await one.locator('.cm-content').waitFor();
+  await one.waitForFunction((of) => new RegExp(of).test(document.querySelector('.editor').shadowRoot.querySelector('.cm-content').innerText), wanted.source);
   await one.getByRole('button', { name: 'Form', exact: true }).click();
-  return lines;
 };
 
 test('values of nested inline tables can be read and changed', async () => {
@@ -24,7 +25,7 @@ test('values of nested inline tables can be read and changed', async () => {
   assert.equal(await beads.getByRole('textbox', { name: 'layer thickness [mm]' }).count(), 3);
   for (const field of await beads.getByRole('textbox').all()) assert.ok((await field.boundingBox()).width >= 72);
   await current.fill('155');
-  assert.match(await text(), /process = \{ current_a = 155, voltage_v = 18/);
+  await inText(/process = \{ current_a = 155, voltage_v = 18/);
 });
 
 test('a value that the format allows can be added, with what it means', async () => {
@@ -35,7 +36,7 @@ test('a value that the format allows can be added, with what it means', async ()
   const thickness = shell.getByRole('textbox', { name: 'thickness [mm]' });
   await thickness.fill('12');
   await thickness.blur();
-  assert.match(await text(), /axis = \[1, 0, 0\]\s*\n\s*thickness_mm = 12/);
+  await inText(/axis = \[1, 0, 0\]\s*\n\s*thickness_mm = 12/);
   // What it has is offered no longer.
   assert.equal(await add.locator('option[value="thickness_mm"]').count(), 0);
   await axe(one, 'form');

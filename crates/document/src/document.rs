@@ -30,7 +30,7 @@ impl<T: DeserializeOwned> Document<T> {
                 bounds::check(&document)?;
                 Ok(document)
             }
-            Err(error) => Err(explain(file, text, &error)),
+            Err(error) => Err(explain(file, text, error.span(), error.message())),
         }
     }
 }
@@ -98,9 +98,9 @@ fn build(file: &str, text: &str, span: &Range<usize>, key: String) -> DocumentEr
 }
 
 /// Turns the parser's error into ours. Its messages have serde's fixed forms, which a test pins down.
-fn explain(file: &str, text: &str, error: &toml::de::Error) -> DocumentError {
-    let span = error.span().unwrap_or(0..0);
-    let message = error.message().trim();
+pub(crate) fn explain(file: &str, text: &str, span: Option<Range<usize>>, message: &str) -> DocumentError {
+    let span = span.unwrap_or(0..0);
+    let message = message.trim();
     let path = if span.is_empty() { String::new() } else { path_at(text, &span) };
     let mut e = build(file, text, &span, path);
     let (what, expected) = message.split_once(", expected ").unwrap_or((message, ""));

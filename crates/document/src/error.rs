@@ -31,6 +31,22 @@ pub struct DocumentError {
 impl std::error::Error for DocumentError {}
 
 impl DocumentError {
+    /// A fault at the key `key` of a file as a whole.
+    pub fn at_key(file: &str, key: impl Into<String>, message: Message) -> Self {
+        Self {
+            file: file.to_owned(),
+            line: 0,
+            column: 1,
+            key: key.into(),
+            value: String::new(),
+            message,
+            allowed: None,
+            help: None,
+            source_line: String::new(),
+            marked: 0,
+        }
+    }
+
     /// Returns the whole error as one message, with a line for each part.
     pub fn to_message(&self) -> Message {
         let mut at = self.file.clone();

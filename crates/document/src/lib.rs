@@ -9,6 +9,9 @@
 //! exact, and describe themselves in the JSON Schema. Then every number is checked against the bound of its key's unit
 //! ([`BOUNDS`]): a new key of a format is bounded without further code.
 //!
+//! [`entries`] reads a text of any format for a form, and [`changed`] changes single entries of it; everything else of
+//! the text stays byte by byte.
+//!
 //! # Examples
 //!
 //! Read a file, and report an invalid value at its key:
@@ -37,13 +40,18 @@
 
 mod address;
 mod bounds;
+mod change;
 mod document;
+mod entries;
 mod error;
 mod number;
+mod path;
 mod vector;
 
 pub use bounds::{BOUNDS, Bound};
+pub use change::{Change, changed};
 pub use document::{Document, closest, fault_in_serde, in_serde, serde_text};
+pub use entries::{Entry, EntryValue, TableEntries, entries};
 pub use error::DocumentError;
 /// Names of columns in tables and traces, which no axis and no process value may have.
 pub const RESERVED_COLUMNS: [&str; 11] = [
@@ -61,4 +69,5 @@ pub const RESERVED_COLUMNS: [&str; 11] = [
 ];
 
 pub use number::{Finite, NonNegative, Positive, SchemaVersion};
+pub use path::{Step, path_of, steps};
 pub use vector::{Direction, Point, Transform};

@@ -9,6 +9,7 @@
 //! - Stops do not queue. Neither stops nor sockets share a thread with handlers: these run on another runtime. Work on
 //!   files, library and plans runs on threads of lower priority (`http/turns.rs`).
 //! - Plans from texts run in a process with limits of memory and time (`planner`).
+//! - Forms of texts are made from the JSON Schemas of their formats (`form`); the panel knows no keys.
 //! - Every route states its permission in one table, which a test checks route by route.
 //!
 //! # Examples
@@ -37,6 +38,7 @@
 //! ```
 
 mod cell;
+mod form;
 mod front;
 mod http;
 mod lack;

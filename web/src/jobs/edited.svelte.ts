@@ -1,17 +1,22 @@
 import { api, Refusal } from '../live/api';
 import { session } from '../live/session.svelte';
-import type { PlanAnswer, SectionView, WorkView } from '../wire';
+import type { FormView, PlanAnswer, SectionView, WorkView } from '../wire';
 import { refusalText } from '../parts/refusal';
+import { Sheet } from './sheet.svelte';
 
 const PLAN_AFTER_MS = 500;
 /** What needs no plan is drawn while a number is still being written. */
 const DRAW_AFTER_MS = 120;
 const STEPS = 500;
+/** Forms of longer texts are read again when they are undone. */
+const LONG_CHARS = 100_000;
+
+/** A text to go back to, with its form if that is at hand. */
+type Step = { text: string; form: FormView | null };
 
 /** The job that is being changed: its text, how it was before, and what the cell makes of it. */
-class Edited {
+class Edited extends Sheet {
   name = $state('');
-  text = $state('');
   example = $state(false);
   /** The text as it is kept by the cell. */
   kept = $state('');
@@ -26,20 +31,14 @@ class Edited {
   planned_s = $state(0);
   /** Somebody has cancelled the plan of this text. */
   cancelled = $state(false);
-  trouble = $state('');
-  private past = $state.raw<string[]>([]);
-  private future = $state.raw<string[]>([]);
+  private past = $state.raw<Step[]>([]);
+  private future = $state.raw<Step[]>([]);
   private timer: ReturnType<typeof setTimeout> | undefined;
   private asking: AbortController | null = null;
   private drawTimer: ReturnType<typeof setTimeout> | undefined;
   private drawing: AbortController | null = null;
   private group = '';
   private grouped = 0;
-  /** Operations that the cell carries out, one after the other, and how many of them. */
-  private last: Promise<unknown> = Promise.resolve();
-  private operations = $state(0);
-  /** Counts the jobs that were opened: what is answered later is not meant for the next one. */
-  private opened = 0;
 
   readonly changed = $derived(this.text !== this.kept || this.operations > 0);
   /** Procedures that were changed here and not kept, by their names. */
@@ -50,11 +49,10 @@ class Edited {
   readonly canRedo = $derived(this.future.length > 0);
 
   begin(name: string, text: string, example: boolean, kept: string): void {
+    this.start(text);
     this.name = name;
-    this.text = text;
     this.kept = kept;
     this.example = example;
-    this.opened += 1;
     this.open = true;
     this.past = [];
     this.future = [];
@@ -63,7 +61,6 @@ class Edited {
     this.cancelled = false;
     this.procedures = {};
     this.sections = [];
-    this.trouble = '';
     this.planSoon(0);
   }
 
@@ -84,37 +81,31 @@ class Edited {
     this.procedures = text === null ? others : { ...others, [name]: text };
   }
 
-  /** Waits until all that was changed is in the text. */
-  async settled(): Promise<void> {
-    while (this.operations > 0) await this.last;
-  }
-
-  /** Another text. Changes of the same `group` within a second are one step of undo. */
-  change(text: string, group: string): void {
+  override change(text: string, group: string): void {
     if (text === this.text) return;
     const now = Date.now();
-    if (group !== this.group || now - this.grouped > 1000) {
-      this.past = [...this.past.slice(-STEPS), this.text];
-    }
+    if (group !== this.group || now - this.grouped > 1000) this.past = [...this.past.slice(-STEPS), this.step()];
     this.group = group;
     this.grouped = now;
     this.future = [];
-    this.text = text;
+    super.change(text, group);
     this.planSoon();
   }
 
-  undo(): void {
+  async undo(): Promise<void> {
+    await this.settled();
     const before = this.past.at(-1);
     if (before === undefined) return;
-    this.future = [...this.future, this.text];
+    this.future = [...this.future, this.step()];
     this.past = this.past.slice(0, -1);
     this.to(before);
   }
 
-  redo(): void {
+  async redo(): Promise<void> {
+    await this.settled();
     const after = this.future.at(-1);
     if (after === undefined) return;
-    this.past = [...this.past, this.text];
+    this.past = [...this.past, this.step()];
     this.future = this.future.slice(0, -1);
     this.to(after);
   }
@@ -143,32 +134,6 @@ class Edited {
     }
   }
 
-  /** Changes the program by operations, which the cell carries out with comments kept, after those before. */
-  operate(operations: unknown[]): Promise<boolean> {
-    this.operations += 1;
-    const { opened } = this;
-    const done = this.last.then(() => this.carryOut(operations, opened)).finally(() => (this.operations -= 1));
-    this.last = done;
-    return done;
-  }
-
-  private async carryOut(operations: unknown[], opened: number): Promise<boolean> {
-    try {
-      while (opened === this.opened) {
-        const before = this.text;
-        const { text } = await api.edit(before, operations);
-        // Meanwhile changed by hand: once more, from there.
-        if (opened !== this.opened || before !== this.text) continue;
-        this.change(text, `edit ${Date.now()}`);
-        this.trouble = '';
-        return true;
-      }
-    } catch (error) {
-      this.trouble = refusalText(error);
-    }
-    return false;
-  }
-
   /** Ends the plan that is being made; the cell stops working on it when its request is closed. */
   cancel(): void {
     if (!this.plans) return;
@@ -183,8 +148,13 @@ class Edited {
     this.planSoon(0);
   }
 
-  private to(text: string): void {
-    this.text = text;
+  private step(): Step {
+    return { text: this.text, form: this.text.length < LONG_CHARS ? this.read : null };
+  }
+
+  private to({ text, form }: Step): void {
+    super.change(text, '');
+    if (form) this.take({ text, form, wrong: null });
     this.group = '';
     this.planSoon();
   }
@@ -198,6 +168,7 @@ class Edited {
 
   /** Parts, fixtures and sections at once; the plan, which takes longer, comes after. */
   private async draw(): Promise<void> {
+    void this.refresh();
     if (!session.may('plan')) return;
     this.drawing?.abort();
     const drawing = new AbortController();

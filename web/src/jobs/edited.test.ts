@@ -14,6 +14,7 @@ test('a long plan tells its time, and cancelled it closes its request and is ask
   session.view = { user: 'ada', role: 'programmer', may: ['plan'], token: 't', first_run: false };
   const signals: AbortSignal[] = [];
   vi.spyOn(api, 'draft').mockResolvedValue({ kind: 'wrong', message: { code: 'text', text: '', arguments: [['text', { type: 'text', value: '' }]] } });
+  vi.spyOn(api, 'form').mockImplementation(async (text) => ({ text, form: { tables: [], passes: [] }, wrong: null }));
   vi.spyOn(api, 'plan').mockImplementation((_, signal) => {
     if (signal) signals.push(signal);
     return new Promise<PlanAnswer>((_, fails) => signal?.addEventListener('abort', () => fails(new DOMException('', 'AbortError'))));

@@ -1,29 +1,26 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { expect, test, vi } from 'vitest';
-import { ADDABLE, PREPARATIONS } from './tables';
-import { read } from './toml';
-
 vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
 vi.stubGlobal('navigator', { languages: ['en'] });
 
 /** Names of axes and of process values beyond the usual are the file's own. */
 const OWN = new Set(['a', 'b', 's', 'a_mm', 'b_mm', 's_mm']);
 
-test('every key of the examples, of added tables and of those that the format allows has words in every language', async () => {
+test('every key of the examples, and every key and name that their formats allow, has words in every language', async () => {
   const { words, languages } = await import('../words/index.svelte');
-  const { keyTitle, tableTitle } = await import('./keys');
-  const names = new Set([...ADDABLE, ...Object.entries(PREPARATIONS).flatMap(([kind, sizes]) => [kind, ...Object.keys(sizes)])]);
+  const { keyTitle, pathTitle } = await import('./keys');
+  const names = new Set<string>();
+  const root = new URL('../../../', import.meta.url);
   for (const folder of ['examples/', 'examples/procedures/']) {
-    const url = new URL(`../../../${folder}`, import.meta.url);
-    for (const file of readdirSync(url).filter((name) => name.endsWith('.toml'))) {
-      for (const { table, key, value } of read(readFileSync(new URL(file, url), 'utf8'))) {
-        for (const name of [...table.split('.'), key, ...(value.kind === 'table' ? value.entries.map((of) => of.key) : [])]) names.add(name);
-      }
+    for (const file of readdirSync(new URL(folder, root)).filter((name) => name.endsWith('.toml'))) {
+      const text = readFileSync(new URL(folder + file, root), 'utf8').replace(/"[^"\n]*"|#.*/g, '');
+      for (const [, header, key] of text.matchAll(/^\[+([^\]]+)\]|([\w.]+) *=/gm)) for (const name of (header ?? key ?? '').split('.')) names.add(name);
     }
   }
-  const schema = readFileSync(new URL('../../../docs/schema/job.json', import.meta.url), 'utf8');
-  JSON.parse(schema, (key, value: unknown) => {
+  JSON.parse(readFileSync(new URL('docs/schema/job.json', root), 'utf8'), (key, value: unknown) => {
     if (key === 'properties' && typeof value === 'object' && value !== null) for (const name of Object.keys(value)) names.add(name);
+    if (key === 'enum' && Array.isArray(value)) for (const name of value) names.add(String(name));
+    if (key === 'const' && typeof value === 'string') names.add(value);
     return value;
   });
   const wanted = [...names].filter((name) => /[a-z]/.test(name) && name !== 'schema' && !OWN.has(name));
@@ -36,7 +33,7 @@ test('every key of the examples, of added tables and of those that the format al
   await words.choose('de');
   expect(keyTitle('root_gap_mm')).toBe('Stegabstand [mm]');
   expect(keyTitle('single_v')).toBe('V-Naht');
-  expect(tableTitle('passes.0.points.spans.2')).toBe('Lagen 1 · Punkte · Abschnitte 3');
+  expect(pathTitle('passes[0].points.spans[2]')).toBe('Lagen 1 · Punkte · Abschnitte 3');
   await words.choose('en');
   expect(keyTitle('root_gap_mm')).toBe('root gap [mm]');
   expect(keyTitle('wire_feed_m_min')).toBe('wire feed [m/min]');

@@ -16,8 +16,8 @@ export function keyTitle(name: string): string {
   return unit ? `${word} [${unit}]` : word;
 }
 
-/** A table's path in words, lists counted from 1. */
-export function tableTitle(table: string): string {
-  const titles = table.split('.').map((part, i, all) => (/^\d+$/.test(part) ? '' : `${keyTitle(part)} ${/^\d+$/.test(all[i + 1] ?? '') ? Number(all[i + 1]) + 1 : ''}`.trim()));
-  return titles.filter((title) => title !== '').join(' · ');
+/** A path in words, elements of lists counted from 1. */
+export function pathTitle(path: string): string {
+  const part = (of: string): string => of.replace(/^[^[]+/, keyTitle).replace(/\[(\d+)\]/g, (_, nth: string) => ` ${Number(nth) + 1}`);
+  return path.split('.').map(part).join(' · ');
 }

@@ -98,6 +98,8 @@ export const api = {
   load: (load: Wire.Load) => request<Wire.WorkView>('POST', '/api/load', load),
   post: (text: string, dialect: string) =>
     request<Wire.PostAnswer>('POST', '/api/post', { text, dialect }),
+  /** The entries of a text, after changes of some; nothing is saved. */
+  form: (text: string, changes: Wire.FormChange[] = []) => request<Wire.FormAnswer>('POST', '/api/form', { text, changes }),
   edit: (text: string, operations: unknown[]) =>
     request<Wire.EditAnswer>('POST', '/api/edit', { text, operations }),
   /** Positions of axes and tip; refused while an axis moves. */

@@ -1,7 +1,6 @@
 import { FluentResource } from '@fluent/bundle';
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test, vi } from 'vitest';
-import { read } from '../jobs/toml';
 import type { MessageView } from '../wire';
 import { accented, Catalogue, languages, load, type Language } from './catalogue';
 
@@ -139,7 +138,7 @@ test('titles of supplied files and comments on their keys have words in every la
   const files = folders.flatMap((folder) => readdirSync(new URL(folder, root)).filter((name) => name.endsWith('.toml')).map((name) => folder + name));
   const titles = files.map((path) => /^title = "(.*)"$/m.exec(file(path))?.[1] ?? '');
   // The panel shows the comments of jobs and procedures, not those of machines.
-  const comments = files.filter((path) => !path.startsWith('machines/')).flatMap((path) => read(file(path)).map((entry) => entry.comment));
+  const comments = files.filter((path) => !path.startsWith('machines/')).flatMap((path) => [...file(path).matchAll(/^((?:[a-z_.]+ *=|\])(?:[^"#\n]|"[^"\n]*")*)# *(.*)$/gm)].filter((row) => !row[1]?.trimEnd().endsWith('[')).map((row) => row[2] ?? ''));
   const shown = [...new Set([...titles, ...comments])].filter((text) => text !== '').sort();
   expect(shown.length).toBeGreaterThan(100);
   for (const language of Object.keys(languages).filter((code) => code !== 'en')) {

@@ -1,6 +1,7 @@
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
-use crate::wire::EditAnswer;
+use crate::form;
+use crate::wire::{EditAnswer, FormAnswer, FormText};
 use axum::Json;
 use axum::extract::State;
 use seamwright_document::DocumentError;
@@ -11,6 +12,9 @@ use std::sync::Arc;
 
 /// Maximum number of operations in a request.
 const MAX_OPERATIONS: usize = 1000;
+
+/// Maximum number of changes of a form in a request; each reads the whole text.
+const MAX_CHANGES: usize = 50;
 
 /// A text and operations on it, in the format of `seamwright edit --script`.
 #[derive(Deserialize)]
@@ -38,6 +42,14 @@ fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
     })?;
     let words = reports.into_iter().map(|report| report.words.into()).collect();
     Ok(EditAnswer { text: editor.text().to_owned(), words })
+}
+
+pub(super) async fn form(State(panel): State<Arc<Panel>>, Json(asked): Json<FormText>) -> Answer<FormAnswer> {
+    if asked.changes.len() > MAX_CHANGES {
+        return Err(Refused::input(Message::new("server-too-many-operations").count("max", MAX_CHANGES)));
+    }
+    let answer = move || form::answer(asked).map_err(|e| Refused::input(document_message(&e)));
+    panel.reading.run(answer).await.map(Json)
 }
 
 /// Describes an error without its line: the line belongs to a text that the user does not see.

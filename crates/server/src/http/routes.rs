@@ -6,11 +6,11 @@ use super::{
     socket, stop, teach, users,
 };
 use crate::wire::{
-    AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobKept,
-    JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText,
-    PlanAnswer, PlanningView, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer, SensorChange, SensorsView,
-    SessionView, Shelving, StandingView, Stopped, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip,
-    ToolTouches, TraceView, TuningView, UserChange, UserRow, WorkView,
+    AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, FormAnswer,
+    FormText, JobKept, JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView,
+    PlaceAnswer, PlaceText, PlanAnswer, PlanningView, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer,
+    SensorChange, SensorsView, SessionView, Shelving, StandingView, Stopped, TaughtProgram, TaughtView, TeachProgram,
+    ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -150,6 +150,15 @@ pub(super) fn routes() -> Vec<Route> {
         Route::write("post", "/api/post", "post", "A part program with its proof", post(plan::post))
             .with_body::<PostText>()
             .with_answer::<PostAnswer>(),
+        Route::write(
+            "post",
+            "/api/form",
+            "jobs.read",
+            "Entries of a text with what its format allows, after changes of some; nothing is saved",
+            post(edit::form),
+        )
+        .with_body::<FormText>()
+        .with_answer::<FormAnswer>(),
         Route::write("post", "/api/edit", "edit", "Edits a text", post(edit::edit)).with_answer::<EditAnswer>(),
         Route::get(
             "/api/position",

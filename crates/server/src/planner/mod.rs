@@ -9,7 +9,7 @@ mod child;
 mod question;
 mod worker;
 
-pub(crate) use question::Question;
+pub(crate) use question::{JOB, Question, wrong_view};
 pub use worker::answer_one_question;
 
 use crate::http::{Refused, Turns};

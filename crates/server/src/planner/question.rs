@@ -3,6 +3,7 @@
 use crate::http::{Refused, found_place, try_load};
 use crate::view::{clamped_views, sections, work_view};
 use crate::wire::{DraftAnswer, Load, PlaceText, PlanAnswer, PostAnswer, WrongView};
+use seamwright_document::DocumentError;
 use seamwright_message::Message;
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_project::Failure;
@@ -14,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// File name of the text in question.
-const JOB: &str = "job.toml";
+pub(crate) const JOB: &str = "job.toml";
 
 /// A question about a text.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -95,19 +96,21 @@ fn plan(text: &str, number: u64, jobs: &Path) -> PlanAnswer {
 }
 
 fn wrong(failure: &Failure) -> PlanAnswer {
-    let at = match failure {
-        Failure::Document(error) => Some(Box::new(WrongView {
-            file: (error.file != JOB).then(|| error.file.clone()),
-            line: (error.file == JOB && error.line > 0).then_some(error.line),
-            key: error.key.clone(),
-            value: error.value.clone(),
-            what: (&error.message).into(),
-            allowed: error.allowed.as_ref().map(Into::into),
-            help: error.help.as_ref().map(Into::into),
-        })),
-        _ => None,
-    };
+    let at = if let Failure::Document(error) = failure { Some(Box::new(wrong_view(error))) } else { None };
     PlanAnswer::Wrong { message: failure.message().into(), at }
+}
+
+/// Returns the parts of a fault; its line only if it is in the text [`JOB`] itself.
+pub(crate) fn wrong_view(error: &DocumentError) -> WrongView {
+    WrongView {
+        file: (error.file != JOB).then(|| error.file.clone()),
+        line: (error.file == JOB && error.line > 0).then_some(error.line),
+        key: error.key.clone(),
+        value: error.value.clone(),
+        what: (&error.message).into(),
+        allowed: error.allowed.as_ref().map(Into::into),
+        help: error.help.as_ref().map(Into::into),
+    }
 }
 
 fn report(name: &str, text: &str, language: &str, jobs: &Path) -> Result<Vec<u8>, Refused> {

@@ -5,6 +5,7 @@
 mod cell;
 mod certificate;
 mod choices;
+mod form;
 mod message;
 mod record;
 mod setup;
@@ -16,6 +17,7 @@ mod weld;
 pub use cell::*;
 pub use certificate::*;
 pub use choices::*;
+pub use form::*;
 pub use message::*;
 pub use record::*;
 pub use setup::*;

@@ -1,0 +1,632 @@
+//! Changes of single entries of a text. Everything else stays byte by byte: comments, order, layout, ends of lines.
+
+use crate::entries::parsed;
+use crate::error::DocumentError;
+use crate::path::{Step, path_of, steps, written_key};
+use schemars::JsonSchema;
+use seamwright_message::Message;
+use serde::Deserialize;
+use serde_json::Value as Given;
+use std::ops::Range;
+use toml_edit::{Array, InlineTable, Item, Table, TableLike, Value};
+
+/// A change of an entry; paths are those of errors, like `passes[0].points.start[2]`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(tag = "op", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Change {
+    /// Sets a value, or adds a key with its value: a table to the root under its own header, otherwise in one line.
+    Set {
+        /// Path of the value.
+        path: String,
+        /// Number, text, truth, list or table.
+        value: Given,
+    },
+    /// Removes a key, a table with all tables within it, or an element of a list.
+    Remove {
+        /// Its path.
+        path: String,
+    },
+    /// Inserts an element into a list before the one at the path, or behind the last one.
+    Insert {
+        /// Path of the new element.
+        path: String,
+        /// A value; a table in a list of tables.
+        value: Given,
+    },
+    /// Moves an element of a list.
+    Move {
+        /// Path of the element.
+        path: String,
+        /// Its new index.
+        to: usize,
+    },
+    /// Gives a key another name; its value stays.
+    Rename {
+        /// Path of the key.
+        path: String,
+        /// The new key.
+        key: String,
+    },
+}
+
+impl Change {
+    fn path(&self) -> &str {
+        match self {
+            Self::Set { path, .. }
+            | Self::Remove { path }
+            | Self::Insert { path, .. }
+            | Self::Move { path, .. }
+            | Self::Rename { path, .. } => path,
+        }
+    }
+}
+
+/// Makes changes one after the other in `text`, called `file` in errors.
+///
+/// # Errors
+/// A text with wrong syntax, a path that is not there, or a change that its place does not allow.
+pub fn changed(file: &str, text: &str, changes: &[Change]) -> Result<String, DocumentError> {
+    changes.iter().try_fold(text.to_owned(), |text, change| {
+        let document = parsed(file, &text)?;
+        let refused = |code| DocumentError::at_key(file, change.path(), Message::new(code));
+        let steps = steps(change.path()).ok_or_else(|| refused("document-no-such-entry"))?;
+        let source = Source { text: &text, root: document.as_table() };
+        let made = source.change(change, &steps).map_err(|Refusal(code)| refused(code))?;
+        // Proves that the result is still TOML.
+        parsed(file, &made)?;
+        Ok(made)
+    })
+}
+
+/// Code of the reason why a change is not made.
+struct Refusal(&'static str);
+
+const MISSING: Refusal = Refusal("document-no-such-entry");
+const UNFIT: Refusal = Refusal("document-unfit-change");
+
+/// Something in a text.
+#[derive(Clone, Copy)]
+enum Node<'a> {
+    Table(&'a Table),
+    Tables(&'a toml_edit::ArrayOfTables),
+    Value(&'a Value),
+}
+
+impl<'a> Node<'a> {
+    fn of(item: &'a Item) -> Option<Self> {
+        match item {
+            Item::None => None,
+            Item::Value(value) => Some(Self::Value(value)),
+            Item::Table(table) => Some(Self::Table(table)),
+            Item::ArrayOfTables(list) => Some(Self::Tables(list)),
+        }
+    }
+
+    fn step(self, step: &Step) -> Option<Self> {
+        match (self, step) {
+            (Self::Table(table), Step::Key(key)) => Self::of(table.get(key)?),
+            (Self::Value(Value::InlineTable(table)), Step::Key(key)) => table.get(key).map(Self::Value),
+            (Self::Tables(list), Step::Nth(nth)) => list.get(*nth).map(Self::Table),
+            (Self::Value(Value::Array(list)), Step::Nth(nth)) => list.get(*nth).map(Self::Value),
+            _ => None,
+        }
+    }
+}
+
+/// A table under a header of its own.
+struct Block {
+    steps: Vec<Step>,
+    header: Range<usize>,
+    /// From the line of its header to the last line that is its own.
+    range: Range<usize>,
+}
+
+struct Source<'a> {
+    text: &'a str,
+    root: &'a Table,
+}
+
+impl<'a> Source<'a> {
+    fn change(&self, change: &Change, steps: &[Step]) -> Result<String, Refusal> {
+        match change {
+            Change::Set { value, .. } => self.set(steps, value),
+            Change::Remove { .. } => self.remove(steps),
+            Change::Insert { value, .. } => self.insert(steps, value),
+            Change::Move { to, .. } => self.moved(steps, *to),
+            Change::Rename { key, .. } => self.rename(steps, key),
+        }
+    }
+
+    fn find(&self, steps: &[Step]) -> Option<Node<'a>> {
+        steps.iter().try_fold(Node::Table(self.root), |node, step| node.step(step))
+    }
+
+    /// The list or table above the last step.
+    fn above<'s>(&self, steps: &'s [Step]) -> Result<(Node<'a>, &'s Step), Refusal> {
+        let (last, above) = steps.split_last().ok_or(MISSING)?;
+        Ok((self.find(above).ok_or(MISSING)?, last))
+    }
+
+    fn with(&self, range: Range<usize>, by: &str) -> String {
+        [&self.text[..range.start], by, &self.text[range.end..]].concat()
+    }
+
+    /// End of line of this text.
+    fn newline(&self) -> &'static str {
+        if self.text.contains("\r\n") { "\r\n" } else { "\n" }
+    }
+
+    fn line_start(&self, at: usize) -> usize {
+        self.text[..at].rfind('\n').map_or(0, |i| i + 1)
+    }
+
+    /// End of the line, in front of its line break.
+    fn line_end(&self, at: usize) -> usize {
+        let end = self.text[at..].find('\n').map_or(self.text.len(), |i| at + i);
+        if self.text[at..end].ends_with('\r') { end - 1 } else { end }
+    }
+
+    /// Begin of the next line.
+    fn next_line(&self, at: usize) -> usize {
+        self.text[at..].find('\n').map_or(self.text.len(), |i| at + i + 1)
+    }
+
+    fn set(&self, steps: &[Step], value: &Given) -> Result<String, Refusal> {
+        match self.find(steps) {
+            Some(Node::Value(old)) => return Ok(self.with(old.span().ok_or(UNFIT)?, &written(value)?)),
+            Some(_) => return Err(UNFIT),
+            None => {}
+        }
+        let known = (0..steps.len()).rev().find(|n| self.find(&steps[..*n]).is_some()).unwrap_or(0);
+        let (above, left) = (self.find(&steps[..known]).ok_or(MISSING)?, &steps[known..]);
+        let keys: Option<Vec<&str>> =
+            left.iter().map(|step| if let Step::Key(key) = step { Some(key.as_str()) } else { None }).collect();
+        let keys = keys.ok_or(MISSING)?;
+        let (key, inner) = keys.split_first().ok_or(MISSING)?;
+        let wrap = |value: Given, key: &&str| Given::Object([((*key).to_owned(), value)].into_iter().collect());
+        let value = inner.iter().rev().fold(value.clone(), wrap);
+        match above {
+            Node::Table(_) if known == 0 && value.is_object() => self.with_sections(key, &value),
+            Node::Table(table) => self.with_line(table, &steps[..known], key, &value),
+            Node::Value(Value::InlineTable(table)) => {
+                let cells = cells(table).into_iter().map(|(_, value)| value).collect::<Vec<_>>();
+                let whole = table.span().ok_or(UNFIT)?;
+                let entry = format!("{} = {}", written_key(key), written(&value)?);
+                let spaced = if cells.is_empty() { format!(" {entry} ") } else { entry };
+                Ok(self.inserted(&whole, &cells, cells.len(), &spaced))
+            }
+            _ => Err(UNFIT),
+        }
+    }
+
+    /// The text with a table under its own header behind everything else.
+    fn with_sections(&self, key: &str, value: &Given) -> Result<String, Refusal> {
+        let mut sections = Vec::new();
+        write_sections(&written_key(key), value, &mut sections)?;
+        let newline = self.newline();
+        let sections = sections.join("\n").replace('\n', newline);
+        Ok(format!("{}{newline}{newline}{sections}", self.text.trim_end()))
+    }
+
+    /// The text with another key behind the values of a table, in a line of its own.
+    fn with_line(&self, table: &Table, steps: &[Step], key: &str, value: &Given) -> Result<String, Refusal> {
+        let own = table.iter().filter_map(|(key, item)| {
+            let key = table.key(key)?.span()?;
+            Some((key, item.as_value()?.span()?))
+        });
+        let (key, value) = (written_key(key), written(value)?);
+        let newline = self.newline();
+        let Some((last_key, last)) = own.max_by_key(|(_, value)| value.end) else {
+            let block = self.blocks().into_iter().find(|block| block.steps == steps);
+            let Some(block) = block else {
+                return if steps.is_empty() {
+                    Ok(format!("{key} = {value}{newline}{}", self.text))
+                } else {
+                    Err(UNFIT)
+                };
+            };
+            let at = self.line_end(block.header.end);
+            return Ok(self.with(at..at, &format!("{newline}{key} = {value}")));
+        };
+        // A dotted key names its table: so does the one under it.
+        let prefix = &self.text[self.line_start(last_key.start)..last_key.start];
+        let at = self.line_end(last.end);
+        Ok(self.with(at..at, &format!("{newline}{prefix}{key} = {value}")))
+    }
+
+    fn remove(&self, steps: &[Step]) -> Result<String, Refusal> {
+        let (above, last) = self.above(steps)?;
+        match (above, last, self.find(steps).ok_or(MISSING)?) {
+            (Node::Value(Value::Array(list)), Step::Nth(nth), _) => Ok(self.without(&items(list), *nth)),
+            (Node::Value(Value::InlineTable(table)), Step::Key(key), _) => {
+                let cells = cells(table);
+                let nth = cells.iter().position(|(of, _)| of == key).ok_or(UNFIT)?;
+                Ok(self.without(&cells.into_iter().map(|(_, range)| range).collect::<Vec<_>>(), nth))
+            }
+            (Node::Table(table), Step::Key(key), Node::Value(value)) => {
+                let key = table.key(key).and_then(toml_edit::Key::span).ok_or(UNFIT)?;
+                let value = value.span().ok_or(UNFIT)?;
+                Ok(self.with(self.line_start(key.start)..self.next_line(value.end), ""))
+            }
+            _ => self.without_table(steps),
+        }
+    }
+
+    /// The text without a table, those within it, and the blank lines behind them.
+    fn without_table(&self, steps: &[Step]) -> Result<String, Refusal> {
+        let mut ranges: Vec<Range<usize>> =
+            self.blocks().into_iter().filter(|block| block.steps.starts_with(steps)).map(|block| block.range).collect();
+        if let Some(Node::Table(table)) = self.find(steps)
+            && table.is_dotted()
+        {
+            self.dotted_lines(table, &mut ranges);
+        }
+        if ranges.is_empty() {
+            return Err(UNFIT);
+        }
+        ranges.sort_by_key(|range| range.start);
+        let mut left = self.text.to_owned();
+        for range in ranges.into_iter().rev() {
+            let behind = left[range.end..].to_owned();
+            left.truncate(range.start);
+            left.push_str(behind.trim_start_matches(['\n', '\r']));
+        }
+        Ok(format!("{}{}", left.trim_end(), self.newline()))
+    }
+
+    /// Adds the lines of the values of a dotted table.
+    fn dotted_lines(&self, table: &Table, ranges: &mut Vec<Range<usize>>) {
+        for (key, item) in table.iter() {
+            match (item, table.key(key).and_then(toml_edit::Key::span), item.span()) {
+                (Item::Table(inner), ..) if inner.is_dotted() => self.dotted_lines(inner, ranges),
+                (Item::Value(_), Some(key), Some(value)) => {
+                    ranges.push(self.line_start(key.start)..self.next_line(value.end));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The text without an element of a list or of an inline table, and the comma that is left over.
+    fn without(&self, elements: &[Range<usize>], nth: usize) -> String {
+        let Some(own) = elements.get(nth) else { return self.text.to_owned() };
+        let (start, end) = (self.line_start(own.start), self.line_end(own.end));
+        let behind = self.text[own.end..end].trim_start_matches(',').trim_start();
+        let stands_alone =
+            self.text[start..own.start].trim().is_empty() && (behind.is_empty() || behind.starts_with('#'));
+        match (elements.get(nth + 1), nth.checked_sub(1).and_then(|before| elements.get(before))) {
+            _ if stands_alone => self.with(start..self.next_line(own.end), ""),
+            (Some(next), _) => self.with(own.start..next.start, ""),
+            (None, Some(before)) => self.with(before.end..own.end, ""),
+            (None, None) => self.with(own.clone(), ""),
+        }
+    }
+
+    fn insert(&self, steps: &[Step], value: &Given) -> Result<String, Refusal> {
+        let (last, list) = steps.split_last().ok_or(MISSING)?;
+        let Step::Nth(nth) = last else { return Err(UNFIT) };
+        match self.find(list) {
+            Some(Node::Value(Value::Array(array))) if *nth <= array.len() => {
+                let whole = array.span().ok_or(UNFIT)?;
+                Ok(self.inserted(&whole, &items(array), *nth, &written(value)?))
+            }
+            Some(Node::Tables(tables)) if *nth <= tables.len() => {
+                let extents = self.extents(list, tables.len());
+                let at = extents.get(*nth).map_or_else(|| extents.last().map(|e| e.end), |e| Some(e.start));
+                Ok(self.with_element(at.ok_or(UNFIT)?, list, value)?)
+            }
+            None if *nth == 0 && list.iter().all(|step| matches!(step, Step::Key(_))) => {
+                self.with_element(self.text.len(), list, value)
+            }
+            _ => Err(MISSING),
+        }
+    }
+
+    /// The text with an element of a list of tables at a place between others.
+    fn with_element(&self, at: usize, list: &[Step], value: &Given) -> Result<String, Refusal> {
+        let header = header_of(list);
+        let mut lines = format!("[[{header}]]\n");
+        for (key, value) in value.as_object().ok_or(UNFIT)? {
+            lines += &format!("{} = {}\n", written_key(key), written(value)?);
+        }
+        let newline = self.newline();
+        let (before, behind) = (self.text[..at].trim_end(), self.text[at..].trim_start_matches(['\n', '\r']));
+        let gap = |text: &str| if text.is_empty() { "" } else { newline };
+        let lines = lines.replace('\n', newline);
+        Ok(format!("{before}{}{}{lines}{}{behind}", gap(before), gap(before), gap(behind)))
+    }
+
+    /// The text with another element before the `nth` of a list or of an inline table, `whole` with its brackets.
+    fn inserted(&self, whole: &Range<usize>, elements: &[Range<usize>], nth: usize, by: &str) -> String {
+        let own_line = |element: &Range<usize>| {
+            let start = self.line_start(element.start);
+            self.text[start..element.start].trim().is_empty().then_some(start..element.start)
+        };
+        match (elements.get(nth), elements.last()) {
+            (Some(next), _) => {
+                let gap =
+                    own_line(next).map_or(" ".to_owned(), |indent| self.newline().to_owned() + &self.text[indent]);
+                self.with(next.start..next.start, &format!("{by},{gap}"))
+            }
+            (None, Some(last)) => {
+                let has_comma = self.text[last.end..whole.end].trim_start().starts_with(',');
+                let Some(indent) = own_line(last).filter(|indent| indent.start > whole.start) else {
+                    return self.with(last.end..last.end, &format!(", {by}"));
+                };
+                let line = format!("{}{}{by}", self.newline(), &self.text[indent]);
+                if has_comma {
+                    let at = self.line_end(last.end);
+                    return self.with(at..at, &format!("{line},"));
+                }
+                self.with(last.end..last.end, &format!(",{line}"))
+            }
+            (None, None) => self.with(whole.start + 1..whole.end - 1, by),
+        }
+    }
+
+    fn moved(&self, steps: &[Step], to: usize) -> Result<String, Refusal> {
+        let (above, last) = self.above(steps)?;
+        let Step::Nth(nth) = last else { return Err(UNFIT) };
+        let slots = match above {
+            Node::Value(Value::Array(list)) => items(list),
+            Node::Tables(list) => self.extents(&steps[..steps.len() - 1], list.len()),
+            _ => return Err(UNFIT),
+        };
+        if *nth >= slots.len() || to >= slots.len() {
+            return Err(MISSING);
+        }
+        let mut order: Vec<&Range<usize>> = slots.iter().collect();
+        let own = order.remove(*nth);
+        order.insert(to, own);
+        let mut text = self.text.to_owned();
+        for (slot, from) in slots.iter().zip(order).rev() {
+            text.replace_range(slot.clone(), &self.text[from.clone()]);
+        }
+        Ok(text)
+    }
+
+    /// Where the elements of a list of tables stand: from the comments over their headers to the last line within them.
+    fn extents(&self, list: &[Step], count: usize) -> Vec<Range<usize>> {
+        let blocks = self.blocks();
+        let extent = |nth: usize| {
+            let element = [list, &[Step::Nth(nth)]].concat();
+            let of = |block: &&Block| block.steps.starts_with(&element);
+            let own = blocks.iter().position(|block| of(&block))?;
+            let last = blocks.iter().rfind(of)?.range.end;
+            let before = own.checked_sub(1).map_or(0, |i| blocks[i].range.end);
+            let first = self.text[before..].find(|c: char| !c.is_whitespace()).map_or(before, |i| before + i);
+            Some(if own == 0 { blocks[own].range.start } else { self.line_start(first) }..last)
+        };
+        (0..count).map_while(extent).collect()
+    }
+
+    fn rename(&self, steps: &[Step], key: &str) -> Result<String, Refusal> {
+        let (above, last) = self.above(steps)?;
+        let Step::Key(old) = last else { return Err(UNFIT) };
+        if above.step(&Step::Key(key.to_owned())).is_some() {
+            return Err(UNFIT);
+        }
+        let span = match (above, self.find(steps).ok_or(MISSING)?) {
+            (Node::Value(Value::InlineTable(table)), _) => TableLike::key(table, old).and_then(toml_edit::Key::span),
+            (Node::Table(table), Node::Value(_)) => table.key(old).and_then(toml_edit::Key::span),
+            _ => None,
+        };
+        if let Some(span) = span {
+            return Ok(self.with(span, &written_key(key)));
+        }
+        let mut text = self.text.to_owned();
+        let blocks = self.blocks().into_iter().filter(|block| block.steps.starts_with(steps)).collect::<Vec<_>>();
+        for Block { steps: mut of, header, .. } in blocks.into_iter().rev() {
+            let bracket = if matches!(of.last(), Some(Step::Nth(_))) { ["[[", "]]"] } else { ["[", "]"] };
+            of[steps.len() - 1] = Step::Key(key.to_owned());
+            text.replace_range(header, &[bracket[0], &header_of(&of), bracket[1]].concat());
+        }
+        if text == self.text { Err(UNFIT) } else { Ok(text) }
+    }
+
+    /// All tables with headers, in their order.
+    fn blocks(&self) -> Vec<Block> {
+        let mut blocks = Vec::new();
+        headers(self.root, &mut Vec::new(), &mut blocks);
+        blocks.sort_by_key(|block: &Block| block.header.start);
+        let starts: Vec<usize> = blocks.iter().map(|block| self.line_start(block.header.start)).collect();
+        for (i, block) in blocks.iter_mut().enumerate() {
+            let mut end = starts.get(i + 1).copied().unwrap_or(self.text.len());
+            // Blank lines and comments above the next header belong to that.
+            while i + 1 < starts.len() {
+                let line = self.line_start(end - 1);
+                let text = self.text[line..end].trim();
+                if line <= block.header.start || !(text.is_empty() || text.starts_with('#')) {
+                    break;
+                }
+                end = line;
+            }
+            block.range = starts[i]..end;
+        }
+        blocks
+    }
+}
+
+fn headers(table: &Table, path: &mut Vec<Step>, blocks: &mut Vec<Block>) {
+    if let Some(header) = crate::entries::header(table).filter(|_| !path.is_empty()) {
+        blocks.push(Block { steps: path.clone(), header, range: 0..0 });
+    }
+    for (key, item) in table.iter() {
+        path.push(Step::Key(key.to_owned()));
+        match item {
+            Item::Table(inner) => headers(inner, path, blocks),
+            Item::ArrayOfTables(list) => {
+                for (nth, inner) in list.iter().enumerate() {
+                    path.push(Step::Nth(nth));
+                    headers(inner, path, blocks);
+                    path.pop();
+                }
+            }
+            Item::Value(_) | Item::None => {}
+        }
+        path.pop();
+    }
+}
+
+/// The keys of a path, as a header has them.
+fn header_of(steps: &[Step]) -> String {
+    let keys: Vec<Step> = steps.iter().filter(|step| matches!(step, Step::Key(_))).cloned().collect();
+    path_of(&keys)
+}
+
+fn items(list: &Array) -> Vec<Range<usize>> {
+    list.iter().filter_map(Value::span).collect()
+}
+
+/// The entries of an inline table, each with its key.
+fn cells(table: &InlineTable) -> Vec<(String, Range<usize>)> {
+    let cell = |(key, value): (&str, &Value)| {
+        Some((key.to_owned(), TableLike::key(table, key)?.span()?.start..value.span()?.end))
+    };
+    table.iter().filter_map(cell).collect()
+}
+
+/// A value in one line.
+fn written(value: &Given) -> Result<String, Refusal> {
+    Ok(match value {
+        Given::Null => return Err(UNFIT),
+        Given::Bool(truth) => truth.to_string(),
+        // Its float format always has a point or an exponent.
+        Given::Number(number) if number.is_f64() => format!("{:?}", number.as_f64().unwrap_or_default()),
+        Given::Number(number) => number.to_string(),
+        Given::String(text) => Value::from(text.as_str()).to_string(),
+        Given::Array(list) => format!("[{}]", list.iter().map(written).collect::<Result<Vec<_>, _>>()?.join(", ")),
+        Given::Object(table) if table.is_empty() => "{}".to_owned(),
+        Given::Object(table) => {
+            let entry = |(key, value): (&String, &Given)| Ok(format!("{} = {}", written_key(key), written(value)?));
+            format!("{{ {} }}", table.iter().map(entry).collect::<Result<Vec<_>, _>>()?.join(", "))
+        }
+    })
+}
+
+/// Adds a table and those within it under headers; one that holds only tables has none.
+fn write_sections(header: &str, value: &Given, sections: &mut Vec<String>) -> Result<(), Refusal> {
+    let table = value.as_object().ok_or(UNFIT)?;
+    let mut own = String::new();
+    for (key, value) in table.iter().filter(|(_, value)| !value.is_object()) {
+        own += &format!("{} = {}\n", written_key(key), written(value)?);
+    }
+    if !own.is_empty() || table.is_empty() {
+        sections.push(format!("[{header}]\n{own}"));
+    }
+    for (key, value) in table.iter().filter(|(_, value)| value.is_object()) {
+        write_sections(&format!("{header}.{}", written_key(key)), value, sections)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn make(text: &str, change: Given) -> String {
+        changed("x.toml", text, &[serde_json::from_value(change).unwrap()]).unwrap()
+    }
+
+    fn set(text: &str, path: &str, value: Given) -> String {
+        make(text, json!({ "op": "set", "path": path, "value": value }))
+    }
+
+    fn remove(text: &str, path: &str) -> String {
+        make(text, json!({ "op": "remove", "path": path }))
+    }
+
+    fn insert(text: &str, path: &str, value: Given) -> String {
+        make(text, json!({ "op": "insert", "path": path, "value": value }))
+    }
+
+    #[test]
+    fn a_value_is_set_and_everything_else_stays() {
+        let text = "# top\r\na = 1   # one\r\n[t]\r\nb = [ 1,\t2 ]\r\nc = { x = 1, y = { z = \"q\" } } # c\r\n";
+        assert_eq!(set(text, "a", json!(2.5)), text.replace("a = 1", "a = 2.5"));
+        assert_eq!(set(text, "t.b[1]", json!(-3)), text.replace("\t2", "\t-3"));
+        assert_eq!(set(text, "t.c.y.z", json!("a \"b\"")).matches("a \"b\"").count(), 1);
+        assert_eq!(set(text, "t.b", json!([true, 1e30])), text.replace("[ 1,\t2 ]", "[true, 1e30]"));
+    }
+
+    #[test]
+    fn a_key_is_added_to_the_table_that_it_belongs_to() {
+        assert_eq!(set("a = 1\n[t]\nb = 2\n", "c", json!(3)), "a = 1\nc = 3\n[t]\nb = 2\n");
+        assert_eq!(set("[t]\nx.b = 2 # why\n", "t.x.c", json!(3)), "[t]\nx.b = 2 # why\nx.c = 3\n");
+        assert_eq!(set("[t]\nb = [\n 1,\n 2,\n]", "t.c", json!(3)), "[t]\nb = [\n 1,\n 2,\n]\nc = 3");
+        assert_eq!(set("[t]\n[u]\n", "t.c", json!(3)), "[t]\nc = 3\n[u]\n");
+        assert_eq!(set("a = 1\r\n", "b", json!(3)), "a = 1\r\nb = 3\r\n");
+        assert_eq!(set("r = { a = 1 } # r\n", "r.w", json!({ "x": 1 })), "r = { a = 1, w = { x = 1 } } # r\n");
+        assert_eq!(set("r = {}\n", "r.a", json!(1)), "r = { a = 1 }\n");
+        assert_eq!(
+            set("[[f]]\nn = 1\n", "f[0].at.move_mm", json!([1, 2])),
+            "[[f]]\nn = 1\nat = { move_mm = [1, 2] }\n"
+        );
+        let joint = json!({ "cap_mm": 0, "preparation": { "v": { "angle_deg": 60 } } });
+        let added = "a = 1\n\n[joint]\ncap_mm = 0\n\n[joint.preparation.v]\nangle_deg = 60\n";
+        assert_eq!(set("a = 1\n", "joint", joint), added);
+        assert_eq!(remove(added, "joint"), "a = 1\n");
+    }
+
+    #[test]
+    fn what_is_removed_takes_its_own_lines_along() {
+        assert_eq!(remove("a = 1\nb = 2 # two\nc = 3\n", "b"), "a = 1\nc = 3\n");
+        assert_eq!(remove("r = { a = 1, b = 2, c = 3 }\n", "r.b"), "r = { a = 1, c = 3 }\n");
+        assert_eq!(remove("r = { a = 1, b = 2 }\n", "r.b"), "r = { a = 1 }\n");
+        assert_eq!(remove("l = [\n  1, # a\n  2, # b\n]\n", "l[0]"), "l = [\n  2, # b\n]\n");
+        assert_eq!(remove("l = [1, 2, 3]\n", "l[2]"), "l = [1, 2]\n");
+        let text = "[a]\nx = 1\n\n# of b\n[b]\ny = [\n  [1, 2],\n]\n";
+        assert_eq!(remove(text, "a"), "# of b\n[b]\ny = [\n  [1, 2],\n]\n");
+        assert_eq!(remove(text, "b"), "[a]\nx = 1\n\n# of b\n");
+        assert_eq!(remove("[[f]]\nat.x = 1\nat.y = 2\nn = 1\n", "f[0].at"), "[[f]]\nn = 1\n");
+    }
+
+    #[test]
+    fn elements_of_lists_are_inserted_removed_and_moved() {
+        assert_eq!(insert("l = [1, 3]\n", "l[1]", json!(2)), "l = [1, 2, 3]\n");
+        assert_eq!(insert("l = []\n", "l[0]", json!(2)), "l = [2]\n");
+        let rows = "l = [\n  [1, 2], # a\n  [3, 4],\n]\n";
+        let longer = insert(rows, "l[2]", json!([5, 6]));
+        assert_eq!(longer, "l = [\n  [1, 2], # a\n  [3, 4],\n  [5, 6],\n]\n");
+        assert_eq!(remove(&longer, "l[2]"), rows);
+        assert_eq!(make("l = [1, 2, 3]\n", json!({ "op": "move", "path": "l[0]", "to": 2 })), "l = [2, 3, 1]\n");
+        let text = "t = 1\n\n# one\n[[f]]\nn = 1\n\n# two\n[[f]]\nn = 2\n[f.at]\nx = 1\n\n[w]\n";
+        let third = insert(text, "f[2]", json!({ "n": 3 }));
+        assert_eq!(third, text.replace("[w]", "[[f]]\nn = 3\n\n[w]"));
+        assert_eq!(remove(&third, "f[2]"), text);
+        assert!(!remove(text, "f[1]").contains("x = 1"));
+        assert_eq!(insert("a = 1\n", "f[0]", json!({ "n": 1 })), "a = 1\n\n[[f]]\nn = 1\n");
+        let moved = make(text, json!({ "op": "move", "path": "f[1]", "to": 0 }));
+        let order: Vec<usize> = ["n = 2", "x = 1", "n = 1"].iter().map(|line| moved.find(line).unwrap()).collect();
+        assert!(order.is_sorted() && moved.contains("# two\n[[f]]\nn = 2"), "{moved}");
+    }
+
+    #[test]
+    fn a_key_gets_another_name() {
+        let rename = |text: &str, path: &str| make(text, json!({ "op": "rename", "path": path, "key": "z" }));
+        assert_eq!(rename("[a.b] # why\nx = 1\n[a.b.c]\n", "a.b"), "[a.z] # why\nx = 1\n[a.z.c]\n");
+        assert_eq!(rename("s = { b = { x = 1 } }\n", "s.b"), "s = { z = { x = 1 } }\n");
+        assert_eq!(rename("s.b = { x = 1 }\n", "s.b"), "s.z = { x = 1 }\n");
+    }
+
+    #[test]
+    fn what_is_not_there_or_does_not_fit_is_refused() {
+        let text = "a = 1\n[t]\nl = [1]\n";
+        for (change, code) in [
+            (json!({ "op": "remove", "path": "b" }), "document-no-such-entry"),
+            (json!({ "op": "remove", "path": "t.l[1]" }), "document-no-such-entry"),
+            (json!({ "op": "set", "path": "t", "value": 1 }), "document-unfit-change"),
+            (json!({ "op": "set", "path": "a.b", "value": 1 }), "document-unfit-change"),
+            (json!({ "op": "set", "path": "a", "value": null }), "document-unfit-change"),
+            (json!({ "op": "rename", "path": "a", "key": "t" }), "document-unfit-change"),
+            (json!({ "op": "insert", "path": "t.l[5]", "value": 1 }), "document-no-such-entry"),
+            (json!({ "op": "remove", "path": "a b" }), "document-no-such-entry"),
+        ] {
+            let change: Change = serde_json::from_value(change).unwrap();
+            let refused = changed("x.toml", text, std::slice::from_ref(&change)).unwrap_err();
+            assert_eq!(refused.message.code, code, "{change:?}");
+        }
+        assert!(changed("x.toml", "a = [\n", &[]).is_ok(), "no change reads nothing");
+    }
+}
