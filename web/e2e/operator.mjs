@@ -7,7 +7,8 @@ import { startCell } from './cell.mjs';
 
 /** A cell with a job (see `startCell`), a browser and a page for the tests of a file, ended after them. */
 export async function bench({ job, ...view } = {}) {
-  const [cell, browser] = await Promise.all([startCell(job), launch()]);
+  const cell = await startCell(job);
+  const browser = await launch();
   after(async () => {
     await browser.close();
     await cell.end();
