@@ -112,6 +112,7 @@ export async function ready(page) {
 
 /** Arms and starts, as soon as nothing stands against it. */
 export async function weld(page) {
+  await commands(page);
   await press(page, /^Arm/);
   await page.locator('.strip', { hasText: 'Armed' }).waitFor();
   await press(page, /Start weld/);
