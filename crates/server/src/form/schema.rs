@@ -3,7 +3,7 @@ use seamwright_document::{Bound, Step, path_of};
 use serde_json::{Map, Value};
 use std::sync::LazyLock;
 
-/// Values to begin with, where 0 or the default of the format makes no sense: by the end of their path.
+/// Values to begin with, where the least value or the default of the format makes no sense: by path.
 static STARTS: LazyLock<Map<String, Value>> =
     LazyLock::new(|| serde_json::from_str(include_str!("starts.json")).unwrap_or_default());
 
@@ -214,10 +214,11 @@ fn is_of(kind: &Value, value: &Value) -> bool {
     }
 }
 
-/// The value to begin with of the longest end of a path, elements of lists left out.
+/// The value to begin with at a path, elements of lists left out: of the whole path, or of its last two keys or more.
 fn start_of(steps: &[Step]) -> Option<&'static Value> {
     let keys: Vec<Step> = steps.iter().filter(|step| matches!(step, Step::Key(_))).cloned().collect();
-    (0..keys.len()).find_map(|from| STARTS.get(&path_of(&keys[from..])))
+    let ends = (0..keys.len()).filter(|from| *from == 0 || keys.len() - from > 1);
+    ends.map(|from| path_of(&keys[from..])).find_map(|path| STARTS.get(&path))
 }
 
 #[cfg(test)]
