@@ -4,7 +4,7 @@
 
 help:
 	@echo "make run      a simulated cell with its panel: open the address that it prints"
-	@echo "make generate types of the server's interface for the panel's type check and for editors: web/generated/"
+	@echo "make generate what the panel's type check, its tests and editors need, and the build does not: web/generated/"
 	@echo "make test     format, lints, all tests; prints how many passed"
 	@echo "make bench    speed and memory of this build on this machine"
 	@echo "make peers    compare with other programs (LinuxCNC); installs what is missing, needs root"

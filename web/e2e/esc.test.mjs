@@ -107,6 +107,9 @@ test('a STOP that reaches nobody fills the screen until the cell is seen to stan
   });
   await one.route('**/api/**', (route) => (cut ? route.abort() : route.fallback()));
   await open(one, cell.address);
+  // Only a new page has its socket routed.
+  await one.reload();
+  await one.getByText('Connected').waitFor();
   cut = true;
   await line.server.close();
   await line.client.close();
@@ -133,5 +136,5 @@ test('a STOP that reaches nobody fills the screen until the cell is seen to stan
   await screen.waitFor();
   cut = false;
   await screen.waitFor({ state: 'hidden', timeout: 15_000 });
-  await one.getByText('Connected').waitFor();
+  await one.getByText('Connected').waitFor({ timeout: 45_000 });
 });

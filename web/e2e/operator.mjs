@@ -8,7 +8,8 @@ import { startCell } from './cell.mjs';
 
 /** A cell with a job (see `startCell`), a browser and a page for the tests of a file, ended after them. With `scenes` the browser draws them. */
 export async function bench({ job, scenes = false, ...view } = {}) {
-  const [cell, browser] = await Promise.all([startCell(job), launch({ scenes })]);
+  const cell = await startCell(job);
+  const browser = await launch({ scenes });
   after(async () => {
     await browser.close();
     await cell.end();
@@ -112,6 +113,7 @@ export async function ready(page) {
 
 /** Arms and starts, as soon as nothing stands against it. */
 export async function weld(page) {
+  await commands(page);
   await press(page, /^Arm/);
   await page.locator('.strip', { hasText: 'Armed' }).waitFor();
   await press(page, /Start weld/);

@@ -205,7 +205,9 @@ impl<'a> Source<'a> {
         write_sections(&written_key(key), value, &mut sections)?;
         let newline = self.newline();
         let sections = sections.join("\n").replace('\n', newline);
-        Ok(format!("{}{newline}{newline}{sections}", self.text.trim_end()))
+        let above = self.text.trim_end();
+        let gap = if above.is_empty() { String::new() } else { newline.repeat(2) };
+        Ok(format!("{above}{gap}{sections}"))
     }
 
     /// The text with another key behind the values of a table, in a line of its own.

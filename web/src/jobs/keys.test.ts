@@ -17,7 +17,7 @@ test('every key of the examples, and every key and name that their formats allow
       for (const [, header, key] of text.matchAll(/^\[+([^\]]+)\]|([\w.]+) *=/gm)) for (const name of (header ?? key ?? '').split('.')) names.add(name);
     }
   }
-  JSON.parse(readFileSync(new URL('docs/schema/job.json', root), 'utf8'), (key, value: unknown) => {
+  JSON.parse(readFileSync(new URL('web/generated/job.json', root), 'utf8'), (key, value: unknown) => {
     if (key === 'properties' && typeof value === 'object' && value !== null) for (const name of Object.keys(value)) names.add(name);
     if (key === 'enum' && Array.isArray(value)) for (const name of value) names.add(String(name));
     if (key === 'const' && typeof value === 'string') names.add(value);

@@ -3,9 +3,9 @@
 use super::names::Names;
 use crate::lack::{Lack, lack};
 use crate::wire::RefusedView;
-use seamwright_cell::executive::{Ask, Mode};
+use seamwright_cell::executive::{Ask, Missing, Mode};
 use seamwright_cell::realtime::Shown;
-use seamwright_message::Message;
+use seamwright_message::{Argument, Message};
 
 /// Commands by their names in [`crate::wire::AskView`]; all others have an effect in every mode.
 const COMMANDS: [(&str, Ask); 13] = [
@@ -51,9 +51,20 @@ impl Readiness {
         let at_rest = match ask {
             Ask::Hold => !self.moves,
             Ask::Stop => !self.moves && self.mode != Mode::Hold,
-            _ => return ask.refused_in(self.mode, self.welds, self.powered).map(|missing| names.lack(missing)),
+            _ => {
+                let missing = ask.refused_in(self.mode, self.welds, self.powered)?;
+                let is_mode = matches!(missing, Missing::Mode(_));
+                return Some(if is_mode { self.wrong_mode(ask) } else { names.lack(missing) });
+            }
         };
         at_rest.then(|| lack("at_rest", Message::new("server-at-rest")))
+    }
+
+    /// Names the modes in which the command itself is possible: resuming and starting are the same event.
+    fn wrong_mode(self, ask: &Ask) -> Lack {
+        let modes = Mode::ALL.into_iter().filter(|mode| ask.refused_in(*mode, self.welds, true).is_none());
+        let message = Message::new("cell-refused").message("event", ask.message()).message("mode", self.mode.message());
+        lack("mode", message.list("modes", modes.map(|mode| Argument::Message(Box::new(mode.message())))))
     }
 
     /// Returns the commands without effect, with the reasons.
@@ -92,5 +103,8 @@ mod tests {
         assert_eq!(possible(Mode::Hold, true, true, false), "arm resume reverse stop");
         assert_eq!(possible(Mode::Hold, true, false, true), "hold resume reverse stop", "a dry run goes on dry");
         assert_eq!(possible(Mode::Fault, false, false, false), "reset");
+        let ready = Readiness { mode: Mode::Ready, powered: true, welds: true, moves: false };
+        let resume = ready.wrong_mode(&Ask::Resume).message.to_string();
+        assert!(resume.contains("resume") && resume.ends_with("allowed in hold"), "{resume}");
     }
 }
