@@ -90,7 +90,7 @@ impl WeldReport {
             said_row(
                 language,
                 "report-row-seam",
-                language.named("seam", s.kind).unwrap_or_else(|| s.kind.to_owned()),
+                language.named("key", s.kind).unwrap_or_else(|| s.kind.to_owned()),
                 Unit::One,
             ),
             row("report-row-seam-length", s.length_mm, Unit::Mm),
