@@ -37,17 +37,3 @@ process-142 = WIG-Schweißen ohne Zusatz
 process-15 = Plasmaschweißen
 process-51 = Elektronenstrahlschweißen
 process-52 = Laserstrahlschweißen
-
-# Kinds of seams.
-seam-nozzle = Stutzen
-seam-branch = Abzweig
-seam-ellipse = Ellipse
-seam-circle = Kreis
-seam-arc = Bogen
-seam-rounded-rectangle = gerundetes Rechteck
-seam-polyline = Polylinie
-seam-helix = Schraubenlinie
-seam-spline = Spline
-seam-line = Gerade
-seam-t-joint = T-Stoß
-seam-girth = Rundnaht

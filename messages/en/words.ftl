@@ -37,17 +37,3 @@ process-142 = TIG welding without filler
 process-15 = plasma arc welding
 process-51 = electron beam welding
 process-52 = laser beam welding
-
-# Kinds of seams.
-seam-nozzle = nozzle
-seam-branch = branch
-seam-ellipse = ellipse
-seam-circle = circle
-seam-arc = arc
-seam-rounded-rectangle = rounded rectangle
-seam-polyline = polyline
-seam-helix = helix
-seam-spline = spline
-seam-line = line
-seam-t-joint = T-joint
-seam-girth = girth

@@ -37,17 +37,3 @@ process-142 = сварка TIG без присадочного материал�
 process-15 = плазменная сварка
 process-51 = электронно-лучевая сварка
 process-52 = лазерная сварка
-
-# Kinds of seams.
-seam-nozzle = штуцер
-seam-branch = ответвление
-seam-ellipse = эллипс
-seam-circle = окружность
-seam-arc = дуга
-seam-rounded-rectangle = скруглённый прямоугольник
-seam-polyline = ломаная
-seam-helix = винтовая линия
-seam-spline = сплайн
-seam-line = прямая
-seam-t-joint = тавровое соединение
-seam-girth = кольцевой шов

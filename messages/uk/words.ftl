@@ -37,17 +37,3 @@ process-142 = зварювання TIG без присадного матері�
 process-15 = плазмове зварювання
 process-51 = електронно-променеве зварювання
 process-52 = лазерне зварювання
-
-# Kinds of seams.
-seam-nozzle = штуцер
-seam-branch = відгалуження
-seam-ellipse = еліпс
-seam-circle = коло
-seam-arc = дуга
-seam-rounded-rectangle = заокруглений прямокутник
-seam-polyline = ламана
-seam-helix = гвинтова лінія
-seam-spline = сплайн
-seam-line = пряма
-seam-t-joint = таврове з’єднання
-seam-girth = кільцевий шов

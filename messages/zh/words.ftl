@@ -37,17 +37,3 @@ process-142 = 不填丝 TIG 焊
 process-15 = 等离子弧焊
 process-51 = 电子束焊
 process-52 = 激光焊
-
-# Kinds of seams.
-seam-nozzle = 接管
-seam-branch = 支管
-seam-ellipse = 椭圆
-seam-circle = 圆
-seam-arc = 圆弧
-seam-rounded-rectangle = 圆角矩形
-seam-polyline = 折线
-seam-helix = 螺旋线
-seam-spline = 样条
-seam-line = 直线
-seam-t-joint = T形接头
-seam-girth = 环缝

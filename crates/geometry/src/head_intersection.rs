@@ -97,8 +97,11 @@ impl HeadIntersection {
         self.leaving(phi).map_or(vec![f64::NAN; borders], |p| self.head.beyond(p).take(borders).collect())
     }
 
-    fn wall(&self, phi: f64) -> &Wall {
-        &self.walls[self.pieces.zone(phi)]
+    fn wall(&self, phi: f64) -> &dyn Edge {
+        match &self.walls[self.pieces.zone(phi)] {
+            Wall::Quadric(wall) => &**wall,
+            Wall::Torus(wall) => wall,
+        }
     }
 }
 
@@ -113,30 +116,18 @@ impl Curve for HeadIntersection {
         self.pieces.breaks()
     }
     fn jet(&self, phi: f64) -> Jet {
-        match self.wall(phi) {
-            Wall::Quadric(wall) => wall.jet(phi),
-            Wall::Torus(wall) => wall.jet(phi),
-        }
+        self.wall(phi).jet(phi)
     }
     fn point(&self, phi: f64) -> DVec3 {
-        match self.wall(phi) {
-            Wall::Quadric(wall) => wall.point(phi),
-            Wall::Torus(wall) => wall.point(phi),
-        }
+        self.wall(phi).point(phi)
     }
     fn speed(&self, phi: f64) -> f64 {
-        match self.wall(phi) {
-            Wall::Quadric(wall) => wall.speed(phi),
-            Wall::Torus(wall) => wall.speed(phi),
-        }
+        self.wall(phi).speed(phi)
     }
 }
 
 impl Edge for HeadIntersection {
     fn edge(&self, phi: f64) -> EdgePoint {
-        match self.wall(phi) {
-            Wall::Quadric(wall) => wall.edge(phi),
-            Wall::Torus(wall) => wall.edge(phi),
-        }
+        self.wall(phi).edge(phi)
     }
 }

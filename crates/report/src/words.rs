@@ -93,7 +93,7 @@ mod tests {
         let kinds: Vec<&str> = kinds.split("=> \"").skip(1).map(|kind| kind.split('"').next().unwrap()).collect();
         assert!(kinds.len() > 10);
         for kind in kinds {
-            assert!(Language::German.named("seam", kind).is_some(), "{kind}");
+            assert!(Language::German.named("key", kind).is_some(), "{kind}");
         }
         for process in WeldingProcess::all() {
             assert!(Language::German.named("process", &process.number.to_string()).is_some(), "{}", process.name);

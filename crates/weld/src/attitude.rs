@@ -65,13 +65,8 @@ impl Attitude {
     }
 
     /// Unit vector from the joint to the torch at a point of the seam: the bisector turned about the tangent by the
-    /// work angle, then in the plane of that and the tangent by the travel angle.
-    pub fn torch_axis(&self, p: &SeamPoint) -> DVec3 {
-        self.leaning(p, 0.0, 1.0)
-    }
-
-    /// The same of a torch whose work angle is larger by `lean` rad. It travels along the weld's direction (`sense` 1)
-    /// or against it (-1).
+    /// work angle and `lean` (rad), then in the plane of that and the tangent by the travel angle. The torch travels
+    /// along the weld's direction (`sense` 1) or against it (-1).
     pub fn leaning(&self, p: &SeamPoint, lean: f64, sense: f64) -> DVec3 {
         let (work, travel) = self.angles(p.s);
         let work = work + lean;

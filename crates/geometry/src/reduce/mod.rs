@@ -10,8 +10,7 @@
 //!   along span and points.
 //!
 //! Two neighbouring points always have their line. An arc sweeps less than a full turn, since equal ends do not define
-//! a centre: a circle takes two. Its ends are further apart than T; its radius is at most 10 km
-//! ([`MAX_RADIUS_MM`]). A run that ends at its start is a line of length zero, if all its points are within T of
+//! a centre: a circle takes two. Its ends are further apart than T; its radius is at most 10 km. A run that ends at its start is a line of length zero, if all its points are within T of
 //! that position.
 //!
 //! [`Method::Greedy`] is the method of EBW-2004 (Paton and others): the longest run from the first point for which a
@@ -38,9 +37,6 @@ pub use spline::{SplineReduction, reduce_to_spline};
 use crate::error::{Error, positive};
 use glam::DVec3;
 use track::Track;
-
-/// Maximum radius of an arc, mm: beyond it a printed centre no longer determines the arc.
-pub const MAX_RADIUS_MM: f64 = measure::MAX_RADIUS_MM;
 
 /// Maximum absolute coordinate, mm.
 pub const MAX_COORDINATE_MM: f64 = 1e9;

@@ -2,7 +2,7 @@
 
 use crate::common::{refusal, shipped_machine};
 use glam::{DVec2, DVec3};
-use seamwright_machine::{EncoderSide, Joints, Machine, Sight, shipped};
+use seamwright_machine::{Joints, Machine, Sight, shipped};
 
 fn saddle() -> &'static str {
     shipped("saddle-4axis").unwrap().text
@@ -93,7 +93,9 @@ notches = [{ frequency_hz = 60, depth = 0.1, width_hz = 20 }]";
     let drive = machine.axes[0].drive.clone().unwrap();
     let transmission = drive.transmission.unwrap();
     assert!((transmission.backlash - 0.01f64.to_radians()).abs() < 1e-15);
-    assert!((transmission.damping - 0.02).abs() < 1e-15 && transmission.encoder_on == seamwright_servo::EncoderSide::Load);
+    assert!(
+        (transmission.damping - 0.02).abs() < 1e-15 && transmission.encoder_on == seamwright_servo::EncoderSide::Load
+    );
     assert!(drive.force_limit == Some(100.0) && (drive.current_delay_s - 2.5e-4).abs() < 1e-15);
     let friction = drive.friction_compensation.unwrap();
     assert!((friction.force - 7.0).abs() < 1e-15 && (friction.smoothing - 0.06f64.to_radians()).abs() < 1e-15);

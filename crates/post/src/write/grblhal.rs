@@ -1,7 +1,7 @@
-use super::rs274::{self, Rs274, STATE};
+use super::rs274::{Rs274, STATE};
 use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
-use crate::part_program::{Event, Level, Move};
+use crate::part_program::{Event, Move};
 
 /// grblHAL: no sub-programs; a spindle's words may switch the arc.
 #[derive(Default)]
@@ -30,15 +30,9 @@ impl Tongue for Grblhal {
         self.modal.end(w);
     }
 
-    fn tail(&mut self, w: &mut Writer) {
-        w.text.line("M2");
-    }
-
     fn restart(&self, passes: u32) -> String {
         format!("to start again at pass N send the lines from N1000 times N on; the last pass is N{}", 1000 * passes)
     }
-
-    fn level(&mut self, _w: &mut Writer, _level: Level) {}
 
     fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem> {
         self.modal.go(w, step, to)?;
@@ -48,14 +42,6 @@ impl Tongue for Grblhal {
             w.text.end();
         }
         Ok(())
-    }
-
-    fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem> {
-        rs274::set(w, channel, value, at_once)
-    }
-
-    fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool) {
-        rs274::output(w, output, on, at_once);
     }
 
     fn own(&mut self, w: &mut Writer, event: &Event, at_once: bool) -> bool {
@@ -73,13 +59,5 @@ impl Tongue for Grblhal {
             w.pending.push_str(word);
         }
         true
-    }
-
-    fn message(&mut self, w: &mut Writer, text: &str) {
-        rs274::message(w, text);
-    }
-
-    fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>) {
-        rs274::dwell(w, seconds, why);
     }
 }

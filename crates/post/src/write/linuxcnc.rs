@@ -1,4 +1,4 @@
-use super::rs274::{self, Rs274, STATE};
+use super::rs274::{Rs274, STATE};
 use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
 use crate::part_program::{Level, Move};
@@ -57,10 +57,6 @@ impl Tongue for Linuxcnc {
         w.text.end();
     }
 
-    fn tail(&mut self, w: &mut Writer) {
-        w.text.line("M2");
-    }
-
     fn restart(&self, passes: u32) -> String {
         let last = sub_number(passes);
         format!("to start again at pass N take out the calls before that of o[100 + N]; the last pass is o{last}")
@@ -90,21 +86,5 @@ impl Tongue for Linuxcnc {
             blends(w);
         }
         Ok(())
-    }
-
-    fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem> {
-        rs274::set(w, channel, value, at_once)
-    }
-
-    fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool) {
-        rs274::output(w, output, on, at_once);
-    }
-
-    fn message(&mut self, w: &mut Writer, text: &str) {
-        rs274::message(w, text);
-    }
-
-    fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>) {
-        rs274::dwell(w, seconds, why);
     }
 }

@@ -2,7 +2,7 @@ use super::number::fixed;
 use super::options::Feed;
 use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
-use crate::part_program::{Arc, Level, Move, Path};
+use crate::part_program::{Arc, Move, Path};
 
 /// Delta Tau's Turbo PMAC.
 #[derive(Default)]
@@ -188,8 +188,6 @@ impl Tongue for Pmac {
         let last = fixed(f64::from(PROGRAM) + 0.01 * f64::from(passes), 2);
         format!("to start again at pass N: &1 B{PROGRAM}.0N R [line N1000 times N]; the last pass is B{last}")
     }
-
-    fn level(&mut self, _w: &mut Writer, _level: Level) {}
 
     fn wait(&mut self, w: &mut Writer) {
         self.rest(w);

@@ -1,5 +1,6 @@
-//! Differences between the dialects.
+//! Differences between the dialects. What one does not say about outputs, messages and times it says as RS274 does.
 
+use super::rs274;
 use super::writer::{Problem, Writer};
 use crate::part_program::{Event, Level, Move};
 
@@ -24,13 +25,15 @@ pub(super) trait Tongue {
     fn call(&mut self, _w: &mut Writer, _number: u32, _name: &str) {}
 
     /// The usual lines at the end.
-    fn tail(&mut self, w: &mut Writer);
+    fn tail(&mut self, w: &mut Writer) {
+        w.text.line("M2");
+    }
 
     /// Describes how to start again at a pass.
     fn restart(&self, passes: u32) -> String;
 
     /// Lines that make the control go over to axes or tip.
-    fn level(&mut self, w: &mut Writer, level: Level);
+    fn level(&mut self, _w: &mut Writer, _level: Level) {}
 
     /// Called before actions at once, with the machine at rest.
     fn wait(&mut self, _w: &mut Writer) {}
@@ -39,13 +42,19 @@ pub(super) trait Tongue {
     fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem>;
 
     /// Sets a process value.
-    fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem>;
+    fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem> {
+        rs274::set(w, channel, value, at_once)
+    }
 
     /// Switches a digital output.
-    fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool);
+    fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool) {
+        rs274::output(w, output, on, at_once);
+    }
 
     /// Shows a message to the operator.
-    fn message(&mut self, w: &mut Writer, text: &str);
+    fn message(&mut self, w: &mut Writer, text: &str) {
+        rs274::message(w, text);
+    }
 
     /// Switches events that need no output; false if the dialect has no word for this one.
     fn own(&mut self, _w: &mut Writer, _event: &Event, _at_once: bool) -> bool {
@@ -53,5 +62,7 @@ pub(super) trait Tongue {
     }
 
     /// Waits, s.
-    fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>);
+    fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>) {
+        rs274::dwell(w, seconds, why);
+    }
 }

@@ -90,7 +90,7 @@ impl WeldReport {
     fn seam_rows(&self, language: Language) -> Vec<Row> {
         let Some(s) = &self.seam else { return Vec::new() };
         let row = |label, value: f64, unit| row(language, label, number(value, language), unit);
-        let kind = language.named("seam", s.kind).unwrap_or_else(|| s.kind.to_owned());
+        let kind = language.named("key", s.kind).unwrap_or_else(|| s.kind.to_owned());
         vec![
             [language.words("report-row-seam"), kind, String::new()],
             row("report-row-seam-length", s.length_mm, Unit::Mm),

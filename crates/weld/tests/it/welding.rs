@@ -59,7 +59,7 @@ fn torch_angles_are_what_they_say() {
     let w = read(&text);
     for i in 0..100 {
         let p = w.seam().at(f64::from(i) * 16.0);
-        let axis = w.path(0).along_seam().unwrap().attitude.torch_axis(&p);
+        let axis = w.path(0).along_seam().unwrap().attitude.leaning(&p, 0.0, 1.0);
         // Travel angle: asin of the axis along the direction of welding; positive drags, this one pushes.
         assert!((axis.dot(p.tangent).asin().to_degrees() + 10.0).abs() < 1e-9);
         // Work angle: in the plane across the seam, from the bisector towards the nozzle's wall.
@@ -119,11 +119,11 @@ fn a_line_between_two_plates() {
     let p = w.seam().at(100.0);
     assert!((p.bisector - DVec3::new(0.0, 0.5f64.sqrt(), 0.5f64.sqrt())).length() < 1e-12);
     // Leaning towards the first part (whose face looks along y) lifts the torch off the second.
-    assert!(w.path(0).along_seam().unwrap().attitude.torch_axis(&p).z > p.bisector.z && p.phi.is_none());
+    assert!(w.path(0).along_seam().unwrap().attitude.leaning(&p, 0.0, 1.0).z > p.bisector.z && p.phi.is_none());
     let back = text.replace("[0, 0, 0]", "[300.0, 0, 0]").replace("[300, 0, 0]", "[0, 0, 0]");
     assert!(
-        (read(&back).path(0).along_seam().unwrap().attitude.torch_axis(&read(&back).seam().at(1.0)).z
-            - w.path(0).along_seam().unwrap().attitude.torch_axis(&p).z)
+        (read(&back).path(0).along_seam().unwrap().attitude.leaning(&read(&back).seam().at(1.0), 0.0, 1.0).z
+            - w.path(0).along_seam().unwrap().attitude.leaning(&p, 0.0, 1.0).z)
             .abs()
             < 1e-12
     );
