@@ -1,7 +1,7 @@
 use super::{Picture, smooth};
 use seamwright_cell::teach::{TaughtRun, Truth};
 use seamwright_message::Message;
-use seamwright_program::Finding;
+use seamwright_program::{Finding, PathRange};
 use seamwright_tracking::teach::{CameraNote, Crawl, End, LinePoint, TaughtLine};
 
 /// Result of teaching. Without frames (the operator's points) there is only the smooth line.
@@ -77,13 +77,5 @@ fn unfinished(run: &TaughtRun, said_end: bool) -> Option<Message> {
 
 /// Finding that the joint was taught for `way` mm only.
 pub fn finding(why: Message, way: f64) -> Finding {
-    Finding {
-        kind: "teach",
-        message: why,
-        pass: 1,
-        from_mm: way,
-        to_mm: way,
-        cure: Some(Message::new("project-cure-teach")),
-        allowed: false,
-    }
+    Finding::error("teach", why, 1, PathRange::at(way), Message::new("project-cure-teach"))
 }

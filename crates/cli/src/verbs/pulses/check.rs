@@ -4,7 +4,7 @@ use super::{Place, Play};
 use crate::failure::Failure;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::pulses::{Edge, Error, Generator};
-use seamwright_program::Finding;
+use seamwright_program::{Finding, PathRange};
 
 /// Figures of the pulses, found without writing them.
 pub(super) struct Checked {
@@ -91,14 +91,6 @@ impl Place {
     /// A finding against the pulses here; transfer moves count to the start of the first pass.
     fn finding(&self, kind: &'static str, message: Message, cure: &'static str) -> Finding {
         let s = if self.s_mm.is_finite() { self.s_mm } else { 0.0 };
-        Finding {
-            kind,
-            message,
-            pass: self.pass.max(1),
-            from_mm: s,
-            to_mm: s,
-            cure: Some(Message::new(cure)),
-            allowed: false,
-        }
+        Finding::error(kind, message, self.pass.max(1), PathRange::at(s), Message::new(cure))
     }
 }
