@@ -92,7 +92,7 @@ pub trait Watch {
 }
 
 /// Counts the work of planning's searches and stops them on request of its watch.
-pub struct Effort<'a> {
+pub(crate) struct Effort<'a> {
     watch: Option<&'a dyn Watch>,
     progress: Cell<SearchProgress>,
     unseen: Cell<u64>,
@@ -101,7 +101,7 @@ pub struct Effort<'a> {
 
 impl<'a> Effort<'a> {
     /// Effort under `watch`; without one, searches end by themselves only.
-    pub fn new(watch: Option<&'a dyn Watch>) -> Self {
+    pub(crate) fn new(watch: Option<&'a dyn Watch>) -> Self {
         Self { watch, progress: Cell::default(), unseen: Cell::new(0), stop: Cell::new(None) }
     }
 
@@ -111,7 +111,7 @@ impl<'a> Effort<'a> {
     }
 
     /// Begins a stage. Returns false if planning is stopped.
-    pub fn begin(&self, stage: SearchStage) -> bool {
+    pub(crate) fn begin(&self, stage: SearchStage) -> bool {
         if self.is_stopped() {
             return false;
         }
@@ -125,7 +125,7 @@ impl<'a> Effort<'a> {
     }
 
     /// Counts `work` more units, with `part` (0 to 1) of the stage done. Returns false if planning is stopped.
-    pub fn spend(&self, work: u64, part: f64) -> bool {
+    pub(crate) fn spend(&self, work: u64, part: f64) -> bool {
         if self.is_stopped() {
             return false;
         }
@@ -136,17 +136,12 @@ impl<'a> Effort<'a> {
     }
 
     /// True if planning is stopped.
-    pub fn is_stopped(&self) -> bool {
+    pub(crate) fn is_stopped(&self) -> bool {
         self.stop.get().is_some()
     }
 
-    /// Reason why planning is stopped, if it is.
-    pub fn stop(&self) -> Option<Stop> {
-        self.stop.get()
-    }
-
     /// Progress of planning.
-    pub fn progress(&self) -> SearchProgress {
+    pub(crate) fn progress(&self) -> SearchProgress {
         self.progress.get()
     }
 

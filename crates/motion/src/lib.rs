@@ -94,7 +94,7 @@ pub mod transfer;
 mod weave_limits;
 mod weld_motion;
 
-pub use effort::{Effort, SearchProgress, SearchStage, Stop, Watch};
+pub use effort::{SearchProgress, SearchStage, Stop, Watch};
 pub use joint_path::{JointPath, JointPoint};
 pub use limit_kind::LimitKind;
 pub use limits::{Binding, plain};
