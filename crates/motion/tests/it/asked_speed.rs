@@ -3,7 +3,7 @@
 
 use crate::number;
 use crate::override_profile::Uniform;
-use seamwright_document::Positive;
+use crate::positive;
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_motion::speed_profile::Bound;
@@ -11,10 +11,6 @@ use seamwright_program::{Finding, OnLimit, Pass, Ramp, Severity, Span, SpanValue
 use seamwright_weld::Welding;
 
 const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
-
-fn positive(value: f64) -> Positive {
-    Positive::new(value).unwrap()
-}
 
 /// The saddle's pass with a speed that is linear between `(path length, mm; speed, mm/s)`, as a weld on its machine.
 struct Case {

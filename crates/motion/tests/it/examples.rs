@@ -1,6 +1,7 @@
 //! Every example job as motion: all set-points within all limits, equal steps along the seam, honest findings.
 
 use crate::number;
+use crate::override_profile::cases;
 use proptest::prelude::*;
 use seamwright_machine::{AxisKind, Joints, Machine, shipped};
 use seamwright_motion::{PassMotion, Phase, SetPoint};
@@ -264,11 +265,6 @@ fn rotary_axes_stay_in_their_range_over_the_whole_weld() {
     let motion = case.motion().unwrap_or_else(|f| panic!("{f:#?}"));
     let first = motion.path.at(0.0)[0].to_degrees();
     assert!((first + 60.0).abs() < 1e-6 && case.machine.axes[0].kind == AxisKind::Rotary, "{first}");
-}
-
-/// Cases of a property test; `make soak` multiplies them.
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
 }
 
 /// A nozzle on a shell somewhere in the 5-axis machine, with torch angles that change, faster than the axes can.

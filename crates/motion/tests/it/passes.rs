@@ -1,8 +1,9 @@
 //! Passes beside the seam, with another start, reversed, partial, or with changing speed: the tip's path and speed by
 //! differences of set-points.
 
+use crate::{positive, random_cases};
 use proptest::prelude::*;
-use seamwright_document::{Finite, NonNegative, Positive};
+use seamwright_document::{Finite, NonNegative};
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_motion::speed_profile::Bound;
@@ -17,11 +18,6 @@ const EXAMPLES: [&str; 3] = [
 
 /// Maximum relative shortfall of the profile against the requested speed if no limit binds.
 const NEARLY: f64 = 3e-3;
-
-fn cases(count: u32) -> ProptestConfig {
-    let times = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|t| t.parse().ok()).unwrap_or(1);
-    ProptestConfig { cases: count * times, ..ProptestConfig::default() }
-}
 
 struct Planned {
     welding: Welding,
@@ -52,10 +48,6 @@ fn bead(rows: &[[f64; 4]]) -> Bead {
         weave_part: Vec::new(),
         area_mm2,
     }
-}
-
-fn positive(value: f64) -> Positive {
-    Positive::new(value).unwrap()
 }
 
 /// Spans over `length` with speeds at their ends.
@@ -109,7 +101,7 @@ impl Case {
 }
 
 proptest! {
-    #![proptest_config(cases(24))]
+    #![proptest_config(random_cases(24))]
 
     /// The tip's rate by the axes is that of the path, and the tip is on the path.
     #[test]

@@ -1,12 +1,8 @@
 //! Pulses of random position streams with reversals: counts, distances, the direction line, evenness. Everything is
 //! checked on the edges alone, against floating-point sums independent of the generator's integers.
 
+use crate::override_profile::cases;
 use seamwright_motion::pulses::{Edge, Error, Generator, Lines, Timing};
-
-/// Number of cases, from the usual one: more in `make soak`.
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|n| n.parse().ok()).unwrap_or(1)
-}
 
 /// Uniform numbers from a seed (splitmix64).
 struct Random(u64);

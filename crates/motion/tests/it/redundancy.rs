@@ -1,6 +1,7 @@
 //! Redundancy resolution: against an exhaustive search, on the example, on random work, and without a feasible path.
 
 use crate::number;
+use crate::override_profile::cases;
 use glam::DVec3;
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng};
@@ -29,11 +30,6 @@ fn choose(machine: &Machine, welding: &Welding, speed: f64) -> Result<FreeAxes, 
 fn uniform(seed: u8) -> impl FnMut(f64, f64) -> f64 {
     let mut random = TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]);
     move |low, high| low + (high - low) * (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-}
-
-/// Cases of a property test; `make soak` multiplies them.
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
 }
 
 /// A girth seam on a tube somewhere on the EBW machine's table.

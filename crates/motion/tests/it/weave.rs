@@ -2,6 +2,7 @@
 //! maximum.
 
 use crate::number;
+use crate::random_cases;
 use proptest::prelude::*;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Machine, shipped};
@@ -11,12 +12,6 @@ use seamwright_weld::Welding;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 const WEAVE: &str = include_str!("../../../../examples/weave.toml");
-
-/// More cases with `SEAMWRIGHT_SOAK`.
-fn cases(count: u32) -> ProptestConfig {
-    let times = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|t| t.parse().ok()).unwrap_or(1);
-    ProptestConfig { cases: count * times, ..ProptestConfig::default() }
-}
 
 fn machine() -> Machine {
     Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap()
@@ -58,7 +53,7 @@ fn worst(machine: &Machine, motion: &PassMotion, period: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(cases(8))]
+    #![proptest_config(random_cases(8))]
 
     /// For every weave, slowed down if necessary: every set-point is within every limit, the tip is on the woven path,
     /// and the centre line is never passed faster than requested.
