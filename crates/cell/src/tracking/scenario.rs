@@ -1,7 +1,7 @@
 use super::world::Placement;
 use super::{Displacement, Leg, SensorModel};
 use glam::{DVec2, DVec3};
-use seamwright_program::TorchPath;
+use seamwright_program::{TorchPath, line_by_difference};
 use seamwright_tracking::lead::SeamFrame;
 
 /// A taught seam: the torch's frame by path length, also some way beyond both ends.
@@ -47,7 +47,9 @@ impl Seam {
         let count = (length_mm / STEP_MM).ceil().clamp(2.0, 1e6);
         let frame = |i: u32| {
             let s = length_mm * f64::from(i) / count;
-            let ((point, along), up) = (path.line(s), -path.pose(s).direction);
+            // At a corner the mean of both directions.
+            let (point, along) = line_by_difference(|s| path.line(s).0, s, length_mm);
+            let up = -path.pose(s).direction;
             let height = (up - up.dot(along) * along).normalize_or(along.any_orthonormal_vector());
             SeamFrame { point, along, lateral: height.cross(along), height }
         };
