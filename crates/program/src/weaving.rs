@@ -2,7 +2,7 @@
 //!
 //! The phase counts by path length: by the pitch, or as the integral of the frequency divided by the requested speed.
 //! It completes whole periods in each span. The torch tip is at the centre line plus the swing. `TorchPath::rate` and
-//! the requested speed are those of the centre line. `TorchPath::slower` gives the path with a slower weave, or without
+//! the requested speed are those of the centre line. `WovenPath::slower` gives the path with a slower weave, or without
 //! one.
 
 use crate::pass::Pass;

@@ -7,7 +7,7 @@ use crate::picture::Picture;
 use crate::run::TaughtRun;
 use crate::smooth::LinePoint;
 use seamwright_message::Message;
-use seamwright_program::Finding;
+use seamwright_program::{Finding, PathRange};
 
 /// Result of teaching. Without frames (the operator's points) there is only the smooth line.
 #[derive(Default)]
@@ -80,13 +80,5 @@ fn unfinished(run: &TaughtRun, said_end: bool) -> Option<Message> {
 
 /// Finding that the joint was taught for `way` mm only.
 pub fn finding(why: Message, way: f64) -> Finding {
-    Finding {
-        kind: "teach",
-        message: why,
-        pass: 1,
-        from_mm: way,
-        to_mm: way,
-        cure: Some(Message::new("project-cure-teach")),
-        allowed: false,
-    }
+    Finding::error("teach", why, 1, PathRange::at(way), Message::new("project-cure-teach"))
 }

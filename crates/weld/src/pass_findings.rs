@@ -2,7 +2,7 @@
 
 use crate::pass_path::PassPath;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, TorchPath, torch_jumps};
+use seamwright_program::{Finding, PathRange, TorchPath, torch_jumps};
 
 /// Number of stations checked along a pass.
 const PLACES: u32 = 720;
@@ -74,15 +74,7 @@ impl PassPath<'_> {
             };
             match findings.last_mut().filter(|_| open) {
                 Some(last) => last.to_mm = s,
-                None => findings.push(Finding {
-                    kind,
-                    message,
-                    pass,
-                    from_mm: s,
-                    to_mm: s,
-                    cure: Some(Message::new(cure)),
-                    allowed: false,
-                }),
+                None => findings.push(Finding::error(kind, message, pass, PathRange::at(s), Message::new(cure))),
             }
             open = true;
         }

@@ -211,8 +211,7 @@ fn on_pass(pass: &Pass, seam: &SeamCurve, range: PathRange) -> Option<PathRange>
 /// Reports gaps that the oscillation of the beam leaves in pass `number`.
 fn gaps(pass: &Pass, number: usize) -> Option<Finding> {
     let (message, cure) = pass.oscillation.as_ref()?.gaps(pass.speeds().1)?;
-    let (from_mm, to_mm) = (0.0, pass.length());
-    Some(Finding { kind: "oscillation", message, pass: number, from_mm, to_mm, cure: Some(cure), allowed: false })
+    Some(Finding::error("oscillation", message, number, PathRange::up_to(pass.length()), cure))
 }
 
 /// Line of a pass.

@@ -10,10 +10,10 @@ use seamwright_machine::{Clamped, Joints, Machine, Surroundings};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::speed_profile::{ProfilePoint, ProfileStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
-use seamwright_program::Finding;
+use seamwright_program::{Finding, PathRange};
+use seamwright_project::load;
 use seamwright_project::csv::CsvReader;
 use seamwright_project::failure::Failure;
-use seamwright_project::load;
 use std::cell::RefCell;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write as _};
@@ -245,15 +245,9 @@ impl<'a, R: BufRead> Points<'a, R> {
     }
 
     fn unreachable(&self, why: Message) -> Failure {
-        Failure::Findings(vec![Finding {
-            kind: "reach",
-            message: Message::new("cli-follow-point").text("line", self.reader.line().to_string()).message("why", why),
-            pass: 1,
-            from_mm: 0.0,
-            to_mm: 0.0,
-            cure: Some(Message::new("cli-cure-follow")),
-            allowed: false,
-        }])
+        let message = Message::new("cli-follow-point").text("line", self.reader.line().to_string()).message("why", why);
+        let cure = Message::new("cli-cure-follow");
+        Failure::Findings(vec![Finding::error("reach", message, 1, PathRange::at(0.0), cure)])
     }
 }
 

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use seamwright_program::TorchPath;
+use seamwright_program::{TorchPath, line_by_difference};
 use seamwright_tracking::beam::DeviationRecord;
 use seamwright_tracking::lead::SeamFrame;
 
@@ -46,7 +46,9 @@ impl Seam {
         let count = (length_mm / STEP_MM).ceil().clamp(2.0, 1e6);
         let frame = |i: u32| {
             let s = length_mm * f64::from(i) / count;
-            let ((point, along), up) = (path.line(s), -path.pose(s).direction);
+            // At a corner the mean of both directions.
+            let (point, along) = line_by_difference(|s| path.line(s).0, s, length_mm);
+            let up = -path.pose(s).direction;
             let height = (up - up.dot(along) * along).normalize_or(along.any_orthonormal_vector());
             SeamFrame { point, along, lateral: height.cross(along), height }
         };

@@ -22,8 +22,6 @@ pub struct Microstepping {
     pub steps_per_unit: f64,
     /// Pulse equivalent: travel per pulse, mm or rad.
     pub resolution: f64,
-    /// Pulse frequency at the design speed, Hz.
-    pub rate_hz: f64,
     /// Criterion that determined it.
     pub bound: Bound,
 }
@@ -45,7 +43,7 @@ impl Microstepping {
             (_, None) => (settings().next().unwrap_or(1), Bound::None),
         };
         let steps_per_unit = full * f64::from(microsteps);
-        Self { microsteps, steps_per_unit, resolution: 1.0 / steps_per_unit, rate_hz: speed * steps_per_unit, bound }
+        Self { microsteps, steps_per_unit, resolution: 1.0 / steps_per_unit, bound }
     }
 }
 
@@ -75,7 +73,6 @@ mod tests {
             let m = Microstepping::choose(&screw(resolution, &all), 10.0, 200e3);
             assert_eq!((m.microsteps, m.bound), (expected, Bound::Resolution), "{resolution}");
             assert!((m.resolution * m.steps_per_unit - 1.0).abs() < 1e-15 && m.resolution <= resolution);
-            assert!((m.rate_hz - 200.0 * f64::from(expected)).abs() < 1e-9);
         }
     }
 

@@ -2,8 +2,8 @@
 //! always used up, and a lower speed is offered only if it helps.
 
 use crate::number;
-use crate::planning::{self, machine_of, read, shipped_machine};
-use seamwright_document::Positive;
+use crate::{planning, positive};
+use crate::planning::{machine_of, read, shipped_machine};
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_motion::speed_profile::Bound;
@@ -12,10 +12,6 @@ use seamwright_testkit::{Random, cases};
 use seamwright_weld::Welding;
 
 const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
-
-fn positive(value: f64) -> Positive {
-    Positive::new(value).unwrap()
-}
 
 /// The saddle's pass with a speed that is linear between `(path length, mm; speed, mm/s)`, as a weld on its machine.
 struct Case {

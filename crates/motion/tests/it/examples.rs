@@ -1,7 +1,9 @@
 //! Every example job as motion: all set-points within all limits, equal steps along the seam, honest findings.
 
 use crate::number;
-use crate::planning::{self, machine_of, read, read_machine, shipped_machine};
+use crate::planning;
+use crate::override_profile::cases;
+use crate::planning::{machine_of, read, read_machine, shipped_machine};
 use proptest::prelude::*;
 use seamwright_machine::{AxisKind, Joints, Machine, shipped};
 use seamwright_motion::{PassMotion, Phase, SetPoint};

@@ -1,5 +1,7 @@
 //! All tests in one program, which is compiled and linked once.
 
+use proptest::prelude::ProptestConfig;
+use seamwright_document::Positive;
 use seamwright_message::{Argument, Message};
 
 mod arc_limits;
@@ -45,4 +47,13 @@ fn inner<'m>(message: &'m Message, name: &str) -> &'m Message {
         Some(Argument::Message(inner)) => inner,
         other => panic!("{name} of {}: {other:?}", message.as_data()),
     }
+}
+
+fn positive(value: f64) -> Positive {
+    Positive::new(value).unwrap()
+}
+
+/// As many random cases; `make soak` multiplies them.
+fn random_cases(usual: u32) -> ProptestConfig {
+    ProptestConfig { cases: override_profile::cases(usual), ..ProptestConfig::default() }
 }

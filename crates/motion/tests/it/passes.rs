@@ -1,9 +1,10 @@
 //! Passes beside the seam, with another start, reversed, partial, or with changing speed: the tip's path and speed by
 //! differences of set-points.
 
+use crate::{positive, random_cases};
 use crate::planning::{machine_of, plan, read};
 use proptest::prelude::*;
-use seamwright_document::{Finite, NonNegative, Positive};
+use seamwright_document::{Finite, NonNegative};
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_motion::speed_profile::Bound;
@@ -48,10 +49,6 @@ fn bead(rows: &[[f64; 4]]) -> Bead {
         weave_part: Vec::new(),
         area_mm2,
     }
-}
-
-fn positive(value: f64) -> Positive {
-    Positive::new(value).unwrap()
 }
 
 /// Spans over `length` with speeds at their ends.

@@ -1,7 +1,9 @@
 //! Redundancy resolution: against an exhaustive search, on the example, on random work, and without a feasible path.
 
 use crate::number;
-use crate::planning::{self, read, read_machine, shipped_machine};
+use crate::planning;
+use crate::override_profile::cases;
+use crate::planning::{read, read_machine, shipped_machine};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine, Solution, shipped};

@@ -1,14 +1,11 @@
 //! Extent of the acceleration phase, and travels that are too short or too long for it.
 
+use crate::positive;
 use crate::planning::{plan, read, read_machine};
-use seamwright_document::{NonNegative, Positive};
+use seamwright_document::NonNegative;
 use seamwright_machine::{Machine, shipped};
 use seamwright_program::{OnLimit, Ramp, Severity, Span, SpanValue};
 use seamwright_weld::Welding;
-
-fn positive(value: f64) -> Positive {
-    Positive::new(value).unwrap()
-}
 
 /// A line along X of `ellipse-xy` at the speed that `weld` asks for.
 fn line(length: f64, weld: &str) -> Welding {

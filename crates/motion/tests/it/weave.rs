@@ -2,7 +2,8 @@
 //! maximum.
 
 use crate::number;
-use crate::planning::{self, machine_of, read, shipped_machine};
+use crate::{planning, random_cases};
+use crate::planning::{machine_of, read, shipped_machine};
 use proptest::prelude::*;
 use seamwright_geometry::Pose;
 use seamwright_machine::Machine;

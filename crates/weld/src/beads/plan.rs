@@ -5,7 +5,7 @@ use super::refusal::NoPlan;
 use crate::joint::{SeamJoint, Section};
 use crate::seam::SeamCurve;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, Role, part_start, parts_of};
+use seamwright_program::{Finding, PathRange, Role, part_start, parts_of};
 
 /// Positions of all beads along a seam.
 #[derive(Debug, Clone, PartialEq)]
@@ -301,21 +301,21 @@ impl BeadPlan {
                 continue;
             };
             let cure = if worst.1 > 1.0 { "weld-cure-thinner-layers" } else { "weld-cure-smaller-beads" };
-            findings.push(Finding {
-                kind: "bead",
-                message: Message::new("weld-bead-area-out-of-range")
-                    .quantity("area", worst.1 * asked.area, Unit::Mm2, 1)
-                    .quantity("s", self.stations[worst.0], Unit::Mm, 0)
-                    .quantity("ratio", 100.0 * worst.1, Unit::Percent, 0)
-                    .quantity("run", asked.area, Unit::Mm2, 1)
-                    .quantity("min", 100.0 * (1.0 - most), Unit::Percent, 0)
-                    .quantity("max", 100.0 * (1.0 + most), Unit::Percent, 0),
-                pass: pass_of(b),
-                from_mm: self.stations[wrong[0].0],
-                to_mm: self.stations[wrong[wrong.len() - 1].0],
-                cure: Some(Message::new(cure)),
-                allowed: false,
-            });
+            let message = Message::new("weld-bead-area-out-of-range")
+                .quantity("area", worst.1 * asked.area, Unit::Mm2, 1)
+                .quantity("s", self.stations[worst.0], Unit::Mm, 0)
+                .quantity("ratio", 100.0 * worst.1, Unit::Percent, 0)
+                .quantity("run", asked.area, Unit::Mm2, 1)
+                .quantity("min", 100.0 * (1.0 - most), Unit::Percent, 0)
+                .quantity("max", 100.0 * (1.0 + most), Unit::Percent, 0);
+            let [from_mm, to_mm] = [wrong[0].0, wrong[wrong.len() - 1].0].map(|i| self.stations[i]);
+            findings.push(Finding::error(
+                "bead",
+                message,
+                pass_of(b),
+                PathRange { from_mm, to_mm },
+                Message::new(cure),
+            ));
         }
         findings
     }

@@ -10,7 +10,7 @@ use seamwright_motion::feed_override::{
     FeedOverride, FeedOverrideError, Instant, Order, Run, RunPhase, Timed as Moves, channel_limits,
 };
 use seamwright_motion::{PassMotion, SpeedProfile, Stage, WeldMotion};
-use seamwright_program::{ArcTime, Finding, Pass};
+use seamwright_program::{ArcTime, Finding, Pass, PathRange};
 use seamwright_project::failure::Failure;
 use seamwright_project::load::Loaded;
 use std::io::Write;
@@ -221,17 +221,6 @@ fn held(pass: usize, now: &Instant) {
 }
 
 fn finding(error: &FeedOverrideError, pass: usize) -> Finding {
-    let (from_mm, to_mm) = match error {
-        FeedOverrideError::Stuck { s } => (*s, *s),
-        _ => (0.0, 0.0),
-    };
-    Finding {
-        kind: "pace",
-        message: error.message(),
-        pass,
-        from_mm,
-        to_mm,
-        cure: Some(Message::new("cli-cure-commands-or-speed")),
-        allowed: false,
-    }
+    let s = if let FeedOverrideError::Stuck { s } = error { *s } else { 0.0 };
+    Finding::error("pace", error.message(), pass, PathRange::at(s), Message::new("cli-cure-commands-or-speed"))
 }
