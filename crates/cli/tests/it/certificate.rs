@@ -1,7 +1,7 @@
 //! Certificates, checked with the set-points and the machine file alone.
 
 use crate::common::checker::{Motion, check, motion};
-use crate::common::{example, free_example, root};
+use crate::common::{example, free_example, root, write};
 use std::fs;
 
 const EXAMPLES: [(&str, &str); 6] = [
@@ -23,9 +23,8 @@ fn of_example(name: &str, machine: &str, speed: Option<(&str, &str)>, period_ms:
     let text = free_example(name);
     assert!(text.contains(from));
     let folder = tempfile::tempdir().unwrap();
-    let job = folder.path().join("job.toml");
-    fs::write(&job, text.replacen(from, &format!("{to}\non_limit = \"slow\""), 1)).unwrap();
-    motion(&job.display().to_string(), machine, &machine_text(machine), period_ms)
+    let job = write(folder.path(), "job.toml", text.replacen(from, &format!("{to}\non_limit = \"slow\""), 1));
+    motion(&job, machine, &machine_text(machine), period_ms)
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! `seamwright tools motion --commands`: the run under an operator's commands, and files that are refused.
 
-use crate::common::{self, bad, column, example, good, run, table};
-use std::fs;
+use crate::common::{bad, column, example, good, run, table, write};
 use std::process::Output;
 
 /// Runs an example under commands.
@@ -145,27 +144,20 @@ fn bad_files_are_refused_before_anything_is_written() {
 /// A file of commands that lasts as long as its folder.
 fn file_of(commands: &str) -> (tempfile::TempDir, String) {
     let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("commands.csv");
-    fs::write(&file, commands).unwrap();
-    let name = file.display().to_string();
-    (folder, name)
+    let file = write(folder.path(), "commands.csv", commands);
+    (folder, file)
 }
 
 #[test]
 fn the_certificate_is_written_too_and_no_command_comes_after_a_day() {
-    let folder = std::env::temp_dir().join(format!("seamwright-commands-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = |name: &str| folder.join(name).display().to_string();
-    std::fs::write(path("hold.csv"), "t_s,command,value\n2,hold,\n").unwrap();
-    std::fs::write(path("late.csv"), "t_s,command,value\n0.5,hold,\n1e300,resume,\n").unwrap();
-    let job = common::example("ellipse");
-    let (hold, late, certificate) = (path("hold.csv"), path("late.csv"), path("certificate.json"));
-    let output = common::run(&["tools", "motion", &job, "--commands", &hold, "--certificate", &certificate]);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let folder = tempfile::tempdir().unwrap();
+    let hold = write(folder.path(), "hold.csv", "t_s,command,value\n2,hold,\n");
+    let late = write(folder.path(), "late.csv", "t_s,command,value\n0.5,hold,\n1e300,resume,\n");
+    let (job, certificate) = (example("ellipse"), folder.path().join("certificate.json").display().to_string());
+    good(&["tools", "motion", &job, "--commands", &hold, "--certificate", &certificate]);
     assert!(std::fs::read_to_string(&certificate).unwrap().contains("at_asked_percent"));
-    let output = common::run(&["tools", "motion", &job, "--commands", &late]);
+    let output = run(&["tools", "motion", &job, "--commands", &late]);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.code() == Some(2) && output.stdout.is_empty(), "{told}");
     assert!(told.contains("late.csv:3") && told.contains("0.5 to 86400"), "{told}");
-    std::fs::remove_dir_all(&folder).unwrap();
 }

@@ -1,7 +1,7 @@
 //! `run` killed with -9 at any moment of a weld: the library is whole, the trace can be read. The next run reports the
 //! position, and goes on there with the overlap that the job asks.
 
-use crate::common::{bad, free_example, good, json, run, run_with, start};
+use crate::common::{bad, free_example, good, json, run, run_with, start, write};
 use seamwright_record::trace::Trace;
 use seamwright_testkit::Random;
 use std::io::{Read as _, Write as _};
@@ -24,9 +24,7 @@ fn job(folder: &Path) -> String {
         .replace("preflow_s = 0.5", "preflow_s = 0.1")
         .replace("travel_delay_s = 0.5", "travel_delay_s = 0.2")
         .replace("postflow_s = 5", "postflow_s = 0.1");
-    let path = folder.join("job.toml");
-    std::fs::write(&path, text).unwrap();
-    path.display().to_string()
+    write(folder, "job.toml", text)
 }
 
 /// The last position that a run reported before it was killed: whether in the pass, mm.

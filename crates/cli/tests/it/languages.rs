@@ -1,6 +1,6 @@
 //! Reports of plans and simulated welds in all languages: only names are English, and no text is cut off.
 
-use crate::common::{bad, example, free_example, good, root, run};
+use crate::common::{bad, example, free_example, good, root, run, write};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -112,11 +112,7 @@ fn simulated_welds_are_told_in_all_languages() {
 #[test]
 fn findings_are_told_in_all_languages() {
     let folder = tempfile::tempdir().unwrap();
-    let job = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        fs::write(&path, text).unwrap();
-        path.display().to_string()
-    };
+    let job = |name: &str, text: &str| write(folder.path(), name, text);
     let text = fs::read_to_string(example("first-weld")).unwrap();
     let fast = text.replace("speed_mm_s = 10", "speed_mm_s = 13");
     assert!(fast != text);

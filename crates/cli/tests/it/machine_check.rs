@@ -1,6 +1,6 @@
 //! `machine check`: shipped machines pass, all files are written, bad files and numbers are refused.
 
-use crate::common::{good, root, run};
+use crate::common::{good, root, run, write};
 use std::fs;
 
 const SHIPPED: [&str; 6] =
@@ -64,11 +64,7 @@ fn bad_input_is_refused_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
     let file = fs::read_to_string(root().join("machines/torch-5axis.toml")).unwrap();
-    let write = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        fs::write(&path, text).unwrap();
-        path.display().to_string()
-    };
+    let write = |name: &str, text: &str| write(folder.path(), name, text);
     let outside = file.replacen("range_mm = [-800, 800]", "range_mm = [-800, 800]\nhome_mm = 900", 1);
     for (machine, words) in [
         ("no-such-machine".to_owned(), "there is no such machine"),

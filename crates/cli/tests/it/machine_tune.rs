@@ -1,6 +1,6 @@
 //! `machine tune`: margins on the shipped machines, settings that can be pasted, plots, bad names.
 
-use crate::common::{bad, good, json, run};
+use crate::common::{bad, good, json, run, write};
 use std::fs;
 use toml_edit::DocumentMut;
 
@@ -29,13 +29,12 @@ fn a_shipped_machine_is_tuned_and_the_settings_can_be_pasted() {
         assert!(svg.contains("gain margin") && svg.contains("phase margin") && svg.contains("frequency, Hz"), "{axis}");
     }
     let snippet = fs::read_to_string(folder.path().join("out/tuning.toml")).unwrap();
-    let mine = folder.path().join("mine.toml");
-    fs::write(&mine, pasted("saddle-4axis", &snippet)).unwrap();
-    let check = good(&["machine", "check", &mine.display().to_string(), "--poses", "100"]);
+    let mine = write(folder.path(), "mine.toml", pasted("saddle-4axis", &snippet));
+    let check = good(&["machine", "check", &mine, "--poses", "100"]);
     assert!(check.contains("passed"), "{check}");
     // Tuning again does not depend on the settings that were there.
     let again = folder.path().join("again").display().to_string();
-    good(&["machine", "tune", &mine.display().to_string(), "-o", &again]);
+    good(&["machine", "tune", &mine, "-o", &again]);
     let second = fs::read_to_string(folder.path().join("again/tuning.toml")).unwrap();
     let keys = |text: &str| text.lines().filter(|l| !l.starts_with('#')).collect::<Vec<_>>().join("\n");
     assert_eq!(keys(&snippet), keys(&second));

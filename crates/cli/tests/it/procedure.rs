@@ -1,6 +1,6 @@
 //! Jobs checked against a procedure: output of `check` and `plan`, written files, and errors of bad procedure files.
 
-use crate::common::{example, good, root, run};
+use crate::common::{example, good, root, run, write};
 use std::fs;
 use std::path::Path;
 use std::process::Output;
@@ -19,9 +19,7 @@ fn job(folder: &Path, procedure: &[(&str, &str)], job: &[(&str, &str)]) -> Strin
     fs::create_dir_all(folder.join("wps")).unwrap();
     fs::write(folder.join("wps/my.toml"), changed(wps, procedure)).unwrap();
     let text = changed(example("saddle"), job).replacen("\"135-saddle\"", "\"wps/my.toml\"", 1);
-    let path = folder.join("job.toml");
-    fs::write(&path, text).unwrap();
-    path.display().to_string()
+    write(folder, "job.toml", text)
 }
 
 fn check(procedure: &[(&str, &str)], changes: &[(&str, &str)]) -> Output {

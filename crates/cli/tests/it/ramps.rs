@@ -1,7 +1,7 @@
 //! Process values that ramp with path length and slope with time, at every set-point, in posted programs and in
 //! reports.
 
-use crate::common::{column, free_example, good, json, table};
+use crate::common::{column, free_example, good, json, table, write};
 use std::fs;
 use tempfile::TempDir;
 
@@ -14,9 +14,7 @@ fn ramped() -> (TempDir, String) {
         downslope = { time_s = 0.5, process = { current_a = 40 } }\n[weld]\n";
     let text = text.replacen("[weld]\n", slopes, 1);
     let text = text.replacen("current_a = 240", "current_a = { from = 120, to = 240 }", 1);
-    let job = folder.path().join("job.toml");
-    fs::write(&job, text).unwrap();
-    let job = job.display().to_string();
+    let job = write(folder.path(), "job.toml", text);
     (folder, job)
 }
 

@@ -1,6 +1,6 @@
 //! `read`: part programs as weld programs, posted back and welded in simulation.
 
-use crate::common::{good, run as seamwright};
+use crate::common::{good, run as seamwright, write};
 use std::fs;
 
 fn text(bytes: &[u8]) -> String {
@@ -58,9 +58,8 @@ fn the_electron_beam_welder_s_program_reads_welds_and_comes_back() {
         assert!(blocks.iter().any(|b| b == block), "{block}: {posted}");
     }
     assert!(!posted.contains("A_OUT"), "the beam is switched by its current: {posted}");
-    let again = dir.path().join("again.mpf");
-    fs::write(&again, &posted).unwrap();
-    let second = good(&["import", again.to_str().unwrap(), "--machine", "ebw-7axis"]);
+    let again = write(dir.path(), "again.mpf", &posted);
+    let second = good(&["import", &again, "--machine", "ebw-7axis"]);
     let points = |toml: &str| -> Vec<String> {
         toml.lines().filter(|l| l.trim_start().starts_with('[') && l.ends_with("],")).map(str::to_owned).collect()
     };

@@ -1,6 +1,6 @@
 //! `run` in real time, `simulate --fault` in virtual time, `latency`.
 
-use crate::common::{bad, example, good, json, root, run, run_with, start};
+use crate::common::{bad, example, good, json, root, run, run_with, start, write};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use serde_json::Value;
@@ -134,9 +134,7 @@ fn a_weld_survives_the_power() {
     // It continues 2 mm before the position up to which it is welded.
     let text =
         std::fs::read_to_string(example("ellipse")).unwrap().replacen("[sequence]", "[sequence]\noverlap_mm = 2", 1);
-    let job = folder.path().join("ellipse.toml");
-    std::fs::write(&job, text).unwrap();
-    let job = job.display().to_string();
+    let job = write(folder.path(), "ellipse.toml", text);
     let mut child = start(&["run", &job, "-o", &out, "--data", &data, "--part", "P1", "--from", "1,105"]);
     let mut stdin = child.stdin.take().unwrap();
     stdin.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 106.5 mm\n?\n").unwrap();

@@ -1,6 +1,6 @@
 //! Cross-sections show and list the torch angles in them.
 
-use crate::common::{column, good, root, table};
+use crate::common::{column, good, root, table, write};
 
 /// The job of the trial with another work angle, on a machine that ships.
 fn job(folder: &std::path::Path, work_angle: f64) -> String {
@@ -8,9 +8,7 @@ fn job(folder: &std::path::Path, work_angle: f64) -> String {
     let text = text.replace("gantry5.toml", "torch-5axis");
     let changed = text.replace("work_angle_deg = 0", &format!("work_angle_deg = {work_angle}\ntravel_angle_deg = 8"));
     assert_ne!(text, changed);
-    let path = folder.join(format!("{work_angle}.toml"));
-    std::fs::write(&path, changed).unwrap();
-    path.display().to_string()
+    write(folder, &format!("{work_angle}.toml"), changed)
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The panel as a program: it prints its address, answers, shuts down in order, and reports errors.
 
-use crate::common::bad;
+use crate::common::{bad, write};
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
@@ -76,9 +76,8 @@ fn what_cannot_be_served_is_told() {
     std::fs::write(&file, "x").unwrap();
     let told = bad(2, &["serve", "--data", &file.display().to_string()]);
     assert!(told.contains("file"), "{told}");
-    let broken = folder.path().join("broken.toml");
-    std::fs::write(&broken, "schema = 1\ntitle = 5\n").unwrap();
-    let told = bad(2, &["serve", "--data", &data, "--job", &broken.display().to_string()]);
+    let broken = write(folder.path(), "broken.toml", "schema = 1\ntitle = 5\n");
+    let told = bad(2, &["serve", "--data", &data, "--job", &broken]);
     assert!(told.contains("title"), "{told}");
     let users = folder.path().join("cell/users.json");
     std::fs::write(users, "{").unwrap();

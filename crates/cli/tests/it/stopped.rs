@@ -1,7 +1,7 @@
 //! `run` ended by a signal while it welds on a real device: arc, gas and values are off, the record is closed, the exit
 //! code reports it.
 
-use crate::common::{example, good, json, start};
+use crate::common::{example, good, json, start, write};
 use crate::modbus_server::TestServer;
 use crate::modbus_welder::{MAP, welder};
 use seamwright_record::trace::Trace;
@@ -17,9 +17,7 @@ pub(crate) fn job(folder: &Path, address: &str, map: &str) -> String {
     let machine = format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\n{map}");
     std::fs::write(folder.join("cell.toml"), machine).unwrap();
     let text = std::fs::read_to_string(example("ellipse")).unwrap();
-    let path = folder.join("job.toml");
-    std::fs::write(&path, text.replace("machine = \"ellipse-xy\"", "machine = \"cell.toml\"")).unwrap();
-    path.display().to_string()
+    write(folder, "job.toml", text.replace("machine = \"ellipse-xy\"", "machine = \"cell.toml\""))
 }
 
 pub(crate) fn eventually(what: &str, done: impl Fn() -> bool) {

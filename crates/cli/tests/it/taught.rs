@@ -1,7 +1,7 @@
 //! Taught spans and free seams through the command line: points, recorded axis positions and tables; the program file
 //! stands alone; bad input with its address.
 
-use crate::common::{column, example, good, run, table};
+use crate::common::{column, example, good, run, table, write};
 use std::fs;
 use std::path::Path;
 
@@ -11,12 +11,6 @@ fn with(folder: &Path, arguments: &[&str]) -> (i32, String) {
     let text = String::from_utf8(output.stderr).unwrap();
     println!("{}: {text}", folder.display());
     (output.status.code().unwrap(), text)
-}
-
-fn write(folder: &Path, name: &str, text: &str) -> String {
-    let path = folder.join(name);
-    fs::write(&path, text).unwrap();
-    path.display().to_string()
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Libraries that fail to open or to be written: clear messages, no changes.
 
-use crate::common::{WeldResult, outcome, plan, row};
+use crate::common::{WeldResult, empty, outcome, plan, row};
 use seamwright_record::library::{DocumentKind, Library, Query};
 use seamwright_record::{DataFolder, Error};
 use std::fs;
@@ -8,8 +8,7 @@ use std::path::Path;
 
 /// A folder with one weld.
 fn recorded() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (folder, mut data) = empty();
     let mut recording = data.begin(&plan("P-1")).unwrap();
     (0..2000).for_each(|i| recording.row(row(i)));
     recording.finish(&mut data, &outcome(WeldResult::Good)).unwrap();

@@ -1,6 +1,6 @@
 //! Welds recorded, found, verified and recovered.
 
-use crate::common::{self, WeldResult, outcome, plan, row};
+use crate::common::{self, WeldResult, empty, outcome, plan, row};
 use seamwright_message::Message;
 use seamwright_record::figures::Figures;
 use seamwright_record::library::{Alarm, AuditEntry, DocumentKind, Event, Place, Query};
@@ -25,8 +25,7 @@ fn alarm(name: &str) -> Alarm {
 
 #[test]
 fn figures_are_those_of_the_rows() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
     let record = data.library().weld(id).unwrap();
     // 0.8 U I / v, by hand.
@@ -72,8 +71,7 @@ fn figures_are_those_of_the_rows() {
 /// while the torch travels is reported with its position.
 #[test]
 fn a_hold_is_no_violation_and_a_violation_has_a_place() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     for odd in [false, true] {
         let mut held = plan("P-1");
         held.columns.push(Column::new("steady", "1", Kind::U8));
@@ -113,8 +111,7 @@ fn a_hold_is_no_violation_and_a_violation_has_a_place() {
 
 #[test]
 fn welds_are_found() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     for (part, result) in [("P-1", WeldResult::Good), ("P-2", WeldResult::Stopped), ("P-10%", WeldResult::Good)] {
         let recording = data.begin(&plan(part)).unwrap();
         recording.finish(&mut data, &outcome(result)).unwrap();
@@ -149,8 +146,7 @@ fn welds_are_found() {
 #[test]
 fn words_are_found_among_many_alarms() {
     const ALARMS: i64 = 50_000;
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     for part in ["P-1", "P-2", "P-3"] {
         data.begin(&plan(part)).unwrap().finish(&mut data, &outcome(WeldResult::Good)).unwrap();
     }
@@ -175,8 +171,7 @@ fn words_are_found_among_many_alarms() {
 
 #[test]
 fn texts_have_versions_and_are_kept() {
-    let folder = tempfile::tempdir().unwrap();
-    let data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, data) = empty();
     let library = data.library();
     let add = |name: &str, text: &str| library.add_document(DocumentKind::Program, name, text).unwrap();
     let (a, b, again, other) = (add("p", "one"), add("p", "two"), add("p", "one"), add("q", "one"));
@@ -192,8 +187,7 @@ fn texts_have_versions_and_are_kept() {
 
 #[test]
 fn alarms_and_events_come_back() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
     let number = data.library().add_alarm(Some(id), &alarm("arc lost")).unwrap();
     data.library().add_alarm(None, &alarm("of no weld")).unwrap();
@@ -213,8 +207,7 @@ fn alarms_and_events_come_back() {
 /// An alarm on the panel's list stays there, also for the next program, until it is acknowledged.
 #[test]
 fn alarms_on_the_list_wait_for_somebody() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (folder, mut data) = empty();
     let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
     data.library().add_alarm(Some(id), &alarm("not on it")).unwrap();
     for (weld, name) in [(Some(id), "arc lost"), (None, "following error (x)")] {
@@ -236,8 +229,7 @@ fn alarms_on_the_list_wait_for_somebody() {
 /// A library of version 1 is brought up to date when it is opened to be written.
 #[test]
 fn an_older_library_is_brought_up_to_date() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (folder, mut data) = empty();
     let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
     data.library().add_alarm(Some(id), &alarm("arc lost")).unwrap();
     let path = data.library().path().to_owned();
@@ -253,8 +245,7 @@ fn an_older_library_is_brought_up_to_date() {
 /// A library from elsewhere leads to no file outside the weld's folder.
 #[test]
 fn files_of_a_weld_are_in_its_folder() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
     assert!(!data.library().files(id).unwrap().is_empty());
     for name in ["../../users.json", "/etc/passwd", "..", "a/b", "a\\b", ""] {
@@ -332,8 +323,7 @@ fn the_audit_log_is_append_only() {
 
 #[test]
 fn changed_and_missing_files_are_found() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     let (a, b) = (weld(&mut data, &plan("P-1"), WeldResult::Good), weld(&mut data, &plan("P-2"), WeldResult::Good));
     let verified = data.verify().unwrap();
     assert_eq!((verified.welds, verified.files, verified.problems), (2, 4, vec![]));
@@ -356,8 +346,7 @@ fn changed_and_missing_files_are_found() {
 
 #[test]
 fn a_crashed_weld_is_recovered() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     let mut recording = data.begin(&plan("P-1")).unwrap();
     (0..8000).for_each(|i| recording.row(row(i)));
     recording.flush();
@@ -376,8 +365,7 @@ fn a_crashed_weld_is_recovered() {
 
 #[test]
 fn no_room_no_weld() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     let error = data.begin(&Plan { rows: u64::MAX / 1000, ..plan("P-1") }).unwrap_err();
     assert!(matches!(error, Error::Full { .. }) && error.to_string().contains("MiB are free"), "{error}");
     assert!(data.library().find(&Query::default()).unwrap().is_empty());
@@ -387,8 +375,7 @@ fn no_room_no_weld() {
 /// files. No later weld overwrites them.
 #[test]
 fn a_weld_that_the_library_has_lost_is_told_and_kept() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (folder, mut data) = empty();
     weld(&mut data, &plan("P-1"), WeldResult::Good);
     let copy = folder.path().join("before.sqlite");
     let db = rusqlite::Connection::open(data.library().path()).unwrap();
@@ -466,8 +453,7 @@ fn records_are_private_in_an_open_folder() {
 #[test]
 fn open_records_become_private_when_the_folder_is_opened() {
     use std::os::unix::fs::PermissionsExt as _;
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (folder, mut data) = empty();
     let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
     drop(data.journal().unwrap());
     drop(data);
@@ -488,8 +474,7 @@ fn open_records_become_private_when_the_folder_is_opened() {
 /// A weld whose record cannot be begun is not among the welds, and does not run for ever.
 #[test]
 fn a_record_that_cannot_be_begun_leaves_nothing() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (folder, mut data) = empty();
     // A file has the name of its folder.
     fs::write(folder.path().join("welds/000001"), "").unwrap();
     assert!(data.begin(&plan("P-1")).is_err());
@@ -500,8 +485,7 @@ fn a_record_that_cannot_be_begun_leaves_nothing() {
 /// A clock that is set makes no weld end before it began: how long it took is by another one.
 #[test]
 fn no_weld_ends_before_it_began() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut data = DataFolder::open(folder.path()).unwrap();
+    let (_folder, mut data) = empty();
     let recording = data.begin(&plan("P-1")).unwrap();
     let id = recording.id();
     // As if the clock had been an hour ahead at the start, and was set right since.

@@ -1,7 +1,5 @@
 //! Random solids, and distances by an independent method: alternating closed-form projections onto each body.
 
-#![allow(dead_code, reason = "each test file uses some of it")]
-
 use glam::{DAffine3, DQuat, DVec3};
 use seamwright_clearance::{Mesh, Shape, Solid};
 use seamwright_testkit::Random;

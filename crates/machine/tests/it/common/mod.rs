@@ -1,12 +1,10 @@
 //! Seeded random machines and poses.
 
-#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
-
 use seamwright_document::DocumentError;
 use seamwright_machine::{AxisKind, Joints, Machine, shipped};
 use seamwright_testkit::Random;
 
-pub fn random_joints(machine: &Machine, random: &mut Random) -> Joints {
+pub(crate) fn random_joints(machine: &Machine, random: &mut Random) -> Joints {
     let mut q = Joints::default();
     for (value, axis) in q.iter_mut().zip(&machine.axes) {
         let (low, high) = axis.range.unwrap_or((-9.0, 9.0));
@@ -17,7 +15,7 @@ pub fn random_joints(machine: &Machine, random: &mut Random) -> Joints {
 
 /// Distance of the pose from a singular one: the volume spanned by the decided axes' unit columns over all of point and
 /// direction, as far as the number of axes allows.
-pub fn conditioning(machine: &Machine, q: &Joints) -> f64 {
+pub(crate) fn conditioning(machine: &Machine, q: &Joints) -> f64 {
     let columns = machine.jacobian(q);
     let head = &machine.heads[0];
     let mut basis: Vec<[f64; 6]> = Vec::new();
@@ -40,7 +38,7 @@ pub fn conditioning(machine: &Machine, q: &Joints) -> f64 {
 }
 
 /// The text of a machine file with `count` axes of random kind, side, sense, direction and position.
-pub fn random_chain(random: &mut Random, count: u32) -> String {
+pub(crate) fn random_chain(random: &mut Random, count: u32) -> String {
     let mut text = String::from("schema = 1\nname = \"random\"\ntitle = \"random\"\n");
     for k in 0..count {
         let side = if random.below(2) == 0 { "tool" } else { "work" };
@@ -70,7 +68,7 @@ pub fn random_chain(random: &mut Random, count: u32) -> String {
 }
 
 /// True if two sets of positions are equal up to whole turns.
-pub fn same(machine: &Machine, a: &Joints, b: &Joints, within: f64) -> bool {
+pub(crate) fn same(machine: &Machine, a: &Joints, b: &Joints, within: f64) -> bool {
     machine.axes.iter().zip(a.iter().zip(b)).all(|(axis, (a, b))| {
         let d = match axis.kind {
             AxisKind::Linear => a - b,
@@ -81,7 +79,7 @@ pub fn same(machine: &Machine, a: &Joints, b: &Joints, within: f64) -> bool {
 }
 
 /// The error of a machine file's text with `from`, which it contains, replaced once; it has an address.
-pub fn refusal(text: &str, from: &str, to: &str) -> DocumentError {
+pub(crate) fn refusal(text: &str, from: &str, to: &str) -> DocumentError {
     assert!(text.contains(from), "{from}");
     let error = Machine::read("m.toml", &text.replacen(from, to, 1)).unwrap_err();
     println!("{error}");
@@ -89,6 +87,6 @@ pub fn refusal(text: &str, from: &str, to: &str) -> DocumentError {
     error
 }
 
-pub fn shipped_machine(name: &str) -> Machine {
+pub(crate) fn shipped_machine(name: &str) -> Machine {
     Machine::read(name, shipped(name).unwrap().text).unwrap()
 }

@@ -1,7 +1,5 @@
 //! Planned examples, and part programs played by rules written down a second time.
 
-#![allow(dead_code, reason = "each test uses a part")]
-
 use glam::DVec3;
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;

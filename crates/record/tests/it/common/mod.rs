@@ -1,19 +1,25 @@
 //! A weld to record.
 
-#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
-
 use seamwright_message::Message;
 use seamwright_record::figures::{Basis, HEAT_INPUT, Judged, Power};
 use seamwright_record::trace::{Column, Kind};
-use seamwright_record::{Outcome, Plan};
+use seamwright_record::{DataFolder, Outcome, Plan};
+use tempfile::TempDir;
 
-pub use seamwright_record::library::WeldResult;
+pub(crate) use seamwright_record::library::WeldResult;
 
 /// Speed of the test weld, mm/s.
-pub const SPEED: f64 = 10.0;
+pub(crate) const SPEED: f64 = 10.0;
+
+/// An empty data folder.
+pub(crate) fn empty() -> (TempDir, DataFolder) {
+    let folder = tempfile::tempdir().unwrap();
+    let data = DataFolder::open(folder.path()).unwrap();
+    (folder, data)
+}
 
 /// Welds `part` at 240 A (window 220 to 260) and 27 V.
-pub fn plan(part: &str) -> Plan {
+pub(crate) fn plan(part: &str) -> Plan {
     let column = |name: &str, unit: &str, kind| Column::new(name, unit, kind);
     let text = |name: &str, text: &str| (name.to_owned(), text.to_owned());
     Plan {
@@ -52,7 +58,7 @@ pub fn plan(part: &str) -> Plan {
 }
 
 /// The row at `i` ms: an arc from 1 s to 11 s over 100 mm; 270 A from 50 to 54 mm; 0.2 mm off at 30 mm.
-pub fn row(i: u32) -> [f64; 7] {
+pub(crate) fn row(i: u32) -> [f64; 7] {
     let t = f64::from(i) * 1e-3;
     let s = SPEED * (t - 1.0).clamp(0.0, 10.0);
     let arc = (1000..11_000).contains(&i);
@@ -61,6 +67,6 @@ pub fn row(i: u32) -> [f64; 7] {
     [t, 1.0, s, f64::from(u8::from(arc)), off, current, 27.0]
 }
 
-pub fn outcome(result: WeldResult) -> Outcome {
+pub(crate) fn outcome(result: WeldResult) -> Outcome {
     Outcome { result, note: Message::default(), files: vec![("report.json".to_owned(), "{}\n".to_owned())] }
 }
