@@ -98,7 +98,7 @@ fn ellipse(args: &InterpolateArgs) -> Result<Shape, Failure> {
 }
 
 fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
-    let mut rows = Rows::with_header(POINTS, json)?;
+    let mut rows = Rows::with_header(POINTS, json);
     for Named { name, request } in requests {
         let mut last = None;
         for p in request.interpolate()? {
@@ -112,7 +112,7 @@ fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
 }
 
 fn summary(requests: &[Named], json: bool) -> Result<(), Failure> {
-    let mut rows = Rows::with_header(SUMMARY, json)?;
+    let mut rows = Rows::with_header(SUMMARY, json);
     for Named { name, request } in requests {
         let s: Statistics = request.statistics()?;
         // Pulse methods: distances a period, since a pulse has no speed.
