@@ -27,28 +27,35 @@ pub(crate) struct Rows {
     out: BufWriter<StdoutLock<'static>>,
     columns: Vec<String>,
     json: bool,
+    /// The header has been written.
+    begun: bool,
     rows: u64,
 }
 
 impl Rows {
-    /// Starts a table; CSV writes its header at once.
-    pub(crate) fn new(columns: Vec<String>, json: bool) -> Result<Self, Failure> {
-        let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
-        if json {
-            out.write_all(b"[")?;
-        } else {
-            writeln!(out, "{}", columns.join(","))?;
-        }
-        Ok(Self { out, columns, json, rows: 0 })
+    /// Creates a table. Its header is written with the first row, or at the end, so that bad input gives no output.
+    pub(crate) fn new(columns: Vec<String>, json: bool) -> Self {
+        let out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+        Self { out, columns, json, begun: false, rows: 0 }
     }
 
-    /// Starts a table with the columns of this header line.
-    pub(crate) fn with_header(header: &str, json: bool) -> Result<Self, Failure> {
+    /// Creates a table with the columns of this header line.
+    pub(crate) fn with_header(header: &str, json: bool) -> Self {
         Self::new(header.split(',').map(str::to_owned).collect(), json)
+    }
+
+    fn begin(&mut self) -> Result<(), Failure> {
+        match (std::mem::replace(&mut self.begun, true), self.json) {
+            (true, _) => {}
+            (false, true) => self.out.write_all(b"[")?,
+            (false, false) => writeln!(self.out, "{}", self.columns.join(","))?,
+        }
+        Ok(())
     }
 
     /// Writes one row, with a cell a column.
     pub(crate) fn row(&mut self, cells: &[Cell]) -> Result<(), Failure> {
+        self.begin()?;
         if self.json {
             self.json_row(cells)?;
         } else {
@@ -99,6 +106,7 @@ impl Rows {
 
     /// Ends the table.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
+        self.begin()?;
         if self.json {
             self.out.write_all(b"\n]\n")?;
         }

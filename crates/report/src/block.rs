@@ -109,9 +109,13 @@ pub(crate) fn heading(code: &'static str, language: Language) -> Block {
     Block::Heading(language.words(code))
 }
 
-/// Returns a section with its heading, unless it is empty.
-pub(crate) fn section(code: &'static str, content: Vec<Block>, language: Language) -> Vec<Block> {
-    if content.is_empty() { content } else { std::iter::once(heading(code, language)).chain(content).collect() }
+/// Returns the sections that are not empty, each below its heading.
+pub(crate) fn sections(
+    sections: impl IntoIterator<Item = (&'static str, Vec<Block>)>,
+    language: Language,
+) -> impl Iterator<Item = Block> {
+    let full = sections.into_iter().filter(|(_, content)| !content.is_empty());
+    full.flat_map(move |(code, content)| std::iter::once(heading(code, language)).chain(content))
 }
 
 pub(crate) fn paragraph(code: &'static str, language: Language) -> Block {

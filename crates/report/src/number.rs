@@ -67,8 +67,8 @@ pub(crate) fn quantity(value: f64, unit: Unit, digits: usize) -> Message {
 }
 
 /// Returns a message about a range, whose unit stands at its end.
-pub(crate) fn range(code: &'static str, (from, to): (f64, f64), unit: Unit) -> Message {
-    Message::new(code).significant("from", from, Unit::One, 5).significant("to", to, unit, 5)
+pub(crate) fn range(code: &'static str, ends: (f64, f64), unit: Unit) -> Message {
+    Message::new(code).significant("from", ends.0, Unit::One, 5).significant("to", ends.1, unit, 5)
 }
 
 /// Returns a range of formatted values.

@@ -1,6 +1,8 @@
 //! Label placement without overlaps.
 
-use crate::svg::Rect;
+use crate::glyph::{Point, distance};
+use crate::svg::{Anchor, Rect, Svg};
+use crate::text::width;
 
 /// Moves labels along a line as little as needed to separate neighbours.
 ///
@@ -23,16 +25,40 @@ pub(crate) fn spread(wanted: &[f64], sizes: &[f64], lo: f64, hi: f64) -> Vec<f64
     placed
 }
 
+/// A name beside a point.
+pub(crate) struct Name<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) at: Point,
+    /// Class of the line that leads to a name farther away than `near`, px.
+    pub(crate) leader: &'a str,
+    pub(crate) near: f64,
+}
+
+impl Name<'_> {
+    /// Writes the name inside `frame`, off everything in `taken`, to which it is added.
+    pub(crate) fn write(&self, svg: &mut Svg, frame: Rect, taken: &mut Vec<Rect>, ink: &[Point]) {
+        let bounds = frame.inset(3.0);
+        let size = Size { w: width(self.text, 12.0) + 4.0, h: 15.0 };
+        let label = beside(bounds.nearest(self.at), size, bounds, taken, ink);
+        let end = label.nearest(self.at);
+        if distance(end, self.at) > self.near {
+            svg.line(self.leader, self.at.0, self.at.1, end.0, end.1);
+        }
+        svg.text("halo", label.x + 0.5 * label.w, label.y + 11.5, Anchor::Middle, self.text);
+        taken.push(label);
+    }
+}
+
 /// Size of a label, px.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Size {
-    pub(crate) w: f64,
-    pub(crate) h: f64,
+struct Size {
+    w: f64,
+    h: f64,
 }
 
 /// Returns the position of a label of this size beside `point`. It lies inside `bounds`, off the labels in `taken`, and
 /// on as few `ink` points as possible.
-pub(crate) fn beside(point: (f64, f64), size: Size, bounds: Rect, taken: &[Rect], ink: &[(f64, f64)]) -> Rect {
+fn beside(point: Point, size: Size, bounds: Rect, taken: &[Rect], ink: &[Point]) -> Rect {
     let Size { w, h } = size;
     let mut best = (f64::INFINITY, Rect { x: point.0, y: point.1, w, h });
     for distance in [10.0, 18.0, 28.0, 42.0, 60.0, 84.0] {
@@ -63,7 +89,7 @@ fn overlap(a: Rect, b: Rect) -> f64 {
     w.max(0.0) * h.max(0.0)
 }
 
-fn holds(r: Rect, p: (f64, f64)) -> bool {
+fn holds(r: Rect, p: Point) -> bool {
     (r.x - 2.0..=r.right() + 2.0).contains(&p.0) && (r.y - 2.0..=r.bottom() + 2.0).contains(&p.1)
 }
 

@@ -1,5 +1,6 @@
 //! Writing of SVG elements.
 
+use crate::glyph::Point;
 use crate::number::px;
 use crate::text::{minus, printable, width};
 use crate::{Language, style};
@@ -31,6 +32,16 @@ impl Rect {
 
     pub(crate) fn bottom(&self) -> f64 {
         self.y + self.h
+    }
+
+    /// Returns a square around a point.
+    pub(crate) fn around(p: Point, half: f64) -> Self {
+        Self { x: p.0 - half, y: p.1 - half, w: 2.0 * half, h: 2.0 * half }
+    }
+
+    /// Returns the nearest point inside.
+    pub(crate) fn nearest(&self, p: Point) -> Point {
+        (p.0.clamp(self.x, self.right()), p.1.clamp(self.y, self.bottom()))
     }
 
     pub(crate) fn inset(&self, by: f64) -> Self {
@@ -76,7 +87,7 @@ pub struct Svg {
 
 impl Svg {
     fn add(&mut self, element: Markup) {
-        self.body += &element.0;
+        self.body += &element.into_string();
         self.body.push('\n');
     }
 

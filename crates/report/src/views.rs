@@ -2,11 +2,10 @@
 
 use crate::layout::{self, HEAD, Layout, Map, TITLE, whole};
 use crate::legend::Entry;
-use crate::place::{self, Size};
+use crate::place::Name;
 use crate::projection::Projection::Pictorial;
 use crate::series::{self, Style};
 use crate::svg::{Anchor, Rect, Svg};
-use crate::text::width;
 use crate::thin::thin;
 use crate::{Drawing, Language, Words as _};
 
@@ -74,16 +73,10 @@ impl ThreeViews {
             }
         }
         let marks: Vec<_> = self.marks.iter().filter(|m| whole(&m.at)).map(|m| (m, map.px(m.at))).collect();
-        let dot = |(_, p): &(&Mark, (f64, f64))| Rect { x: p.0 - 4.0, y: p.1 - 4.0, w: 8.0, h: 8.0 };
-        let mut taken: Vec<Rect> = marks.iter().map(dot).collect();
+        let mut taken: Vec<Rect> = marks.iter().map(|(_, p)| Rect::around(*p, 4.0)).collect();
         for (mark, p) in &marks {
             if map.view != Pictorial {
-                let size = Size { w: width(&mark.label, 12.0) + 4.0, h: 15.0 };
-                let label = place::beside(*p, size, frame.inset(3.0), &taken, &ink);
-                let near = (p.0.clamp(label.x, label.right()), p.1.clamp(label.y, label.bottom()));
-                svg.line("leader", p.0, p.1, near.0, near.1);
-                svg.text("halo", label.x + 0.5 * label.w, label.y + 11.5, Anchor::Middle, &mark.label);
-                taken.push(label);
+                Name { text: &mark.label, at: *p, leader: "leader", near: 0.0 }.write(svg, frame, &mut taken, &ink);
             }
             svg.circle("mark", p.0, p.1, 3.2);
         }

@@ -63,7 +63,7 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     let mut columns: Vec<String> = ["t_s", "s_mm"].map(str::to_owned).into();
     columns.extend(machine.axes.iter().map(|a| a.name.clone()));
     columns.push("speed_mm_s".to_owned());
-    let mut rows = Rows::new(columns, args.json)?;
+    let mut rows = Rows::new(columns, args.json);
     let profile = ProfileStream::new(path, window).map_err(|e| Failure::input(in_file(&source, &e)))?;
     play(&machine, &source, profile, Playback { speed_mm_s: speed, period_s: period }, &mut rows)?;
     rows.finish()?;

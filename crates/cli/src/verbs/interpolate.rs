@@ -104,7 +104,7 @@ fn ellipse(args: &InterpolateArgs) -> Result<Shape, Failure> {
 }
 
 fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
-    let mut rows = Rows::with_header(POINTS, json)?;
+    let mut rows = Rows::with_header(POINTS, json);
     for named in requests {
         let mut last = None;
         for p in named.interpolate()? {
@@ -118,7 +118,7 @@ fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
 }
 
 fn summary(requests: &[Named], json: bool) -> Result<(), Failure> {
-    let mut rows = Rows::with_header(SUMMARY, json)?;
+    let mut rows = Rows::with_header(SUMMARY, json);
     for Named { name, request } in requests {
         let s: Statistics = request.statistics().map_err(|e| Failure::Input(e.0))?;
         // Pulse methods: distances a period, since a pulse has no speed.

@@ -25,7 +25,7 @@ pub(crate) fn run(args: &IoArgs) -> Result<(), Failure> {
     for (_, inspector) in &mut devices {
         inspector.look().map_err(|e| Failure::environment(&e))?;
     }
-    let mut rows = Rows::with_header(HEADER, args.json)?;
+    let mut rows = Rows::with_header(HEADER, args.json);
     let mut troubles: Vec<Option<ModbusError>> = devices.iter().map(|_| None).collect();
     let mut left = args.times.or(every_s.is_none().then_some(1));
     while left != Some(0) {

@@ -16,39 +16,20 @@ pub(crate) fn run(args: &KinematicsArgs) -> Result<(), Failure> {
     let names: Vec<&str> = machine.axes.iter().map(|a| a.name.as_str()).collect();
     let owned = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect::<Vec<String>>();
     if args.forward {
-        let mut rows = None;
-        each_row(&names, |values| {
-            let rows = opened(&mut rows, || Rows::new(owned(&POSE), args.json))?;
-            forward(&machine, values, rows)
-        })?;
-        return opened(&mut rows, || Rows::new(owned(&POSE), args.json)).map(|_| ()).and_then(|()| end(rows));
+        let mut rows = Rows::new(owned(&POSE), args.json);
+        each_row(&names, |values| forward(&machine, values, &mut rows))?;
+        return rows.finish();
     }
-    let mut columns = owned(&names);
-    columns.extend(["error".to_owned(), "attitude_error_deg".to_owned()]);
-    let mut rows = None;
+    let mut rows = Rows::new(owned(&[&names[..], &["error", "attitude_error_deg"]].concat()), args.json);
     let mut near = machine.home();
     each_row(&POSE, |values| {
-        let rows = opened(&mut rows, || Rows::new(columns.clone(), args.json))?;
         let solution = inverse(&machine, values, &near, args.continuous);
         if let (Ok(solution), true) = (&solution, args.continuous) {
             near = solution.joints;
         }
-        write_solution(&machine, solution, rows)
+        write_solution(&machine, solution, &mut rows)
     })?;
-    opened(&mut rows, || Rows::new(columns.clone(), args.json))?;
-    end(rows)
-}
-
-/// The table, opened when the first good row has been read, so that bad input gives no output.
-fn opened(rows: &mut Option<Rows>, open: impl FnOnce() -> Result<Rows, Failure>) -> Result<&mut Rows, Failure> {
-    match rows {
-        Some(rows) => Ok(rows),
-        None => Ok(rows.insert(open()?)),
-    }
-}
-
-fn end(rows: Option<Rows>) -> Result<(), Failure> {
-    rows.map_or(Ok(()), Rows::finish)
+    rows.finish()
 }
 
 fn forward(machine: &Machine, values: &[f64], rows: &mut Rows) -> Result<(), Failure> {

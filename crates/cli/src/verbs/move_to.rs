@@ -115,7 +115,7 @@ fn write(machine: &Machine, plan: &PointToPoint, period: f64, count: u64, json: 
     let mut columns = vec!["t_s".to_owned()];
     columns.extend(machine.axes.iter().map(|a| a.name.clone()));
     columns.push("speed_mm_s".to_owned());
-    let mut rows = Rows::new(columns, json)?;
+    let mut rows = Rows::new(columns, json);
     let mut cells = Vec::new();
     for i in 0..=count {
         // The last one is at rest at the target, up to a period after it is reached.

@@ -87,7 +87,7 @@ fn is_line(span: &&Span) -> bool {
 
 /// A row a span; a summary to standard error.
 fn rows(points: usize, reduction: &Reduction) -> Result<(), Failure> {
-    let mut rows = Rows::new(COLUMNS.map(str::to_owned).into(), false)?;
+    let mut rows = Rows::new(COLUMNS.map(str::to_owned).into(), false);
     for span in &reduction.spans {
         let mut cells = [Cell::Empty; 11];
         cells[0] = Cell::Text("line");

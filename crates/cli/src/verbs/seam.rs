@@ -14,7 +14,7 @@ pub(crate) fn run(args: &SeamArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     let seam = loaded.seam()?;
     let places = Places::new(&args.places, seam, POINTS)?;
-    let mut rows = Rows::with_header(HEADER, args.json)?;
+    let mut rows = Rows::with_header(HEADER, args.json);
     places.each(seam.weld_length(), |s, phi| write(&mut rows, &seam.at(s), phi))?;
     rows.finish()
 }

@@ -29,7 +29,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
     };
     let seam = loaded.seam()?;
     let places = Places::new(&args.places, seam, SECTIONS)?;
-    let mut rows = Rows::with_header(HEADER, args.json)?;
+    let mut rows = Rows::with_header(HEADER, args.json);
     let mut drawn = Vec::new();
     places.each(seam.weld_length(), |s, asked| {
         if drawn.len() < DRAWN {

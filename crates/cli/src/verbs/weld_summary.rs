@@ -17,13 +17,8 @@ pub(super) fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     let mut text = format!("{}\n", r.title);
     labelled(&mut text, "cli-label-machine", &r.machine.title);
     if let Some(seam) = &r.seam {
-        let seam = Message::new("cli-summary-seam").quantity("length", seam.length_mm, Unit::Mm, 3).quantity(
-            "weld",
-            seam.weld_length_mm,
-            Unit::Mm,
-            3,
-        );
-        labelled(&mut text, "cli-label-seam", seam);
+        let message = Message::new("cli-summary-seam").quantity("length", seam.length_mm, Unit::Mm, 3);
+        labelled(&mut text, "cli-label-seam", message.quantity("weld", seam.weld_length_mm, Unit::Mm, 3));
     }
     if let [pass] = r.passes.as_slice() {
         only_pass(&mut text, pass);
@@ -159,16 +154,11 @@ fn tracked_head(text: &mut String, head: &HeadSummary, welded: bool) {
         let deviation = Message::new(if head.tracked { "cli-summary-tracked" } else { "cli-summary-untracked" })
             .quantity("p99", head.miss_p99_mm, Unit::Mm, 3)
             .quantity("max", head.miss_most_mm, Unit::Mm, 3);
-        let deviation = match head.tracked {
-            true => deviation.number("plain-p99", head.untracked_p99_mm, 3).quantity(
-                "plain-max",
-                head.untracked_most_mm,
-                Unit::Mm,
-                3,
-            ),
-            false => deviation,
+        let plain = |deviation: Message| {
+            let deviation = deviation.number("plain-p99", head.untracked_p99_mm, 3);
+            deviation.quantity("plain-max", head.untracked_most_mm, Unit::Mm, 3)
         };
-        line(text, &head.head, deviation);
+        line(text, &head.head, if head.tracked { plain(deviation) } else { deviation });
         if let Some(beam) = &head.beam {
             line(text, "", beam_message(beam));
         }

@@ -55,5 +55,5 @@ fn positive(value: f64) -> Positive {
 
 /// As many random cases; `make soak` multiplies them.
 fn random_cases(usual: u32) -> ProptestConfig {
-    ProptestConfig { cases: override_profile::cases(usual), ..ProptestConfig::default() }
+    ProptestConfig { cases: seamwright_testkit::cases(usual), ..ProptestConfig::default() }
 }

@@ -4,9 +4,8 @@ use super::drawing::{DrawnAxis, MachineDrawing, along};
 use crate::Words as _;
 use crate::glyph::{self, Point, Seen, distance, shifted, unit};
 use crate::layout::Map;
-use crate::place::{self, Size};
+use crate::place::Name;
 use crate::svg::{Anchor, Rect, Svg};
-use crate::text::width;
 
 /// Minimum in-plane part of a direction; below it the symbol points towards or away from the viewer.
 const OUT_OF_PLANE: f64 = 0.35;
@@ -35,10 +34,6 @@ pub(super) struct Canvas<'a> {
     bars: Vec<(Point, Point)>,
     dots: Vec<Point>,
     rings: Vec<(Point, f64)>,
-}
-
-fn square(p: Point, half: f64) -> Rect {
-    Rect { x: p.0 - half, y: p.1 - half, w: 2.0 * half, h: 2.0 * half }
 }
 
 impl<'a> Canvas<'a> {
@@ -124,7 +119,7 @@ impl<'a> Canvas<'a> {
             self.svg.circle(&format!("mark c{colour}"), here.0, here.1, 2.8);
         }
         self.note(low, high);
-        self.taken.push(square(shifted(high, way, -5.0), 6.0));
+        self.taken.push(Rect::around(shifted(high, way, -5.0), 6.0));
         self.labels.push((axis.label.clone(), shifted(high, way, -3.0), colour));
     }
 
@@ -161,7 +156,7 @@ impl<'a> Canvas<'a> {
         if flat < OUT_OF_PLANE {
             self.svg.circle(&format!("mark c{colour}"), centre.0, centre.1, 1.6);
         }
-        self.taken.push(square(tip, 6.0));
+        self.taken.push(Rect::around(tip, 6.0));
         self.labels.push((axis.label.clone(), points[points.len() / 2], colour));
     }
 
@@ -185,7 +180,7 @@ impl<'a> Canvas<'a> {
         self.svg.line("line fat c3", back.0, back.1, neck.0, neck.1);
         self.svg.path("f3", &glyph::arrow_head(at, way, ARROW));
         self.note(back, at);
-        self.taken.push(square(shifted(at, way, -5.0), 6.0));
+        self.taken.push(Rect::around(shifted(at, way, -5.0), 6.0));
         self.labels.push((name.to_owned(), back, 3));
     }
 
@@ -221,7 +216,7 @@ impl<'a> Canvas<'a> {
             self.compass(frame, direction, name);
         }
         self.compass(up, drawing.up, &drawing.language.words("report-machine-up"));
-        self.taken.extend([square(frame, 34.0), square(up, 30.0)]);
+        self.taken.extend([Rect::around(frame, 34.0), Rect::around(up, 30.0)]);
     }
 
     fn compass(&mut self, at: Point, direction: [f64; 3], name: &str) {
@@ -253,7 +248,7 @@ impl<'a> Canvas<'a> {
             false => self.svg.path(&format!("line c{colour}"), &glyph::cross(p.0, p.1, DOT - 0.5)),
         }
         self.dots.push(p);
-        self.taken.push(square(p, DOT + 1.0));
+        self.taken.push(Rect::around(p, DOT + 1.0));
     }
 
     /// Returns the position nearest to `at` where a circle does not overlap another.
@@ -285,17 +280,9 @@ impl<'a> Canvas<'a> {
 
     /// Draws names beside their symbols, with a leader line in crowded places.
     fn names(&mut self) {
-        let bounds = self.frame.inset(3.0);
         for (name, p, colour) in std::mem::take(&mut self.labels) {
-            let size = Size { w: width(&name, 12.0) + 4.0, h: 15.0 };
-            let at = (p.0.clamp(bounds.x, bounds.right()), p.1.clamp(bounds.y, bounds.bottom()));
-            let label = place::beside(at, size, bounds, &self.taken, &self.ink);
-            let near = (p.0.clamp(label.x, label.right()), p.1.clamp(label.y, label.bottom()));
-            if distance(near, p) > 12.0 {
-                self.svg.line(&format!("lead c{colour}"), p.0, p.1, near.0, near.1);
-            }
-            self.svg.text("halo", label.x + 0.5 * label.w, label.y + 11.5, Anchor::Middle, &name);
-            self.taken.push(label);
+            let name = Name { text: &name, at: p, leader: &format!("lead c{colour}"), near: 12.0 };
+            name.write(self.svg, self.frame, &mut self.taken, &self.ink);
         }
     }
 }

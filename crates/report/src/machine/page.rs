@@ -1,6 +1,6 @@
 use super::MachineDrawing;
 use super::tables::{axes, measure, reach, results, singular, structure};
-use crate::block::{figure, paragraph, section, tile};
+use crate::block::{figure, paragraph, sections, tile};
 use crate::number::{Significant as _, significant, small};
 use crate::{Block, Finding, Language, Page, Severity, Tile, Verdict, Words as _};
 use seamwright_machine::check::{Check, HeadCheck, Remark};
@@ -16,10 +16,7 @@ pub fn check_page(
     date: &str,
     language: Language,
 ) -> String {
-    let mut singular = Vec::new();
-    for head in &check.heads {
-        singular.extend(singular_blocks(check, head, language));
-    }
+    let singular = check.heads.iter().flat_map(|head| singular_blocks(check, head, language)).collect();
     let failed = failures(check, language).into_iter().map(failure).collect::<Vec<_>>();
     let remarks = match check.remarks.is_empty() {
         true => paragraph("report-check-no-remarks", language),
@@ -27,7 +24,7 @@ pub fn check_page(
     };
     let machine = figure(drawing, "report-check-caption-machine", language);
     let reached = check.heads.iter().map(|h| Block::Paragraph(reach_words(h, language)));
-    let sections = [
+    let parts = [
         ("report-check-heading-failed", if failed.is_empty() { vec![] } else { vec![Block::Findings(failed)] }),
         ("report-heading-axes", vec![machine, axes(check, language)]),
         ("report-check-remarks", vec![remarks]),
@@ -37,7 +34,7 @@ pub fn check_page(
         ("report-check-heading-file", vec![Block::Code { caption: file.to_owned(), text: source.to_owned() }]),
     ];
     let mut blocks = vec![Block::Tiles(tiles(check, language))];
-    blocks.extend(sections.into_iter().flat_map(|(heading, content)| section(heading, content, language)));
+    blocks.extend(sections(parts, language));
     let made_by = Message::new("report-check-made-by")
         .text("version", env!("CARGO_PKG_VERSION"))
         .text("seed", check.seed.to_string())

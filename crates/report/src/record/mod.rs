@@ -3,7 +3,7 @@
 mod charts;
 mod tables;
 
-use crate::block::{section, signatures, tile};
+use crate::block::{sections, signatures, tile};
 use crate::number::{Significant as _, range, significant};
 use crate::{Block, Language, Page, Severity, Tile, Verdict, Words as _, names};
 use seamwright_message::{Message, Unit};
@@ -24,7 +24,7 @@ pub fn recorded_weld_page(
     let welder = weld.welder.clone().unwrap_or_default();
     let signers = [("report-meta-welder", welder.clone()), ("report-inspector", String::new())];
     let events = if detail.events.is_empty() { vec![] } else { vec![tables::events(&detail.events, language)] };
-    let sections = [
+    let parts = [
         ("report-heading-values", vec![tables::values(&detail.values, language)]),
         ("value-heat-input", vec![charts::heat_input(figures, &detail.values, language)]),
         ("report-heading-deviations", charts::deviations(figures, language)),
@@ -35,7 +35,7 @@ pub fn recorded_weld_page(
         ("report-heading-signatures", vec![signatures(signers, language)]),
     ];
     let mut blocks = vec![Block::Tiles(tiles(weld, figures, detail.alarms.len(), language))];
-    blocks.extend(sections.into_iter().flat_map(|(heading, content)| section(heading, content, language)));
+    blocks.extend(sections(parts, language));
     let procedure = weld.procedure.as_ref().map_or_else(|| language.words("report-none"), |(name, _)| name.clone());
     let subtitle = if weld.simulated { "report-subtitle-record-simulated" } else { "report-subtitle-record" };
     let ended = weld.ended.map_or_else(|| language.words("report-not-yet"), |at| at.to_string());

@@ -8,7 +8,7 @@ use crate::{
     Axis, Band, Block, Chart, ChartGrid, Drawing, Gallery, Language, LimitLine, Mark, Series, Style, ThreeViews,
     Words as _, names,
 };
-use seamwright_machine::{Axis as MachineAxis, Machine};
+use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
@@ -246,8 +246,8 @@ fn process(pass: &Pass, language: Language) -> Option<ChartGrid> {
 
 /// Plots these orders of every axis, from 0: position, speed, acceleration, jerk.
 fn axes(machine: &Machine, samples: &[Sample], orders: &[usize], title: &'static str, language: Language) -> ChartGrid {
-    let axes = machine.axes.iter().enumerate();
-    let charts = axes.flat_map(|axis| orders.iter().map(move |order| axis_chart(samples, axis, *order, language)));
+    let axis_charts = |i| orders.iter().map(move |order| axis_chart(machine, samples, i, *order, language));
+    let charts = (0..machine.axes.len()).flat_map(axis_charts);
     ChartGrid { title: language.words(title), columns: 3, charts: charts.collect() }
 }
 
@@ -259,7 +259,8 @@ pub(super) fn units(unit: &str) -> [Unit; 4] {
     }
 }
 
-fn axis_chart(samples: &[Sample], (i, axis): (usize, &MachineAxis), order: usize, language: Language) -> Chart {
+fn axis_chart(machine: &Machine, samples: &[Sample], i: usize, order: usize, language: Language) -> Chart {
+    let axis = &machine.axes[i];
     let both_ways = |limit: f64| Some((-limit, limit));
     let (label, limits) = match order {
         0 => ("report-label-position", axis.range),

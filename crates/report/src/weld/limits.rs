@@ -21,10 +21,10 @@ pub(super) fn speed_text(c: &CertificateFigures, language: Language) -> String {
 }
 
 /// Returns a speed, or a range of speeds that are printed differently.
-fn speeds((min, max): (f64, f64)) -> Message {
-    match format_number(min, 5) == format_number(max, 5) {
-        true => quantity(max, Unit::MmPerS, 5),
-        false => range("report-range", (min, max), Unit::MmPerS),
+fn speeds(ends: (f64, f64)) -> Message {
+    match format_number(ends.0, 5) == format_number(ends.1, 5) {
+        true => quantity(ends.1, Unit::MmPerS, 5),
+        false => range("report-range", ends, Unit::MmPerS),
     }
 }
 

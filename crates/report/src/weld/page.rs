@@ -4,7 +4,7 @@ use super::limits::{axes_table, bounds_table, speed_text, uses_table};
 use super::procedure::{positions_table, procedure_text, verdict, windows_table};
 use super::simulated::{following_table, simulation_text};
 use super::tracking;
-use crate::block::{heading, paragraph, section, signatures};
+use crate::block::{heading, paragraph, sections, signatures};
 use crate::number::{Significant as _, range};
 use crate::{Block, Finding, Language, Page, Severity, Words as _};
 use seamwright_message::{Message, Unit};
@@ -29,15 +29,15 @@ impl WeldReport {
             (Some(pass), Some(plots)) => blocks.extend(self.only_pass(pass, plots, language)),
             _ => {}
         }
-        let posts = self.posts.iter().flat_map(|post| post.blocks(language)).collect();
-        blocks.extend(section("report-heading-programs", posts, language));
         let source = Block::Code { caption: self.file.clone(), text: source.to_owned() };
-        blocks.extend(section("report-heading-job", vec![self.data_table(language), source], language));
         let signers = ["report-welding-engineer", "report-inspector"].map(|role| (role, String::new()));
-        blocks.extend(section("report-heading-released", vec![signatures(signers, language)], language));
-        if several {
-            blocks.extend(self.curves(plots, language));
-        }
+        let last = [
+            ("report-heading-programs", self.posts.iter().flat_map(|post| post.blocks(language)).collect()),
+            ("report-heading-job", vec![self.data_table(language), source]),
+            ("report-heading-released", vec![signatures(signers, language)]),
+            ("report-heading-curves", if several { self.curves(plots, language) } else { Vec::new() }),
+        ];
+        blocks.extend(sections(last, language));
         let subtitle = if self.simulation.is_some() { "report-subtitle-simulation" } else { "report-subtitle-plan" };
         Page {
             language,
@@ -66,7 +66,7 @@ impl WeldReport {
             false => Block::Findings(findings),
         }];
         if !notes.is_empty() {
-            blocks.extend(section("report-heading-notes", vec![Block::Findings(notes)], language));
+            blocks.extend([heading("report-heading-notes", language), Block::Findings(notes)]);
         }
         blocks
     }
@@ -75,27 +75,25 @@ impl WeldReport {
     fn only_pass(&self, pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
         let figures = |names: &[&str]| plots.figures(names, language);
         let nearest = pass.clearance.as_ref().and_then(|clearance| clearance.nearest_text(language));
+        let clearance = nearest.into_iter().map(Block::Paragraph).chain(figures(&["clearance"])).collect();
         let mut speed = vec![Block::Paragraph(speed_text(&pass.certificate, language))];
         speed.extend(figures(&["speed"]));
         speed.push(bounds_table(&pass.certificate, language));
         speed.extend(figures(&["speed-deviation"]));
         let mut axes = figures(&["axes", "jerk"]);
         axes.extend([axes_table(&pass.plan.axes, language), uses_table(&pass.certificate.uses, language)]);
-        let sections = [
+        let parts = [
             ("report-heading-seam", figures(&SEAM)),
             ("report-heading-joint", figures(&["sections"])),
             ("report-heading-procedure", self.procedure(pass, plots, language)),
             ("report-heading-taught", plots.taught(language)),
-            (
-                "report-heading-clearance",
-                nearest.into_iter().map(Block::Paragraph).chain(figures(&["clearance"])).collect(),
-            ),
+            ("report-heading-clearance", clearance),
             ("report-heading-speed", speed),
             ("report-heading-tracking", tracked(pass, plots, language)),
             ("report-heading-simulated", self.simulated(pass, plots, language)),
             ("report-heading-axes", axes),
         ];
-        sections.into_iter().flat_map(|(heading, content)| section(heading, content, language)).collect()
+        sections(parts, language).collect()
     }
 
     /// Returns the pass against its procedure, if there is one.

@@ -10,7 +10,7 @@ use super::plan::AxisFigures;
 use super::range::Range;
 use super::simulated::simulation_text;
 use super::tracking;
-use crate::block::{paragraph, section};
+use crate::block::{paragraph, sections};
 use crate::number::{NONE, Significant as _, from_to, number, significant, small};
 use crate::{Block, Language, Table, Words as _, names};
 use seamwright_message::{Message, Unit};
@@ -29,7 +29,7 @@ impl WeldReport {
         order.push(self.order_table(language));
         let axes = axes_table(&self.axes_of_all(), language);
         let uses = uses_table(&self.uses_of_all(), language);
-        let sections = [
+        let parts = [
             ("report-heading-passes", vec![self.passes_table(language)]),
             ("report-heading-order", order),
             ("report-heading-joint", first("sections")),
@@ -38,7 +38,7 @@ impl WeldReport {
             ("report-heading-simulated", self.simulated_of_all(language)),
             ("report-heading-tracking", self.tracked_of_all(language)),
         ];
-        sections.into_iter().flat_map(|(heading, content)| section(heading, content, language)).collect()
+        sections(parts, language).collect()
     }
 
     /// Returns the curves of one pass of each kind.
@@ -53,7 +53,7 @@ impl WeldReport {
             blocks.extend(plots.taught(language));
             blocks.extend(plots.figures(&CURVES, language));
         }
-        section("report-heading-curves", blocks, language)
+        blocks
     }
 
     /// Returns one pass of each kind, in the order of welding: one with a finding against it, or else the longest. A

@@ -1,4 +1,4 @@
-use crate::number::Significant as _;
+use crate::number::{Significant as _, quantity};
 use crate::{Gallery, Language, SectionDrawing};
 use glam::DVec2;
 use seamwright_message::{Message, Unit};
@@ -57,21 +57,13 @@ fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawi
         Role::Cap | Role::Cosmetic => 3,
     };
     let at = Message::new("report-at").significant("s", s, Unit::Mm, 5);
-    let angle = |phi: f64| {
-        let degrees = phi.to_degrees().rem_euclid(360.0);
-        Message::new("quantity").significant("value", degrees, Unit::Deg, 4).in_language(language)
-    };
+    let angle = |phi: f64| quantity(phi.to_degrees().rem_euclid(360.0), Unit::Deg, 4).in_language(language);
     let note = Message::new("report-section-note").significant("dihedral", point.dihedral.to_degrees(), Unit::Deg, 4);
-    let area = |unit| Message::new("quantity").significant("value", section.area(), unit, 4);
+    let area = |unit| quantity(section.area(), unit, 4);
     let note = match section.cap > 0.0 {
         true => {
-            let sum = Message::new("report-area-with-cap").message("groove", area(Unit::One)).significant(
-                "cap",
-                section.cap,
-                Unit::Mm2,
-                3,
-            );
-            note.message("area", sum)
+            let sum = Message::new("report-area-with-cap").message("groove", area(Unit::One));
+            note.message("area", sum.significant("cap", section.cap, Unit::Mm2, 3))
         }
         false => note.message("area", area(Unit::Mm2)),
     };

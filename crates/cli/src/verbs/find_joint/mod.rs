@@ -136,7 +136,7 @@ fn shortest(value: f32) -> f64 {
 }
 
 fn rows(joint: &Joint) -> Result<(), Failure> {
-    let mut rows = Rows::with_header("x_px,y_px,confidence,width_px,state", false)?;
+    let mut rows = Rows::with_header("x_px,y_px,confidence,width_px,state", false);
     for row in &joint.rows {
         let [x, y, confidence, width] = [row.x, row.y, row.confidence, row.width].map(|v| Cell::Number(shortest(v)));
         rows.row(&[x, y, confidence, width, Cell::Text(state(row.state))])?;

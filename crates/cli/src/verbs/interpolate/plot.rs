@@ -3,6 +3,7 @@
 
 use super::Named;
 use crate::refusals::of_option;
+use crate::verbs::reduce::plot::words;
 use glam::DVec3;
 use seamwright_interpolators::{Path, Point};
 use seamwright_message::Message;
@@ -19,7 +20,22 @@ const CURVE: u32 = 2000;
 /// The sheet with all charts.
 pub(super) fn draw(requests: &[Named]) -> Result<String, Failure> {
     let path = requests[0].interpolate()?.path().clone();
-    let mut charts = [paths(&path), close(&path, requests), speed(), deviation()];
+    let flat = |title, series| Chart {
+        title: words(title),
+        x: Axis::new("x", "mm"),
+        y: Axis::new("y", "mm"),
+        series,
+        equal_aspect: true,
+        ..Chart::default()
+    };
+    let over_angle =
+        |title, y| Chart { title: words(title), x: Axis::new(words("cli-draw-angle"), "°"), y, ..Chart::default() };
+    let mut charts = [
+        flat("cli-draw-paths", vec![true_curve(&path, path.start_rad(), path.end_rad())]),
+        flat("cli-draw-close", close(&path, requests)),
+        over_angle("cli-draw-steps", Axis::new(words("cli-draw-deviation"), "%")),
+        over_angle("cli-draw-max-distance", Axis::new(words("cli-draw-distance"), "µm")),
+    ];
     for (place, named) in requests.iter().enumerate() {
         let Named { name, request } = named;
         let points: Vec<Point> = named.interpolate()?.take(MAX_POINTS + 1).collect();
@@ -42,10 +58,6 @@ pub(super) fn draw(requests: &[Named]) -> Result<String, Failure> {
     Ok(sheet(&words("cli-draw-interpolation"), &shown))
 }
 
-fn words(code: &'static str) -> String {
-    Message::new(code).to_string()
-}
-
 /// Angle gone since the start, degrees.
 fn travelled(path: &Path, p: &Point) -> f64 {
     (p.u_rad - path.start_rad()).abs().to_degrees()
@@ -56,30 +68,12 @@ fn true_curve(path: &Path, from: f64, to: f64) -> Series {
     Series::line(words("cli-draw-true-curve"), points.map(|p| (p.x, p.y)).collect()).styled(Style::Dashed)
 }
 
-fn paths(path: &Path) -> Chart {
-    Chart {
-        title: words("cli-draw-paths"),
-        x: Axis::new("x", "mm"),
-        y: Axis::new("y", "mm"),
-        series: vec![true_curve(path, path.start_rad(), path.end_rad())],
-        equal_aspect: true,
-        ..Chart::default()
-    }
-}
-
-/// The pulse methods around the middle of the path.
-fn close(path: &Path, requests: &[Named]) -> Chart {
+/// The true curve around the middle of the path, where the pulse methods are shown.
+fn close(path: &Path, requests: &[Named]) -> Vec<Series> {
     let pulses = requests.iter().find(|n| n.request.method.is_pulse()).map(|n| n.request.pulse_mm);
     let half = pulses.map_or(0.0, |pulse| angle_of(path, CLOSE_PULSES * pulse));
     let middle = 0.5 * (path.start_rad() + path.end_rad());
-    Chart {
-        title: words("cli-draw-close"),
-        x: Axis::new("x", "mm"),
-        y: Axis::new("y", "mm"),
-        series: if half > 0.0 { vec![true_curve(path, middle - half, middle + half)] } else { Vec::new() },
-        equal_aspect: true,
-        ..Chart::default()
-    }
+    if half > 0.0 { vec![true_curve(path, middle - half, middle + half)] } else { Vec::new() }
 }
 
 /// The angle that a distance along the path takes at its middle, rad.
@@ -93,15 +87,6 @@ fn near_middle(path: &Path, points: &[Point], pulse: f64) -> Vec<(f64, f64)> {
     let middle: DVec3 = path.point(0.5 * (path.start_rad() + path.end_rad()));
     let near = points.iter().map(|p| p.position).filter(|p| p.distance(middle) < CLOSE_PULSES * pulse);
     near.map(|p| (p.x, p.y)).collect()
-}
-
-fn speed() -> Chart {
-    Chart {
-        title: words("cli-draw-steps"),
-        x: Axis::new(words("cli-draw-angle"), "°"),
-        y: Axis::new(words("cli-draw-deviation"), "%"),
-        ..Chart::default()
-    }
 }
 
 /// Deviation (%) of the distance between positions a period apart from `step`, by angle travelled.
@@ -135,13 +120,4 @@ fn greatest_distances(path: &Path, points: &[Point]) -> Vec<(f64, f64)> {
     }
     let middle = |place: usize| (place as f64 + 0.5) * width;
     greatest.iter().enumerate().filter_map(|(place, g)| g.map(|g| (middle(place), g))).collect()
-}
-
-fn deviation() -> Chart {
-    Chart {
-        title: words("cli-draw-max-distance"),
-        x: Axis::new(words("cli-draw-angle"), "°"),
-        y: Axis::new(words("cli-draw-distance"), "µm"),
-        ..Chart::default()
-    }
 }

@@ -44,7 +44,7 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
     let mut arc = ArcClock::new(&motion);
     let speed = |pass, set: &SetPoint| motion.tip_speed(&loaded.machine, pass, set);
     let more = if args.export == Some(ExportArg::Pvt) { More::Speeds } else { More::None };
-    let mut table = Table::new(&loaded, more, args.json)?;
+    let mut table = Table::new(&loaded, more, args.json);
     if parts.is_none() && args.export.is_none() {
         motion.play(period, args.air, |pass, p, _| {
             progress.step();

@@ -28,7 +28,7 @@ pub(super) fn run(
     period: f64,
     args: &MotionArgs,
 ) -> Result<(), Failure> {
-    let mut player = Player::new(loaded, commands, period, args.json)?;
+    let mut player = Player::new(loaded, commands, period, args.json);
     for stage in motion.stages(args.air) {
         match stage {
             Stage::Pass(i, pass) => player.pass(i, pass)?,
@@ -76,8 +76,8 @@ struct Player<'a> {
 }
 
 impl<'a> Player<'a> {
-    fn new(loaded: &'a Loaded, commands: &'a [Timed], period: f64, json: bool) -> Result<Self, Failure> {
-        Ok(Self {
+    fn new(loaded: &'a Loaded, commands: &'a [Timed], period: f64, json: bool) -> Self {
+        Self {
             loaded,
             commands,
             period,
@@ -86,8 +86,8 @@ impl<'a> Player<'a> {
             first: Some(Command::Resume),
             over: false,
             burning: 0.0,
-            table: Table::new(loaded, More::Phase, json)?,
-        })
+            table: Table::new(loaded, More::Phase, json),
+        }
     }
 
     /// The next command, if it is due before the next set-point.

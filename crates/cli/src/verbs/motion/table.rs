@@ -55,7 +55,7 @@ pub(super) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    pub(super) fn new(loaded: &'a Loaded, more: More, json: bool) -> Result<Self, Failure> {
+    pub(super) fn new(loaded: &'a Loaded, more: More, json: bool) -> Self {
         let axes = &loaded.machine.axes;
         let process = ProcessColumns::new(&loaded.welding.program.value);
         let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
@@ -66,7 +66,7 @@ impl<'a> Table<'a> {
         columns.extend(["speed_mm_s".to_owned(), "arc".to_owned()]);
         columns.extend((more == More::Phase).then(|| "phase".to_owned()));
         columns.extend_from_slice(process.names());
-        Ok(Self { loaded, process, rows: Rows::new(columns, json)?, cells: Vec::new() })
+        Self { loaded, process, rows: Rows::new(columns, json), cells: Vec::new() }
     }
 
     pub(super) fn row(&mut self, row: &Row) -> Result<(), Failure> {

@@ -80,7 +80,7 @@ fn print_note(remark: &Message) {
 
 /// Pulses and changes of direction as rows on standard output.
 fn csv(play: &mut Play, stepped: &[Stepped]) -> Result<(), Failure> {
-    let mut rows = Rows::with_header("t_s,axis,event,direction,steps", false)?;
+    let mut rows = Rows::with_header("t_s,axis,event,direction,steps", false);
     let clock = play.clock;
     let mut state: Vec<(f64, f64)> = Vec::new();
     play.pulses(stepped, |_, lines, event| {

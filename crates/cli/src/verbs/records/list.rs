@@ -21,7 +21,7 @@ pub(super) fn run(args: &ListArgs) -> Result<(), Failure> {
         limit: None,
     };
     let welds = data.library().find(&query)?;
-    let mut rows = Rows::with_header(HEADER, args.data.json)?;
+    let mut rows = Rows::with_header(HEADER, args.data.json);
     for weld in &welds {
         let (begun, ended) = (weld.begun.to_string(), weld.ended.map(|m| m.to_string()));
         let number = |value: Option<f64>| value.map_or(Cell::Empty, Cell::Number);

@@ -205,7 +205,7 @@ impl Place<'_> {
             true => "feature,x_px,y_px,confidence,value,unit,y_mm,z_mm",
             false => "feature,y_mm,z_mm,confidence,value,unit",
         };
-        let mut rows = Rows::with_header(header, false)?;
+        let mut rows = Rows::with_header(header, false);
         let Some(f) = found else { return rows.finish() };
         let mut row = |name: &str, at: DVec2, value: Option<(f64, &'static str)>| {
             let (px, mm) = self.both(at);

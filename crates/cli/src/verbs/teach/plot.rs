@@ -22,55 +22,33 @@ pub(super) fn draw(report: &Report) -> String {
 fn curves(report: &Report) -> Vec<Chart> {
     let over =
         |value: &dyn Fn(&TaughtPoint) -> f64| report.figures.raw.iter().map(|p| (p.way, value(p))).collect::<Vec<_>>();
-    let chart = |title: &'static str, y: Axis, series: Vec<Series>| Chart {
+    let chart = |title, label, unit, series: Vec<Series>| Chart {
         title: words(title),
         x: Axis::new("s", "mm"),
-        y,
+        y: Axis::new(words(label), unit),
         series,
         ..Chart::default()
     };
+    let dots = |name, points, colour| Series::line(words(name), points).styled(Style::Points).coloured(colour);
     if report.figures.raw.is_empty() {
         return Vec::new();
     }
     let nominal = |pick: fn((f64, f64)) -> f64| over(&|p| p.from_nominal.map_or(f64::NAN, pick));
     let overlap = report.outcome.notes.iter().filter_map(|n| Some((n.way, n.overlap_mm?))).collect();
+    let beside = vec![dots("cli-draw-across", nominal(|n| n.0), 0), dots("cli-draw-above", nominal(|n| n.1), 1)];
+    let from_program = vec![dots("cli-draw-raw-points", over(&|p| p.from_program), 2)];
+    let overlap = vec![Series::line(words("cli-draw-overlap"), overlap).coloured(3)];
+    let confidence = vec![dots("cli-draw-raw-points", over(&|p| p.confidence), 2)];
     vec![
-        chart(
-            "cli-draw-from-nominal",
-            Axis::new(words("cli-draw-distance"), "mm"),
-            vec![
-                Series::line(words("cli-draw-across"), nominal(|n| n.0)).styled(Style::Points).coloured(0),
-                Series::line(words("cli-draw-above"), nominal(|n| n.1)).styled(Style::Points).coloured(1),
-            ],
-        ),
+        chart("cli-draw-from-nominal", "cli-draw-distance", "mm", beside),
         Chart {
             limits: vec![LimitLine::new(words("cli-draw-tolerance"), report.tolerance)],
-            ..chart(
-                "cli-draw-raw-from-program",
-                Axis::new(words("cli-draw-distance"), "mm"),
-                vec![
-                    Series::line(words("cli-draw-raw-points"), over(&|p| p.from_program))
-                        .styled(Style::Points)
-                        .coloured(2),
-                ],
-            )
+            ..chart("cli-draw-raw-from-program", "cli-draw-distance", "mm", from_program)
         },
-        chart(
-            "cli-draw-frame-against-frame",
-            Axis::new(words("cli-draw-distance"), "mm"),
-            vec![Series::line(words("cli-draw-overlap"), overlap).coloured(3)],
-        ),
+        chart("cli-draw-frame-against-frame", "cli-draw-distance", "mm", overlap),
         Chart {
             y_range: Some((0.0, 1.05)),
-            ..chart(
-                "cli-draw-confidence-title",
-                Axis::new(words("cli-draw-confidence"), ""),
-                vec![
-                    Series::line(words("cli-draw-raw-points"), over(&|p| p.confidence))
-                        .styled(Style::Points)
-                        .coloured(2),
-                ],
-            )
+            ..chart("cli-draw-confidence-title", "cli-draw-confidence", "", confidence)
         },
     ]
 }
