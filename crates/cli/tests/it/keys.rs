@@ -1,6 +1,6 @@
 //! The book's pages of all keys are made from the schemas, with an example for each key out of the supplied files.
 
-use crate::common::{json, root};
+use crate::common::{good, json, root};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write;

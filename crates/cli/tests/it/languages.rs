@@ -80,7 +80,7 @@ fn in_languages(arguments: &[&str], languages: &[&str]) {
     for language in languages {
         let page = written(language);
         assert!(page.contains(&format!("<html lang=\"{language}\">")));
-        let same: &[&str] = if language == "de" { &GERMAN } else { &[] };
+        let same: &[&str] = if *language == "de" { &GERMAN } else { &[] };
         let known = |word: &&String| [&SAME, &KEYS[..], same].iter().any(|some| some.contains(&word.as_str()));
         let words = words(&page);
         let left: Vec<&String> = words.intersection(&said).filter(|word| !known(word)).collect();

@@ -5,8 +5,8 @@
 mod override_profile;
 
 use criterion::Criterion;
-use override_profile::orders::sequence;
 use override_profile::Case;
+use override_profile::orders::sequence;
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_motion::feed_override::{Command, FeedOverride, Order, Run, RunPhase, channel_limits};

@@ -2,8 +2,8 @@
 //! always used up, and a lower speed is offered only if it helps.
 
 use crate::number;
-use crate::{planning, positive};
 use crate::planning::{machine_of, read, shipped_machine};
+use crate::{planning, positive};
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_motion::speed_profile::Bound;

@@ -2,7 +2,7 @@
 
 use crate::number;
 use crate::planning;
-use crate::override_profile::cases;
+
 use crate::planning::{machine_of, read, read_machine, shipped_machine};
 use proptest::prelude::*;
 use seamwright_machine::{AxisKind, Joints, Machine, shipped};

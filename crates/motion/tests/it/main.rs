@@ -1,6 +1,5 @@
 //! All tests in one program, which is compiled and linked once.
 
-use proptest::prelude::ProptestConfig;
 use seamwright_document::Positive;
 use seamwright_message::{Argument, Message};
 
@@ -51,9 +50,4 @@ fn inner<'m>(message: &'m Message, name: &str) -> &'m Message {
 
 fn positive(value: f64) -> Positive {
     Positive::new(value).unwrap()
-}
-
-/// As many random cases; `make soak` multiplies them.
-fn random_cases(usual: u32) -> ProptestConfig {
-    ProptestConfig { cases: seamwright_testkit::cases(usual), ..ProptestConfig::default() }
 }

@@ -1,8 +1,8 @@
 //! Passes beside the seam, with another start, reversed, partial, or with changing speed: the tip's path and speed by
 //! differences of set-points.
 
-use crate::{positive, random_cases};
 use crate::planning::{machine_of, plan, read};
+use crate::positive;
 use proptest::prelude::*;
 use seamwright_document::{Finite, NonNegative};
 use seamwright_machine::Machine;

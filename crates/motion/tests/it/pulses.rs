@@ -1,7 +1,6 @@
 //! Pulses of random position streams with reversals: counts, distances, the direction line, evenness. Everything is
 //! checked on the edges alone, against floating-point sums independent of the generator's integers.
 
-use crate::override_profile::cases;
 use seamwright_motion::pulses::{Edge, Error, Generator, Lines, Timing};
 use seamwright_testkit::{Random, cases};
 

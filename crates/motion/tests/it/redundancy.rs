@@ -2,7 +2,7 @@
 
 use crate::number;
 use crate::planning;
-use crate::override_profile::cases;
+
 use crate::planning::{read, read_machine, shipped_machine};
 use glam::DVec3;
 use seamwright_geometry::Pose;

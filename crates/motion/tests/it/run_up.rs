@@ -1,7 +1,7 @@
 //! Extent of the acceleration phase, and travels that are too short or too long for it.
 
-use crate::positive;
 use crate::planning::{plan, read, read_machine};
+use crate::positive;
 use seamwright_document::NonNegative;
 use seamwright_machine::{Machine, shipped};
 use seamwright_program::{OnLimit, Ramp, Severity, Span, SpanValue};

@@ -2,7 +2,7 @@
 //! maximum.
 
 use crate::number;
-use crate::{planning, random_cases};
+use crate::planning;
 use crate::planning::{machine_of, read, shipped_machine};
 use proptest::prelude::*;
 use seamwright_geometry::Pose;

@@ -3,8 +3,8 @@
 use super::names::Names;
 use crate::lack::{Lack, lack};
 use crate::wire::RefusedView;
-use seamwright_cell::executive::{Ask, Missing, Mode};
-use seamwright_cell::realtime::Shown;
+use seamwright_executive::realtime::Shown;
+use seamwright_executive::{Ask, Missing, Mode};
 use seamwright_message::{Argument, Message};
 
 /// Commands by their names in [`crate::wire::AskView`]; all others have an effect in every mode.

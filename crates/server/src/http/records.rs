@@ -9,7 +9,7 @@ use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
-use seamwright_cell::executive::Alarm;
+use seamwright_executive::Alarm;
 use seamwright_message::Message;
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
 use seamwright_record::trace::{Outline, Trace};

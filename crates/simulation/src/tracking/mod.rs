@@ -47,7 +47,8 @@ pub fn check(
     if conditions.replay.is_some() && machine.deflection.is_none() {
         return Err(tracking::Error::NoReplay { machine: machine.name.clone() }.into());
     }
-    let hidden = passes.iter().zip(&motion.passes).filter(|((path, _), planned)| planned.arc && path.points().is_none());
+    let hidden =
+        passes.iter().zip(&motion.passes).filter(|((path, _), planned)| planned.arc && path.points().is_none());
     for (&(path, pass), planned) in hidden {
         let seams = PassSeams::new(path, pass);
         seams.check_plain(machine, planned)?;

@@ -4,9 +4,7 @@
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]
 
-use seamwright_machine::{
-    BacklashCompensation, Clamped, FrictionCompensation, Gains, Machine, Notch, Surroundings, shipped,
-};
+use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
 use seamwright_simulation::{Conditions, Error, Summary, simulate, tune_axis};
 use seamwright_weld::Welding;
@@ -39,18 +37,11 @@ fn tuned(mut machine: Machine) -> Machine {
         let found = tune_axis(axis, machine.servo_period_s).unwrap();
         assert!(found.margins.reach(6.0, 35.0) && found.following_counts <= 1.0, "{}", axis.name);
         let drive = axis.drive.as_mut().unwrap();
-        let g = found.gains;
         drive.velocity_bandwidth_hz = found.velocity_bandwidth_hz;
-        drive.gains = Some(Gains { kp: g.kp, ki: g.ki, kd: g.kd, kvff: g.kvff, kaff: g.kaff });
-        let notch = |n: &_| {
-            let seamwright_servo::NotchSettings { frequency_hz, depth, width_hz } = *n;
-            Notch { frequency_hz, depth, width_hz }
-        };
-        drive.notches = found.notches.iter().map(notch).collect();
-        let friction = found.friction.map(|f| FrictionCompensation { force: f.force, smoothing: f.smoothing });
-        drive.friction_compensation = friction;
-        let backlash = found.backlash.map(|b| BacklashCompensation { width: b.width, time_s: b.time_s });
-        drive.backlash_compensation = backlash;
+        drive.gains = Some(found.gains);
+        drive.notches = found.notches;
+        drive.friction_compensation = found.friction;
+        drive.backlash_compensation = found.backlash;
     }
     machine
 }

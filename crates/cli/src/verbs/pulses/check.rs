@@ -3,7 +3,7 @@ use super::play::{Place, Play};
 use super::stepped::Stepped;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::pulses::{Edge, Generator};
-use seamwright_program::{Finding, PathRange};
+use seamwright_program::Finding;
 use seamwright_project::failure::Failure;
 
 /// Figures of the pulses, found without writing them.

@@ -20,9 +20,7 @@ use seamwright_project::failure::Failure;
 use seamwright_project::files;
 use seamwright_project::load::load;
 use seamwright_teaching as teaching;
-use seamwright_teaching::{
-    CameraPose, EVERY_MM, JointFollower, Kind, Outcome, ReductionTolerances, SeamLine, Settings, nominal, semi_manual,
-};
+use seamwright_teaching::{EVERY_MM, Kind, Outcome, ReductionTolerances, SeamLine, nominal, semi_manual};
 use setup::within;
 use std::fs::File;
 use std::io::BufReader;
