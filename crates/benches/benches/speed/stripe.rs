@@ -1,6 +1,6 @@
 //! Benchmark from an image to the features of a V groove, at 2048 columns. Target: 1 ms with windows of up to 512 rows.
 
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group};
+use criterion::{BenchmarkId, Criterion, Throughput};
 use seamwright_geometry::Homography;
 use seamwright_vision::stripe::{JointKind, StripeReader, StripeTask};
 use seamwright_vision::{Frame, Pixels};
@@ -26,7 +26,7 @@ fn image(height: usize) -> Vec<u8> {
     pixels
 }
 
-fn stripe(c: &mut Criterion) {
+pub(crate) fn stripe(c: &mut Criterion) {
     let mut group = c.benchmark_group("stripe");
     for height in [256, 512, 1024] {
         let pixels = image(height);
@@ -45,5 +45,3 @@ fn stripe(c: &mut Criterion) {
     }
     group.finish();
 }
-
-criterion_group!(group, stripe);

@@ -1,9 +1,9 @@
 //! Speed of reading: a million blocks of a five-axis weld in each dialect (aim: 0.5 s).
 
-#[path = "../../tests/it/reading/mod.rs"]
+#[path = "../../../post/tests/it/reading/mod.rs"]
 mod reading;
 
-use criterion::{Criterion, Throughput, criterion_group};
+use criterion::{Criterion, Throughput};
 use seamwright_post::{Dialect, ReadOptions, read};
 use std::fmt::Write;
 use std::hint::black_box;
@@ -32,7 +32,7 @@ fn text(dialect: Dialect) -> String {
     text
 }
 
-fn reads(c: &mut Criterion) {
+pub(crate) fn reads(c: &mut Criterion) {
     let mut group = c.benchmark_group("read");
     group.throughput(Throughput::Elements(u64::from(BLOCKS))).sample_size(10);
     for dialect in Dialect::ALL {
@@ -43,5 +43,3 @@ fn reads(c: &mut Criterion) {
     }
     group.finish();
 }
-
-criterion_group!(group, reads);

@@ -1,7 +1,7 @@
 //! Benchmark of following a joint through a frame. Targets for 512 x 512: median 0.3 ms, 99th percentile 1 ms; time
 //! linear in the passed pixels.
 
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group};
+use criterion::{BenchmarkId, Criterion, Throughput};
 use seamwright_vision::joint::{CONFIDENT, End, Follower, Options, Start};
 use seamwright_vision::{Frame, Pixels};
 use std::hint::black_box;
@@ -21,7 +21,7 @@ fn image(size: usize, width: f64) -> Vec<u8> {
     pixels
 }
 
-fn joint(c: &mut Criterion) {
+pub(crate) fn joint(c: &mut Criterion) {
     let mut group = c.benchmark_group("joint");
     let mut follower = Follower::new(Options::default());
     for (size, width) in [(512, 2.5), (512, 6.0), (512, 12.0), (512, 30.0), (256, 6.0), (1024, 6.0)] {
@@ -38,5 +38,3 @@ fn joint(c: &mut Criterion) {
     }
     group.finish();
 }
-
-criterion_group!(group, joint);

@@ -1,6 +1,6 @@
 //! Part programs to text: blocks of five axes with all words changing, a hundred thousand of them.
 
-use criterion::{Criterion, Throughput, criterion_group};
+use criterion::{Criterion, Throughput};
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::{Control, Dialect, Level, Move, PartProgram, Path, What, WriteOptions, write};
 use std::hint::black_box;
@@ -24,7 +24,7 @@ fn program(control: &Control) -> PartProgram {
     program
 }
 
-fn bench(c: &mut Criterion) {
+pub(crate) fn bench(c: &mut Criterion) {
     let Some(Ok(machine)) = shipped("table-tilting-xyzac").map(|s| Machine::read("m", s.text)) else { return };
     let mut group = c.benchmark_group("write");
     group.throughput(Throughput::Elements(u64::from(BLOCKS)));
@@ -36,5 +36,3 @@ fn bench(c: &mut Criterion) {
     }
     group.finish();
 }
-
-criterion_group!(group, bench);

@@ -1,7 +1,7 @@
 //! Cost of a period: at a steady override (aim: a few microseconds) and while it changes (aim: tens); the same of a run
 //! on a real weld.
 
-#[path = "../../tests/it/override_profile/mod.rs"]
+#[path = "../../../motion/tests/it/override_profile/mod.rs"]
 mod override_profile;
 
 use criterion::Criterion;

@@ -1,7 +1,7 @@
 //! From job to program: all passes of a saddle 1,580 mm long, laid out every mm. Aim: 20 ms for 12 passes; growth with
 //! passes and length no more than linear.
 
-use criterion::{Criterion, criterion_group};
+use criterion::Criterion;
 use seamwright_weld::Welding;
 use std::hint::black_box;
 
@@ -16,7 +16,7 @@ fn job(area: f64, step: f64) -> String {
     )
 }
 
-fn beads(c: &mut Criterion) {
+pub(crate) fn beads(c: &mut Criterion) {
     let mut group = c.benchmark_group("job to program");
     group.sample_size(20);
     for (area, step) in [(20.0, 1.0), (9.5, 1.0), (20.0, 2.0)] {
@@ -28,5 +28,3 @@ fn beads(c: &mut Criterion) {
     }
     group.finish();
 }
-
-criterion_group!(group, beads);

@@ -1,7 +1,7 @@
 //! Cost of the speed profile along the reference splines: with limits of jerk, on automatic cells and on 1000 even ones
 //! (aim: 30 ms for 7 axes), and without them over 1000 cells (aim: 0.3 ms).
 
-#[path = "../../tests/it/speed_profile/curves.rs"]
+#[path = "../../../motion/tests/it/speed_profile/curves.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it has more kinds of paths")]
 mod curves;
 

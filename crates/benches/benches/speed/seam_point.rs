@@ -1,6 +1,6 @@
 //! Cost of a seam point by path length: position, tangent, both normals, bisector, dihedral angle. Aim: 100 ns.
 
-use criterion::{Criterion, criterion_group};
+use criterion::Criterion;
 use seamwright_weld::Welding;
 use std::hint::black_box;
 
@@ -10,7 +10,7 @@ const EXAMPLES: [(&str, &str); 3] = [
     ("ellipse", include_str!("../../../../examples/ellipse.toml")),
 ];
 
-fn seam_point(c: &mut Criterion) {
+pub(crate) fn seam_point(c: &mut Criterion) {
     for (name, text) in EXAMPLES {
         let welding = Welding::read(name, text).unwrap();
         let places: Vec<f64> =
@@ -24,5 +24,3 @@ fn seam_point(c: &mut Criterion) {
         });
     }
 }
-
-criterion_group!(group, seam_point);

@@ -1,8 +1,6 @@
 //! 1,000 stations of a torch along a saddle of 1.6 m: 20 fixtures and a part of 50,000 triangles. Aim: 500 ms.
 
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
-
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Group, Limits, Mesh, Motion, Scene, Shape, Solid, Watch, nearest};
 use std::f64::consts::TAU;
@@ -82,7 +80,7 @@ fn scene() -> Scene {
     Scene::new(groups, vec![Watch::Apart { a: 0, b: 1, least_mm: 1.0 }]).unwrap()
 }
 
-fn clearance(c: &mut Criterion) {
+pub(crate) fn clearance(c: &mut Criterion) {
     let scene = scene();
     let limits = Limits { cutoff_mm: 100.0, precision_mm: 0.1, smallest: 0.05 };
     // The torch passes close by without contact: every cell needs the full proof.
@@ -106,6 +104,3 @@ fn clearance(c: &mut Criterion) {
     group.bench_function("tree over 50,000 triangles", |b| b.iter(|| black_box(part())));
     group.finish();
 }
-
-criterion_group!(benches, clearance);
-criterion_main!(benches);

@@ -1,12 +1,10 @@
 //! Cost of the inverse from a neighbour: closed forms (aim: 200 ns), and Newton's method on a 7-axis arm (aim: 20 us).
 
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
-
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use seamwright_machine::{Machine, SHIPPED};
 use std::hint::black_box;
 
-fn inverse(c: &mut Criterion) {
+pub(crate) fn inverse(c: &mut Criterion) {
     for shipped in SHIPPED {
         let machine = Machine::read(shipped.name, shipped.text).unwrap();
         let poses: Vec<_> = (0..997)
@@ -30,7 +28,7 @@ fn inverse(c: &mut Criterion) {
 
 /// An arm of seven rotary axes, each perpendicular to the one before it; the inverse starts 0.01 rad away, as along a
 /// path.
-fn numeric(c: &mut Criterion) {
+pub(crate) fn numeric(c: &mut Criterion) {
     let mut text = String::from("schema = 1\nname = \"arm\"\ntitle = \"7R arm\"\n");
     for (k, z) in [0.0, 340.0, 340.0, 740.0, 740.0, 1140.0, 1140.0].iter().enumerate() {
         let turn = if k % 2 == 0 { "[0, 0, 1]" } else { "[0, 1, 0]" };
@@ -56,6 +54,3 @@ fn numeric(c: &mut Criterion) {
         });
     });
 }
-
-criterion_group!(benches, inverse, numeric);
-criterion_main!(benches);

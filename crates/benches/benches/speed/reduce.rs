@@ -1,8 +1,6 @@
 //! Polylines of a million points (but for the spiral) to lines and arcs, by both methods.
 
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
-
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use glam::DVec3;
 use seamwright_geometry::reduce::{Method, Tolerances, reduce};
 use std::hint::black_box;
@@ -80,7 +78,7 @@ fn walk(count: usize) -> Vec<DVec3> {
     (0..count).map(step).collect()
 }
 
-fn benches(c: &mut Criterion) {
+pub(crate) fn benches(c: &mut Criterion) {
     let mut group = c.benchmark_group("reduce");
     group.sample_size(10);
     let paths = [
@@ -99,6 +97,3 @@ fn benches(c: &mut Criterion) {
         }
     }
 }
-
-criterion_group!(group, benches);
-criterion_main!(group);

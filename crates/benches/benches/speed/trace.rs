@@ -1,6 +1,6 @@
 //! Cost of recording: a row of the raw trace, and bytes a second of weld.
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use seamwright_record::trace::{Column, Kind, TraceWriter};
 
 /// The columns of a cell with ten axes: 17 of 64 bits, 35 of 32, two states.
@@ -10,7 +10,7 @@ fn columns() -> Vec<Column> {
     all.enumerate().map(|(i, kind)| Column::new(format!("c{i}"), "mm", kind)).collect()
 }
 
-fn rows(c: &mut Criterion) {
+pub(crate) fn rows(c: &mut Criterion) {
     let Ok(folder) = tempfile::tempdir() else { return };
     let columns = columns();
     let path = folder.path().join("trace.parquet");
@@ -27,6 +27,3 @@ fn rows(c: &mut Criterion) {
         });
     });
 }
-
-criterion_group!(benches, rows);
-criterion_main!(benches);

@@ -1,6 +1,6 @@
 //! Benchmark of the position loops in a cycle: updates of ten loops and, for comparison, steps of ten simulated axes.
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use seamwright_servo::{
     BacklashCompensation, DriveParameters, DriveTuning, EncoderSide, FrictionCompensation, Gains, LinearLoad, Notch,
     PositionLoop, ServoAxis, SetPoint, Transmission,
@@ -36,7 +36,7 @@ fn drive() -> Result<DriveParameters, seamwright_servo::Error> {
     })
 }
 
-fn ten_loops(criterion: &mut Criterion) {
+pub(crate) fn ten_loops(criterion: &mut Criterion) {
     let mut loops: Vec<PositionLoop> = (0..10).map(|_| full_loop().expect("a good loop")).collect();
     let mut k = 0u32;
     criterion.bench_function("10 position loops", |bencher| {
@@ -68,6 +68,3 @@ fn ten_loops(criterion: &mut Criterion) {
         });
     });
 }
-
-criterion_group!(benches, ten_loops);
-criterion_main!(benches);
