@@ -153,7 +153,7 @@ test('every kind of finding that a plan can have has a name', () => {
   const files = crates.flatMap((crate) => readdirSync(crate, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.rs')).map((name) => new URL(name, crate)));
   const texts = files.map((of) => readFileSync(of, 'utf8')).filter((text) => text.includes('Finding'));
   // As they are written: in the finding itself, by a helper, or in a choice of two.
-  const kinds = texts.flatMap((text) => [...text.matchAll(/(?:kind: |finding\(|stretches\(\()"(\w+)"|kind: if [^{]*\{ "(\w+)" \} else \{ "(\w+)" \}/g)].flatMap((m) => m.slice(1).filter(Boolean)));
+  const kinds = texts.flatMap((text) => [...text.matchAll(/(?:kind: |finding\(|Finding::error\(\s*|stretches\(\()"(\w+)"|kind: if [^{]*\{ "(\w+)" \} else \{ "(\w+)" \}/g)].flatMap((m) => m.slice(1).filter(Boolean)));
   expect(new Set(kinds).size).toBeGreaterThan(15);
   expect([...new Set(kinds)].filter((kind) => !english.has(code(`finding.${kind}`)))).toEqual([]);
 });
