@@ -9,6 +9,7 @@ mod options;
 mod pmac;
 mod rs274;
 mod sinumerik;
+mod steps;
 mod text;
 mod tongue;
 mod writer;

@@ -1,3 +1,4 @@
+use super::axis_units::units;
 use super::certificate::IntervalFigures;
 use super::limits::binds;
 use super::samples::Sample;
@@ -249,14 +250,6 @@ fn axes(machine: &Machine, samples: &[Sample], orders: &[usize], title: &'static
     let axis_charts = |i| orders.iter().map(move |order| axis_chart(machine, samples, i, *order, language));
     let charts = (0..machine.axes.len()).flat_map(axis_charts);
     ChartGrid { title: language.words(title), columns: 3, charts: charts.collect() }
-}
-
-/// Returns the units of position, speed, acceleration and jerk of an axis whose positions are in `unit`.
-pub(super) fn units(unit: &str) -> [Unit; 4] {
-    match unit {
-        "deg" => [Unit::Deg, Unit::DegPerS, Unit::DegPerS2, Unit::DegPerS3],
-        _ => [Unit::Mm, Unit::MmPerS, Unit::MmPerS2, Unit::MmPerS3],
-    }
 }
 
 fn axis_chart(machine: &Machine, samples: &[Sample], i: usize, order: usize, language: Language) -> Chart {

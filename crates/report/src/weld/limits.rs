@@ -1,8 +1,8 @@
 //! Binding limits along the path, in words and tables.
 
 use super::CertificateFigures;
+use super::axis_units::units;
 use super::certificate::{IntervalFigures, TIP, UseFigures};
-use super::charts::units;
 use super::plan::AxisFigures;
 use crate::number::{Significant as _, from_to, number, quantity, range, significant};
 use crate::{Block, Language, Table, Words as _, format_number};

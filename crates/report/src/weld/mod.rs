@@ -1,5 +1,6 @@
 //! The report of one weld: its numbers ([`WeldReport`], which is also `report.json`), its plots and its page.
 
+mod axis_units;
 mod certificate;
 mod charts;
 mod curves;

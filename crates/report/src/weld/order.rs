@@ -1,6 +1,4 @@
-use super::{PassFigures, WeldReport};
-use crate::number::number;
-use crate::{Block, Language, OrderDrawing, OrderedLine, Table, Words as _};
+use crate::{Language, OrderDrawing, OrderedLine, Words as _};
 use glam::DVec3;
 use seamwright_message::Message;
 use seamwright_program::{Pass, Role, TorchPath};
@@ -68,37 +66,4 @@ pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawin
         key: language.sentences(&key),
         lines: passes.iter().zip(&tips).map(line).collect(),
     })
-}
-
-impl WeldReport {
-    /// Returns the passes in the order of welding with their times.
-    pub(super) fn order_table(&self, language: Language) -> Block {
-        let number = |value| number(value, language);
-        let mut start_s = 0.0;
-        let mut started = |pass: &PassFigures| {
-            start_s += pass.air_before_s;
-            let started = number(start_s);
-            start_s += pass.plan.total_s;
-            started
-        };
-        let mut table = Table::of(language, self.passes.iter().zip(1..))
-            .text("", |(_, i): &(_, i32)| i.to_string())
-            .text("report-column-pass", |(pass, _)| pass.name.clone())
-            .number("report-column-transfer-before-s", |(pass, _)| number(pass.air_before_s))
-            .number("report-column-start-s", |(pass, _)| started(pass))
-            .number("report-column-travel-s", |(pass, _)| number(pass.plan.weld_s))
-            .number("report-column-arc-on-s", |(pass, _)| number(pass.plan.arc_on_s))
-            .number("report-column-total-s", |(pass, _)| number(pass.plan.total_s))
-            .table(language.words("report-caption-order-table"));
-        table.rows.push(vec![
-            String::new(),
-            language.words("report-all-from-home"),
-            number(self.air_s),
-            String::new(),
-            number(self.totals.weld_s),
-            number(self.totals.arc_on_s),
-            number(self.total_s),
-        ]);
-        Block::Table(table)
-    }
 }

@@ -253,3 +253,36 @@ fn joined(tables: impl Iterator<Item = (usize, Table)>, language: Language) -> O
 fn optional(text: Option<String>) -> String {
     text.unwrap_or_else(|| NONE.to_owned())
 }
+
+impl WeldReport {
+    /// Returns the passes in the order of welding with their times.
+    pub(super) fn order_table(&self, language: Language) -> Block {
+        let number = |value| number(value, language);
+        let mut start_s = 0.0;
+        let mut started = |pass: &PassFigures| {
+            start_s += pass.air_before_s;
+            let started = number(start_s);
+            start_s += pass.plan.total_s;
+            started
+        };
+        let mut table = Table::of(language, self.passes.iter().zip(1..))
+            .text("", |(_, i): &(_, i32)| i.to_string())
+            .text("report-column-pass", |(pass, _)| pass.name.clone())
+            .number("report-column-transfer-before-s", |(pass, _)| number(pass.air_before_s))
+            .number("report-column-start-s", |(pass, _)| started(pass))
+            .number("report-column-travel-s", |(pass, _)| number(pass.plan.weld_s))
+            .number("report-column-arc-on-s", |(pass, _)| number(pass.plan.arc_on_s))
+            .number("report-column-total-s", |(pass, _)| number(pass.plan.total_s))
+            .table(language.words("report-caption-order-table"));
+        table.rows.push(vec![
+            String::new(),
+            language.words("report-all-from-home"),
+            number(self.air_s),
+            String::new(),
+            number(self.totals.weld_s),
+            number(self.totals.arc_on_s),
+            number(self.total_s),
+        ]);
+        Block::Table(table)
+    }
+}

@@ -1,6 +1,6 @@
 //! Results of a simulated pass in words and numbers.
 
-use super::charts::units;
+use super::axis_units::units;
 use super::figures::ClearanceFigures;
 use crate::number::{Significant as _, significant, small};
 use crate::{Block, Language, Table, Words as _};

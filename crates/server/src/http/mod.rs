@@ -6,6 +6,7 @@ mod audit;
 mod cell_views;
 mod choices;
 mod client;
+mod declarations;
 mod edit;
 mod guard;
 mod hand;

@@ -1,7 +1,7 @@
 use super::answer::JSON;
+use super::declarations::Declarations;
 use super::guard::{Need, host, need};
 use super::panel::Panel;
-use super::typescript::Declarations;
 use super::{
     assets, audit, cell_views, choices, edit, health, jobs, login, openapi, plan, records, restore, sensors, setup,
     socket, stop, teach, users,
