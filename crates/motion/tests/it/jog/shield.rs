@@ -65,7 +65,7 @@ fn nothing_comes_nearer_than_allowed_and_every_limit_holds() {
             let mut random = Random::of_case(seed + 100 * k as u32);
             let (mut halts, mut moved, mut nearest) = (BTreeMap::new(), 0.0f64, f64::INFINITY);
             let mut most = 0.0f64;
-            for _ in 0..cases(6) {
+            for _ in 0..cases(8) {
                 let start =
                     std::iter::repeat_with(|| joints(&mut random, &machine)).find(|q| around.is_clear(q)).unwrap();
                 let mut jog = Jog::new(&machine, Some(&around), &start, settings).unwrap();
