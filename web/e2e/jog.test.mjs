@@ -11,7 +11,9 @@ await one.getByRole('button', { name: 'Start jogging' }).click();
 await mode(one, 'jog');
 
 // What fails leaves no key held for the next.
-afterEach(() => one.mouse.up());
+afterEach(async () => {
+  if (!one.isClosed()) await one.mouse.up();
+});
 
 /** In jogging and in command, also after a silence took both. */
 async function jogs() {

@@ -1,9 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { page } from './browser.mjs';
 import { axe, bench, open, quiet, sleep } from './operator.mjs';
 
 // A machine with a beam.
-const { one, cell } = await bench({ job: 'half-ring' });
+const { one, cell, browser } = await bench({ job: 'half-ring' });
 await open(one, cell.address);
 
 const state = () => one.evaluate(() => document.querySelector('[data-mode]').dataset.mode);

@@ -3,7 +3,7 @@ import { after, test } from 'node:test';
 import { axis, bench, control, keep, load, mode, open, quiet, ready, shot, sleep, tab } from './operator.mjs';
 
 after(() => shot(one, 'teach-last'));
-const { one, cell } = await bench({ job: 'half-ring' });
+const { one, cell } = await bench({ job: 'half-ring', scenes: true });
 await open(one, cell.address);
 await control(one);
 
