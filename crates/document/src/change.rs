@@ -138,7 +138,7 @@ impl<'a> Source<'a> {
     }
 
     fn find(&self, steps: &[Step]) -> Option<Node<'a>> {
-        steps.iter().try_fold(Node::Table(self.root), |node, step| node.step(step))
+        steps.iter().try_fold(Node::Table(self.root), Node::step)
     }
 
     /// The list or table above the last step.
@@ -387,7 +387,7 @@ impl<'a> Source<'a> {
         Ok(text)
     }
 
-    /// Where the elements of a list of tables stand: from the comments over their headers to the last line within them.
+    /// Positions of the elements of a list of tables: from the comments over their headers to the last line within them.
     fn extents(&self, list: &[Step], count: usize) -> Vec<Range<usize>> {
         let blocks = self.blocks();
         let extent = |nth: usize| {
@@ -531,6 +531,7 @@ mod tests {
         changed("x.toml", text, &[serde_json::from_value(change).unwrap()]).unwrap()
     }
 
+    #[allow(clippy::needless_pass_by_value, reason = "values are written in the call")]
     fn set(text: &str, path: &str, value: Given) -> String {
         make(text, json!({ "op": "set", "path": path, "value": value }))
     }
@@ -539,6 +540,7 @@ mod tests {
         make(text, json!({ "op": "remove", "path": path }))
     }
 
+    #[allow(clippy::needless_pass_by_value, reason = "values are written in the call")]
     fn insert(text: &str, path: &str, value: Given) -> String {
         make(text, json!({ "op": "insert", "path": path, "value": value }))
     }

@@ -7,7 +7,7 @@ use std::fmt;
 
 /// A stable code with named arguments.
 ///
-/// `Display` prints its words in the language of the process: English, unless [`Language::speak`] has set another one.
+/// `Display` prints its words in the language of the process: English, unless [`Language::speak`](crate::Language::speak) has set another one.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Message {
     /// Code: identifier of the words in the catalogues, lower-case words with hyphens.

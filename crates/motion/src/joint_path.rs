@@ -96,7 +96,7 @@ impl JointPath {
         let length = follower.path.length();
         let mut built = Self::empty(axes, length);
         built.bends = follower.bends();
-        built.stops = follower.path.points().map_or(Vec::new(), |points| points.stops());
+        built.stops = follower.path.points().map_or(Vec::new(), seamwright_program::ThroughPoints::stops);
         built.timed = follower.path.points().is_some();
         built.line = follower.path.weave().map(|_| Vec::new());
         let mut near = *start;

@@ -1,4 +1,4 @@
-//! What the tests of all crates share. A development dependency, never part of the program.
+//! Helpers shared by the tests of all crates. A development dependency, never part of the program.
 
 mod allocations;
 mod random;

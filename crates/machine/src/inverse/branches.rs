@@ -1,4 +1,4 @@
-//! Solutions of the inverse kinematics, and reasons why there is none.
+//! Solutions of the inverse kinematics, and reasons for a missing one.
 
 use crate::chain::Joints;
 use arrayvec::ArrayVec;

@@ -226,7 +226,7 @@ fn keepers_prove_only_what_is_so() {
             }
             let far = random_joints(&machine, &mut random);
             // From 1e-5 to a tenth of the way.
-            let part = 10f64.powi(-1 - (case % 5) as i32);
+            let part = 10f64.powi(-1 - (case % 5));
             let by: Joints = std::array::from_fn(|i| part * (far[i] - from[i]));
             let bend = Bend { from, by, rates: by.map(|b| 1.9 * b.abs()) };
             let places: Vec<Joints> = (0..=60).map(|i| bend.at(f64::from(i) / 60.0)).collect();

@@ -101,7 +101,7 @@ fn run(seed: u32, case: &Case) -> Seen {
     let ending = random.below(3);
     let value = random.within(0.7, 1.5);
     feed_override.command(Command::Override(value)).unwrap();
-    feed_override.command([Command::Resume, Command::Reverse, Command::Hold][ending as usize]).unwrap();
+    feed_override.command([Command::Resume, Command::Reverse, Command::Hold][ending]).unwrap();
     let mut rest = |feed_override: &mut FeedOverride<override_profile::Profile>| {
         for _ in 0..20_000 {
             if feed_override.at_rest() {

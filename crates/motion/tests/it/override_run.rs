@@ -77,7 +77,7 @@ fn an_aborted_run_goes_on_where_it_ended() {
             let periods = 40 + random.below(500);
             while log.last().is_none_or(|i: &Instant| i.phase != RunPhase::Ended) {
                 log.push(run.step().unwrap());
-                if log.len() == periods as usize {
+                if log.len() == periods {
                     run.order(Order::Abort).unwrap();
                 }
                 assert!(log.len() < 20_000, "seed {seed}: it goes on without end");

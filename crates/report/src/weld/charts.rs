@@ -183,7 +183,6 @@ fn views(welding: &Welding, pass: usize, language: Language) -> ThreeViews {
             mark("report-mark-start", 0.0),
             mark(if is_beyond(length, turn) { "report-mark-end-of-overlap" } else { "report-mark-end" }, length),
         ],
-        ..ThreeViews::default()
     }
 }
 

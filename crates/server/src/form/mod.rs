@@ -96,7 +96,7 @@ fn expanded(text: &str, change: FormChange, format_of: FormatOf) -> Result<Vec<C
         }
         FormChange::Choose { path, kind } => {
             let tables = entries(JOB, text)?;
-            chosen(&format_of(&tables).schema, &tables, path, kind)?
+            chosen(&format_of(&tables).schema, &tables, &path, kind)?
         }
     })
 }
@@ -108,22 +108,24 @@ fn start(schema: &Schema, path: &str) -> Result<Value, DocumentError> {
 }
 
 /// Another kind of a table: values that both kinds have stay.
-fn chosen(schema: &Schema, tables: &[TableEntries], path: String, kind: String) -> Result<Vec<Change>, DocumentError> {
-    let mut to = steps(&path).unwrap_or_default();
+fn chosen(schema: &Schema, tables: &[TableEntries], path: &str, kind: String) -> Result<Vec<Change>, DocumentError> {
+    let mut to = steps(path).unwrap_or_default();
     to.pop();
     to.push(Step::Key(kind.clone()));
     let to = path_of(&to);
     let start = start(schema, &to)?;
-    let has_same = |entry: &Entry| match (&entry.value, start.get(&entry.key)) {
-        (EntryValue::Number(_), Some(Value::Number(_))) | (EntryValue::Text(_), Some(Value::String(_))) => true,
-        _ => false,
+    let has_same = |entry: &Entry| {
+        matches!(
+            (&entry.value, start.get(&entry.key)),
+            (EntryValue::Number(_), Some(Value::Number(_))) | (EntryValue::Text(_), Some(Value::String(_)))
+        )
     };
     let old = tables.iter().find(|table| table.path == path).map(|table| &table.entries[..]).unwrap_or_default();
     let (same, other): (Vec<&Entry>, Vec<&Entry>) = old.iter().partition(|entry| has_same(entry));
     let new = start.as_object().into_iter().flatten().filter(|(key, _)| same.iter().all(|entry| entry.key != **key));
     let set = new.map(|(key, value)| Change::Set { path: format!("{to}.{key}"), value: value.clone() });
     let removed = other.iter().map(|entry| Change::Remove { path: entry.path.clone() });
-    Ok(removed.chain([Change::Rename { path: path.clone(), key: kind }]).chain(set).collect())
+    Ok(removed.chain([Change::Rename { path: path.to_owned(), key: kind }]).chain(set).collect())
 }
 
 fn table_view(schema: &Schema, table: &TableEntries, steps: &[Step]) -> FormTable {

@@ -13,7 +13,7 @@ const MAX_DEPTH: usize = 4;
 /// JSON Schema of a format.
 pub(super) struct Schema(Value);
 
-/// What the format says of a place in a text.
+/// Rules of the format for a place in a text.
 #[derive(Clone, Default)]
 pub(super) struct Place<'s> {
     /// The property, with its own description and default.
@@ -55,7 +55,7 @@ impl Schema {
         Place { property: Some(property), kinds }
     }
 
-    /// Collects the kinds of a node. That a value may be missing is none of them.
+    /// Collects the kinds of a node. A missing value is not a kind.
     fn collect<'s>(&'s self, node: &'s Value, kinds: &mut Vec<&'s Value>) {
         if let Some(name) = node.get("$ref").and_then(Value::as_str) {
             let of = name.strip_prefix("#/$defs/").and_then(|name| self.0.get("$defs")?.get(name));

@@ -4,6 +4,7 @@ use seamwright_document::Positive;
 use seamwright_project::examples::EXAMPLES;
 use serde_json::json;
 
+#[allow(clippy::needless_pass_by_value, reason = "changes are written in the call")]
 fn ask(text: &str, changes: Value) -> FormAnswer {
     answer(serde_json::from_value(json!({ "text": text, "changes": changes })).unwrap()).unwrap()
 }

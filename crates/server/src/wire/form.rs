@@ -72,7 +72,7 @@ pub struct FormAnswer {
     pub wrong: Option<WrongView>,
 }
 
-/// What a text contains, and what its format allows beside that.
+/// Contents of a text, and additions that its format allows.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct FormView {
     /// Tables in the order of the text.

@@ -34,9 +34,9 @@ pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
         files::write_with(path, |out| Ok(out.write_all(&png)?))?;
     }
     if args.json {
-        print(joint)?
+        print(joint)?;
     } else {
-        rows(joint)?
+        rows(joint)?;
     }
     // Errors are ignored: standard error may be closed.
     let mut err = io::stderr();

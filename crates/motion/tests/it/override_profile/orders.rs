@@ -24,7 +24,7 @@ pub fn random_order(random: &mut Random) -> Order {
     match random.below(120) {
         0 => Order::Abort,
         n if n % 6 == 5 => Order::Override(random.within(0.2, 1.0)),
-        n => orders[(n % 6) as usize],
+        n => orders[n % 6],
     }
 }
 

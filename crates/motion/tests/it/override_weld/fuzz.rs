@@ -105,7 +105,7 @@ fn command(random: &mut Random, here: f64, length: f64) -> Command {
 /// Random commands from a station near one of the weld's ends, to save time, and then to that end.
 fn run(seed: u32, welds: &[(&Weld, PassTimed, PassTimed)]) -> Seen {
     let random = &mut Random::of_case(seed);
-    let (weld, base, faster) = &welds[random.below(welds.len()) as usize];
+    let (weld, base, faster) = &welds[random.below(welds.len())];
     let (back, duration) = (random.below(3) == 0, base.duration());
     let away = random.within(0.0, duration.min(0.4));
     let start = base.at(if back { away } else { duration - away }, false);
