@@ -211,13 +211,13 @@ impl Course for Bend {
 /// Motions proven by a monitor are clear at every sample, and it proves most motions that are clear with a margin.
 #[test]
 fn keepers_prove_only_what_is_so() {
-    let block = Solid::new("block", Shape::Box { size: DVec3::splat(160.0) }, DAffine3::IDENTITY).unwrap();
+    let block = Solid::new("block", Shape::Box { size: DVec3::splat(90.0) }, DAffine3::IDENTITY).unwrap();
     let clamped = Clamped { part: vec![block], least_mm: 2.0, ..Clamped::default() };
     for name in ["torch-5axis", "table-tilting-xyzac", "ebw-7axis", "dual-laser-10axis"] {
         let machine = shipped_machine(name);
         let around = Surroundings::new(&machine, &clamped).unwrap();
         let mut monitor = CollisionMonitor::new(&around, &machine.home());
-        let mut random = Random::new(17);
+        let mut random = Random::new(2);
         let (mut proven, mut missed, mut touching) = (0, 0, 0);
         let mut from = random_joints(&machine, &mut random);
         for case in 0..cases(1200) {
