@@ -1,7 +1,8 @@
 //! Seam estimates from a look-ahead sensor, for many seams, slides and sensors.
 
 use glam::DVec2;
-use seamwright_testkit::Random;
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, Refusal, Settings, Sight, Tracker, Verdict};
 
 const LEAD: f64 = 20.0;
@@ -9,6 +10,10 @@ const CYCLE: f64 = 1e-3;
 /// Cycles from exposure to exposure, and from exposure to arrival.
 const PERIOD: u64 = 10;
 const LATE: u64 = 15;
+
+fn uniform(random: &mut Pcg64Mcg) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
+}
 
 /// A sensor ahead of a torch, cycle by cycle.
 struct Rig<'a> {
@@ -75,13 +80,13 @@ fn quantile(mut errors: Vec<f64>, q: f64) -> f64 {
     errors[((errors.len() as f64 * q) as usize).min(errors.len() - 1)]
 }
 
-fn noisy(seed: u32, sigma: f64, outliers: f64) -> impl FnMut(u64, f64, Measurement) -> Option<Measurement> {
-    let mut random = Random::of_case(seed);
+fn noisy(seed: u64, sigma: f64, outliers: f64) -> impl FnMut(u64, f64, Measurement) -> Option<Measurement> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
     move |_, _, m| {
-        let mut error = || sigma * (0..3).map(|_| random.within(-1.0, 1.0)).sum::<f64>();
+        let mut error = || sigma * (0..3).map(|_| uniform(&mut random)).sum::<f64>();
         let error = DVec2::new(error(), error());
-        let wild = DVec2::new(random.within(-1.0, 1.0), random.within(-1.0, 1.0)) * 3.0;
-        let out = random.within(-1.0, 1.0) < 2.0 * outliers - 1.0;
+        let wild = DVec2::new(uniform(&mut random), uniform(&mut random)) * 3.0;
+        let out = uniform(&mut random) < 2.0 * outliers - 1.0;
         Some(Measurement { offset: m.offset + if out { wild } else { error }, ..m })
     }
 }
@@ -352,28 +357,28 @@ fn a_frozen_sensor() {
 #[test]
 fn nothing_upsets_it() {
     for seed in 0..40 {
-        let mut random = Random::of_case(seed);
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
         let mut tracker = Tracker::new(Settings::usual(LEAD, 100.0), OwnCurve::straight(LEAD)).unwrap();
         let (mut s, mut speed, mut slide) = (0.0, 0.05, DVec2::ZERO);
         for i in 1..20_000 {
             let t = f64::from(i) * CYCLE;
-            if random.one_in(500) {
-                speed = 0.3 * random.within(-1.0, 1.0);
+            if random.next_u64().is_multiple_of(500) {
+                speed = 0.3 * uniform(&mut random);
             }
-            if random.one_in(3000) {
-                s += 300.0 * random.within(-1.0, 1.0);
+            if random.next_u64().is_multiple_of(3000) {
+                s += 300.0 * uniform(&mut random);
             }
             s += speed;
-            slide = (slide + DVec2::new(random.within(-1.0, 1.0), random.within(-1.0, 1.0)) * 0.02)
-                .clamp(-DVec2::ONE, DVec2::ONE);
-            tracker.advance(Moment { t_s: t, s_mm: s, slide }, s + 6.0 * random.within(-1.0, 1.0));
-            if random.one_in(8) {
-                let exposed_s = t - 0.015 + 0.04 * random.within(-1.0, 1.0).powi(5);
-                let offset = DVec2::new(random.within(-1.0, 1.0), random.within(-1.0, 1.0)) * 2.0;
-                let confidence = random.within(-1.0, 1.0).abs();
+            slide =
+                (slide + DVec2::new(uniform(&mut random), uniform(&mut random)) * 0.02).clamp(-DVec2::ONE, DVec2::ONE);
+            tracker.advance(Moment { t_s: t, s_mm: s, slide }, s + 6.0 * uniform(&mut random));
+            if random.next_u64().is_multiple_of(8) {
+                let exposed_s = t - 0.015 + 0.04 * uniform(&mut random).powi(5);
+                let offset = DVec2::new(uniform(&mut random), uniform(&mut random)) * 2.0;
+                let confidence = uniform(&mut random).abs();
                 let _ = tracker.take(&Measurement { exposed_s, offset, confidence }, t);
             }
-            let found = tracker.at(s + 5.0 * random.within(-1.0, 1.0));
+            let found = tracker.at(s + 5.0 * uniform(&mut random));
             assert!(found.value.is_finite() && found.value.length() < 20.0, "{seed} {i}: {found:?}");
             assert!(found.sigma_mm >= 0.0);
         }
@@ -396,11 +401,11 @@ fn a_fast_sine() {
 #[test]
 fn a_wild_sensor() {
     for (seed, speed) in (0..20).flat_map(|seed| [(seed, 20.0), (seed, 100.0)]) {
-        let mut random = Random::of_case(seed);
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
         let mut noise = noisy(seed, 0.02, 0.0);
         let mut sensor = |i: u64, place: f64, m: Measurement| {
             let m = noise(i, place, m)?;
-            let wild = DVec2::new(random.within(-1.0, 1.0), random.within(-1.0, 1.0)) * 4.0;
+            let wild = DVec2::new(uniform(&mut random), uniform(&mut random)) * 4.0;
             Some(if place < 100.0 { m } else { Measurement { offset: wild, ..m } })
         };
         let mut rig = Rig::new(&wavy, &resting, &mut sensor);
