@@ -84,7 +84,7 @@ impl Mode {
     ///
     /// # Examples
     /// ```
-    /// use seamwright_executive::::{Event, Mode};
+    /// use seamwright_executive::{Event, Mode};
     ///
     /// assert_eq!(Mode::Off.after(Event::SwitchOn), Ok(Mode::Idle));
     /// assert!(Mode::Off.after(Event::Weld).is_err());
