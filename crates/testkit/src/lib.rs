@@ -1,8 +1,10 @@
 //! Helpers shared by the tests of all crates. A development dependency, never part of the program.
 
+#[cfg(feature = "allocations")]
 mod allocations;
 mod random;
 
+#[cfg(feature = "allocations")]
 pub use allocations::no_alloc;
 pub use random::Random;
 
