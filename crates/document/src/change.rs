@@ -173,6 +173,7 @@ impl<'a> Source<'a> {
 
     fn set(&self, steps: &[Step], value: &Given) -> Result<String, Refusal> {
         match self.find(steps) {
+            Some(Node::Value(Value::InlineTable(old))) if old.is_dotted() => return Err(UNFIT),
             Some(Node::Value(old)) => return Ok(self.with(old.span().ok_or(UNFIT)?, &written(value)?)),
             Some(_) => return Err(UNFIT),
             None => {}
@@ -189,7 +190,7 @@ impl<'a> Source<'a> {
             Node::Table(_) if known == 0 && value.is_object() => self.with_sections(key, &value),
             Node::Table(table) => self.with_line(table, &steps[..known], key, &value),
             Node::Value(Value::InlineTable(table)) => {
-                let cells = cells(table).into_iter().map(|(_, value)| value).collect::<Vec<_>>();
+                let cells = cells(table)?.into_iter().map(|(_, value)| value).collect::<Vec<_>>();
                 let whole = table.span().ok_or(UNFIT)?;
                 let entry = format!("{} = {}", written_key(key), written(&value)?);
                 let spaced = if cells.is_empty() { format!(" {entry} ") } else { entry };
@@ -241,7 +242,7 @@ impl<'a> Source<'a> {
         match (above, last, self.find(steps).ok_or(MISSING)?) {
             (Node::Value(Value::Array(list)), Step::Nth(nth), _) => Ok(self.without(&items(list), *nth)),
             (Node::Value(Value::InlineTable(table)), Step::Key(key), _) => {
-                let cells = cells(table);
+                let cells = cells(table)?;
                 let nth = cells.iter().position(|(of, _)| of == key).ok_or(UNFIT)?;
                 Ok(self.without(&cells.into_iter().map(|(_, range)| range).collect::<Vec<_>>(), nth))
             }
@@ -382,7 +383,10 @@ impl<'a> Source<'a> {
         order.insert(to, own);
         let mut text = self.text.to_owned();
         for (slot, from) in slots.iter().zip(order).rev() {
-            text.replace_range(slot.clone(), &self.text[from.clone()]);
+            let element = &self.text[from.clone()];
+            // The last table of a file may lack the end of its line.
+            let ends = matches!(above, Node::Tables(_)) && !element.ends_with('\n');
+            text.replace_range(slot.clone(), &format!("{element}{}", if ends { self.newline() } else { "" }));
         }
         Ok(text)
     }
@@ -480,12 +484,15 @@ fn items(list: &Array) -> Vec<Range<usize>> {
     list.iter().filter_map(Value::span).collect()
 }
 
-/// The entries of an inline table, each with its key.
-fn cells(table: &InlineTable) -> Vec<(String, Range<usize>)> {
+/// The entries of an inline table, each with its key. Refuses those with dotted keys, whose parts may lie apart.
+fn cells(table: &InlineTable) -> Result<Vec<(String, Range<usize>)>, Refusal> {
+    if table.iter().any(|(_, value)| matches!(value, Value::InlineTable(inner) if inner.is_dotted())) {
+        return Err(UNFIT);
+    }
     let cell = |(key, value): (&str, &Value)| {
         Some((key.to_owned(), TableLike::key(table, key)?.span()?.start..value.span()?.end))
     };
-    table.iter().filter_map(cell).collect()
+    Ok(table.iter().filter_map(cell).collect())
 }
 
 /// A value in one line.
@@ -632,5 +639,21 @@ mod tests {
             assert_eq!(refused.message.code, code, "{change:?}");
         }
         assert!(changed("x.toml", "a = [\n", &[]).is_ok(), "no change reads nothing");
+    }
+
+    #[test]
+    fn dotted_keys_in_an_inline_table_are_left_to_the_text() {
+        for change in
+            [json!({ "op": "set", "path": "r.a", "value": 5 }), json!({ "op": "set", "path": "r.c", "value": 5 })]
+        {
+            assert!(changed("x.toml", "r = { a.b = 1 }\n", &[serde_json::from_value(change).unwrap()]).is_err());
+        }
+    }
+
+    #[test]
+    fn the_last_table_of_a_file_without_a_last_end_of_line_moves() {
+        let text = "[[f]]\nn = 1\n[[f]]\nn = 2";
+        let moved = make(text, json!({ "op": "move", "path": "f[1]", "to": 0 }));
+        assert_eq!(moved, "[[f]]\nn = 2\n[[f]]\nn = 1\n");
     }
 }

@@ -141,3 +141,23 @@ fn what_is_wrong_has_its_line_also_where_there_is_no_form() {
     let form = json!({ "text": text, "changes": [{ "op": "add", "path": "no.such.key" }] });
     assert_eq!(answer(serde_json::from_value(form).unwrap()).unwrap_err().message.code, "document-unfit-change");
 }
+
+#[test]
+fn solids_of_every_shape_are_added_and_go_without_a_trace() {
+    let text = example("saddle");
+    for list in ["fixtures", "part.solids"] {
+        for shape in ["box", "cylinder", "sphere", "cone", "capsule", "ellipsoid"] {
+            let at = format!("{list}[0]");
+            let made = ask(
+                text,
+                json!([
+                    { "op": "insert", "path": at, "value": { "name": "x" } },
+                    { "op": "add", "path": format!("{at}.shape.{shape}") },
+                    { "op": "set", "path": format!("{at}.at.move_mm"), "value": [10, 20, 0] }
+                ]),
+            );
+            assert_eq!(made.wrong, None, "{list} {shape}");
+            assert_eq!(ask(&made.text, json!([{ "op": "remove", "path": at }])).text, text, "{list} {shape}");
+        }
+    }
+}
