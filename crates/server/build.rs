@@ -2,10 +2,9 @@
 //!
 //! Without Node.js the panel comes from `panel.tar.gz`, if that was built from the same sources.
 
-use flate2::Compression;
 use flate2::read::GzDecoder;
 use flate2::write::GzEncoder;
-use std::hash::{DefaultHasher, Hasher as _};
+use flate2::{Compression, Crc};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -26,7 +25,7 @@ const SOURCES: [&str; 8] = [
 /// The panel as it was last packed: the test `packed_panel_is_current` writes it.
 const PACKED: &str = "panel.tar.gz";
 
-/// File in it with the hash of its sources.
+/// File in it with the checksum of its sources.
 const SOURCES_HASH: &str = "sources.txt";
 
 fn main() {
@@ -42,7 +41,7 @@ fn main() {
     println!("cargo:rustc-env=SEAMWRIGHT_PANEL_SOURCES={sources}");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo gives a build script OUT_DIR"));
     let panel = out.join("web");
-    fs::create_dir_all(&panel).expect("OUT_DIR can be written");
+    clear(&panel).expect("OUT_DIR can be written");
     let made = match env::var("SEAMWRIGHT_WEB").as_deref() {
         Ok("skip") => Err("it was built with SEAMWRIGHT_WEB=skip".to_owned()),
         Ok("packed") => unpack(&Path::new(&here).join(PACKED), &sources, &panel),
@@ -52,6 +51,7 @@ fn main() {
     };
     if let Err(why) = made {
         println!("cargo:warning=the panel was not built: {why}");
+        clear(&panel).expect("OUT_DIR can be written");
         fs::write(panel.join("index.html"), page(&why)).expect("OUT_DIR can be written");
     }
     let mut files = Vec::new();
@@ -61,9 +61,22 @@ fn main() {
     fs::write(out.join("panel.rs"), format!("&[\n{rows}]\n")).expect("OUT_DIR can be written");
 }
 
-/// Returns a hash of all files that the panel is built from.
+/// Makes a folder empty: an earlier build may have left its panel there.
+fn clear(folder: &Path) -> io::Result<()> {
+    if folder.is_dir() {
+        fs::remove_dir_all(folder)?;
+    }
+    fs::create_dir_all(folder)
+}
+
+/// Returns a checksum, the same with every version of Rust.
+fn checksum(crc: &Crc) -> String {
+    format!("{:08x}-{:x}", crc.sum(), crc.amount())
+}
+
+/// Returns a checksum of all files that the panel is built from.
 fn sources(web: &Path) -> io::Result<String> {
-    let mut hasher = DefaultHasher::new();
+    let mut crc = Crc::new();
     for source in SOURCES {
         let path = web.join(source);
         let mut files = Vec::new();
@@ -75,11 +88,11 @@ fn sources(web: &Path) -> io::Result<String> {
         }
         for name in files {
             let file = if name.is_empty() { path.clone() } else { path.join(&name) };
-            hasher.write(format!("{source}/{name}\n").as_bytes());
-            hasher.write(&fs::read(file)?);
+            crc.update(format!("{source}/{name}\n").as_bytes());
+            crc.update(&fs::read(file)?);
         }
     }
-    Ok(format!("{:016x}", hasher.finish()))
+    Ok(checksum(&crc))
 }
 
 /// Unpacks the panel that is kept beside this file, if it was built from these sources.
@@ -109,15 +122,15 @@ fn list(folder: &Path, before: &str, files: &mut Vec<String>) -> io::Result<()> 
 fn row(out: &Path, panel: &Path, name: &str) -> io::Result<String> {
     let plain = panel.join(name);
     let bytes = fs::read(&plain)?;
-    let mut hasher = DefaultHasher::new();
-    hasher.write(&bytes);
+    let mut crc = Crc::new();
+    crc.update(&bytes);
     let zipped = out.join(format!("{}.gz", name.replace('/', "-")));
     let mut encoder = GzEncoder::new(fs::File::create(&zipped)?, Compression::best());
     encoder.write_all(&bytes)?;
     encoder.finish()?;
     Ok(format!(
-        "    File {{ name: {name:?}, hash: \"{:016x}\", plain: include_bytes!({plain:?}), zipped: include_bytes!({zipped:?}) }},\n",
-        hasher.finish()
+        "    File {{ name: {name:?}, hash: \"{}\", plain: include_bytes!({plain:?}), zipped: include_bytes!({zipped:?}) }},\n",
+        checksum(&crc)
     ))
 }
 

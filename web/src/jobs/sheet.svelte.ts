@@ -20,6 +20,8 @@ export class Sheet {
   /** How many changes the cell is to make, one after the other. */
   protected operations = $state(0);
   private last: Promise<unknown> = Promise.resolve();
+  /** Counts the changes that failed: those that waited behind one are dropped, as their paths may be of other elements now. */
+  private failures = 0;
 
   /** Begins with a text, whose entries are read by `refresh`. */
   start(text: string): void {
@@ -74,8 +76,8 @@ export class Sheet {
 
   private carryOut(send: (text: string) => Promise<FormAnswer>, group: string): Promise<boolean> {
     this.operations += 1;
-    const { opened } = this;
-    const done = this.last.then(() => this.made(send, group, opened)).finally(() => {
+    const { opened, failures } = this;
+    const done = this.last.then(() => failures === this.failures && this.made(send, group, opened)).finally(() => {
       this.operations -= 1;
       // What was refused is as it was.
       if (this.operations === 0 && this.read) this.form = this.read;
@@ -97,6 +99,7 @@ export class Sheet {
         return true;
       }
     } catch (error) {
+      this.failures += 1;
       this.trouble = refusalText(error);
     }
     return false;

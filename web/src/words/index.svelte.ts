@@ -73,7 +73,10 @@ const value = (of: string | number) => (typeof of === 'number' && Number.isInteg
 
 /** The words of a key in the chosen language: `tab.weld` is `panel-tab-weld` in `messages/LANGUAGE/panel.ftl`, `value.current` is `value-current` in `words.ftl`. A test finds keys without words. */
 export function t(key: string, of: Record<string, string | number> = {}): string {
-  return words.catalogue.words(code(key), Object.fromEntries(Object.entries(of).map(([name, one]) => [name, value(one)]))) ?? key;
+  const found = words.catalogue.words(code(key), Object.fromEntries(Object.entries(of).map(([name, one]) => [name, value(one)])));
+  // Before the catalogue is there, no key has words.
+  if (found === undefined && words.catalogue.has(code('all'))) console.warn('no words:', key);
+  return found ?? key;
 }
 
 /** The words of a key that is made of a name from the cell; a name without words is shown as it is. */

@@ -9,7 +9,7 @@ use axum::response::{IntoResponse, Response};
 struct File {
     /// Its path, `assets/index-1a2b.js`.
     name: &'static str,
-    /// Hash of its contents.
+    /// Checksum of its contents.
     hash: &'static str,
     plain: &'static [u8],
     /// Its contents, compressed by gzip.

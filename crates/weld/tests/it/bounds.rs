@@ -137,7 +137,7 @@ fn a_pass_of_more_than_a_day_is_refused_at_its_speed() {
 }
 
 #[test]
-fn seams_of_more_than_a_kilometre_are_refusal() {
+fn seams_of_more_than_a_kilometre_are_refused() {
     let job = |seam: &str| format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{seam}\n[weld]\nspeed_mm_s = 5\n");
     let e = refusal(&job(
         "[seam.line]\nstart_mm = [-9e6, 0, 0]\nend_mm = [9e6, 0, 0]\nfirst_normal = [0, 0, 1]\nsecond_normal = [0, 0, 1]",
