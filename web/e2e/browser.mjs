@@ -19,8 +19,8 @@ const KINDS = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/cs
 const BY_SOFTWARE = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
 /** Starts the browser, with scenes only for tests that look at them. */
-export function launch({ scenes = false } = {}) {
-  return chromium.launch({
+export async function launch({ scenes = false } = {}) {
+  const browser = await chromium.launch({
     executablePath: CHROMIUM,
     args: [
       '--no-sandbox',
@@ -35,6 +35,7 @@ export function launch({ scenes = false } = {}) {
       ...(panel ? ['--disable-features=LocalNetworkAccessChecks'] : []),
     ],
   });
+  return Object.assign(browser, { scenes });
 }
 
 function fromFolder(route) {

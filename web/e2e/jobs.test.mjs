@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { page } from './browser.mjs';
 import { axe, bench, control, keep, open, quiet, SHORT, sleep, tab } from './operator.mjs';
 
-const { one, cell, browser } = await bench();
+const { one, cell, browser } = await bench({ scenes: true });
 await open(one, cell.address);
 
 /** A straight line in six points, as poses. */

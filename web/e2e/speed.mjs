@@ -125,7 +125,7 @@ async function edits(one) {
 }
 
 const cell = await startCell();
-const browser = await launch();
+const browser = await launch({ scenes: true });
 try {
   const loads = [];
   for (let i = 0; i < LOADS; i += 1) {
