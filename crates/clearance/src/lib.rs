@@ -46,11 +46,11 @@ mod distance;
 mod error;
 mod file;
 mod mesh;
+mod permitted_zone;
 mod placed;
 mod scene;
 mod shape;
 mod stl;
-mod zone;
 
 pub use along::{Cell, Limits, Motion, Profile, Stretch, Trace};
 pub use clamped::Clamped;

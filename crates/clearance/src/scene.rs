@@ -3,8 +3,8 @@
 use crate::distance::{Posed, is_usable, of_shapes};
 use crate::error::ClearanceError;
 use crate::mesh::Last;
+use crate::permitted_zone::room;
 use crate::shape::Solid;
-use crate::zone::room;
 use glam::{DAffine3, DVec3};
 
 /// Solids that move rigidly together: a link of the machine, the torch, the part, the fixtures.

@@ -9,8 +9,8 @@ use seamwright_motion::{SearchProgress, WeldMotion};
 use seamwright_program::Finding;
 use seamwright_project::failure::Failure;
 use seamwright_project::load::Loaded;
-use seamwright_project::part::Part;
 use seamwright_project::planning::Planning;
+use seamwright_project::simulated_part::Part;
 use std::time::Duration;
 
 /// Longest time limit that is allowed, s.

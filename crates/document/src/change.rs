@@ -2,7 +2,7 @@
 
 use crate::entries::parsed;
 use crate::error::DocumentError;
-use crate::path::{Step, path_of, steps, written_key};
+use crate::key_path::{Step, path_of, steps, written_key};
 use schemars::JsonSchema;
 use seamwright_message::Message;
 use serde::Deserialize;

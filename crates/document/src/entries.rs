@@ -2,7 +2,7 @@
 
 use crate::document::explain;
 use crate::error::DocumentError;
-use crate::path::with_key;
+use crate::key_path::with_key;
 use std::ops::Range;
 use toml_edit::{Document, InlineTable, Item, Table, TableLike, TomlError, Value};
 

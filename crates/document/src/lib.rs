@@ -44,8 +44,8 @@ mod change;
 mod document;
 mod entries;
 mod error;
+mod key_path;
 mod number;
-mod path;
 mod vector;
 
 pub use bounds::{BOUNDS, Bound};
@@ -68,6 +68,6 @@ pub const RESERVED_COLUMNS: [&str; 11] = [
     "tip_speed_mm_s",
 ];
 
+pub use key_path::{Step, path_of, steps};
 pub use number::{Finite, NonNegative, Positive, SchemaVersion};
-pub use path::{Step, path_of, steps};
 pub use vector::{Direction, Point, Transform};

@@ -43,7 +43,7 @@
 //!
 //! The state is grouped by concern: devices, clock, alarms, supervision, process, activity, requests, guide. Above it are
 //! the steps of a cycle (`cycle.rs`), then the activities that run cycles (`homing.rs`, `jogging.rs`, `program.rs`), then
-//! the choice among them (`serve.rs`).
+//! the choice among them (`dispatch.rs`).
 //!
 //! # Units
 //!

@@ -5,14 +5,14 @@
 //! border: the borders are `Curve::breaks`.
 
 use crate::curve::{Curve, Jet};
-use crate::distance::{Foot, SignedDistance};
 use crate::edge::{Edge, EdgePoint};
 use crate::error::Error;
-use crate::head::{Face, Head};
 use crate::pieces::{AT_BORDER_MM, Pieces};
+use crate::signed_distance::{Foot, SignedDistance};
 use crate::torus_intersection::TorusIntersection;
 use crate::tube::Tube;
 use crate::tube_intersection::{TubeIntersection, check_margin};
+use crate::vessel_head::{Face, Head};
 use glam::DVec3;
 use std::f64::consts::TAU;
 

@@ -1,6 +1,6 @@
 use crate::arc::Arc;
-use crate::chain::{Chain, Piece};
 use crate::curve::{Curve, Jet};
+use crate::curve_chain::{Chain, Piece};
 use crate::error::{Error, positive, unit};
 use crate::line::Line;
 use glam::{DVec2, DVec3, Vec2Swizzles};

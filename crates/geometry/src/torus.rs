@@ -1,6 +1,6 @@
-use crate::distance::{Foot, SignedDistance};
 use crate::error::{Error, positive, unit};
 use crate::quadric::Surface;
+use crate::signed_distance::{Foot, SignedDistance};
 use glam::{DMat3, DVec3};
 
 /// A torus: everything within `tube` mm of a circle of radius `ring` about an axis.

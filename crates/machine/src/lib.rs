@@ -35,12 +35,11 @@ pub mod check;
 mod collision_monitor;
 mod devices;
 mod file;
-mod head;
+mod head_pair;
 mod inverse;
 mod lever;
 mod links;
 mod machine;
-mod pair;
 mod pitch_error;
 mod sensor;
 mod shipped;
@@ -48,6 +47,7 @@ mod solids;
 mod stepper;
 mod surroundings;
 mod tip_motion;
+mod welding_head;
 
 pub use axis::{Axis, AxisKind, Drive, EncoderSide, Load, RangeViolation};
 pub use axis_limits::AxisLimits;
@@ -63,7 +63,6 @@ pub use file::{
     ControlFile, ControlsFile, DeflectionFile, DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile,
     PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
 };
-pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, PairFault, Solution, Unreachable};
 pub use links::{LinkFrames, LinkJoint, Links, MAX_LINKS, NamedFrame};
 pub use machine::{Machine, Target};
@@ -74,3 +73,4 @@ pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
 pub use stepper::{PulseTicks, Stepper, StepperMotor};
 pub use surroundings::{Course, Surroundings};
+pub use welding_head::Head;

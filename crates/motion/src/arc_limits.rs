@@ -1,8 +1,8 @@
 //! Requirements of the process on the motion while the arc is on: no stop, no speed below the procedure's minimum.
 
 use crate::corners::Left;
-use crate::limits::Binding;
 use crate::planned::Planned;
+use crate::speed_findings::Binding;
 use crate::speed_profile::{Bound, Interval};
 use crate::stretch::Stretch;
 use seamwright_machine::Machine;

@@ -1,4 +1,4 @@
-use crate::redundancy::FreeAxes;
+use crate::redundancy::free_axes::FreeAxes;
 use seamwright_machine::{Branches, Joints, Machine, Solution, Target, Unreachable};
 use seamwright_program::TorchPath;
 

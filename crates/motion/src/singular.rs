@@ -1,7 +1,7 @@
 //! Distance to singular attitudes, in which the rotary axes lose a degree of freedom of the torch's direction.
 
 use crate::joint_path::JointPath;
-use crate::limits::Runs;
+use crate::speed_findings::Runs;
 use glam::DVec3;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine};
 use seamwright_message::{Message, Unit};

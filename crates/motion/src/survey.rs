@@ -3,7 +3,7 @@
 use crate::effort::Effort;
 use crate::follower::Follower;
 use crate::joint_path::{JointPath, PLACES};
-use crate::limits::Runs;
+use crate::speed_findings::Runs;
 use crate::stretch::Stretch;
 use seamwright_machine::{Axis, AxisKind, Joints, Machine};
 use seamwright_message::{Message, Unit};

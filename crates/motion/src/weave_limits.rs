@@ -7,9 +7,9 @@
 use crate::effort::Effort;
 use crate::follower::Follower;
 use crate::joint_path::JointPath;
-use crate::limits::{Binding, keeps_speed};
 use crate::pass_channels::PassChannels;
 use crate::planned::Planned;
+use crate::speed_findings::{Binding, keeps_speed};
 use crate::speed_profile::{Bound, Certificate, Channels, SpeedProfile};
 use crate::stretch::Stretch;
 use seamwright_machine::{AxisLimits, Joints};

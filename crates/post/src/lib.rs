@@ -29,10 +29,10 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod control;
+mod dialect_guess;
 mod error;
 mod even_speed;
 mod feed;
-mod guess;
 mod part_program;
 mod plan;
 mod play;

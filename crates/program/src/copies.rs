@@ -1,4 +1,4 @@
-use crate::document::Program;
+use crate::program::Program;
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Transform};

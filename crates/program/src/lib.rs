@@ -47,29 +47,28 @@ mod at_corner;
 mod bead;
 mod branch;
 mod copies;
-mod document;
 pub mod edit;
-mod extent;
 mod finding;
 mod finding_groups;
-mod head;
 mod joint;
 mod keyed;
 mod nozzle;
 mod offsets;
 mod oscillation;
 mod part;
+mod part_of_pass;
 mod pass;
 mod path_length;
 mod path_range;
-mod piece;
 mod plane_seam;
 mod points;
 mod procedure;
 mod process;
+mod program;
 mod repeat;
 mod seam;
 mod sequence;
+mod size_limits;
 mod space_seam;
 mod span;
 mod span_value;
@@ -80,8 +79,9 @@ mod torch;
 mod torch_jumps;
 mod transfer;
 mod variables;
+mod vessel_head;
 mod weave;
-mod weaving;
+mod weave_phase;
 
 pub use arc_through::{ArcThrough, tip_way};
 pub use arc_time::ArcTime;
@@ -89,11 +89,8 @@ pub use at_corner::AtCorner;
 pub use bead::Bead;
 pub use branch::{Branch, OtherBranch};
 pub use copies::SeamCopy;
-pub use document::Program;
-pub use extent::{MAX_PASSES, MAX_ROWS, MAX_SEAM_MM, MAX_TRAVEL_S};
 pub use finding::{Finding, Severity};
 pub use finding_groups::{FindingGroup, FindingPlace, group_findings};
-pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
 pub use joint::{
     Bevel, Fillet, FilletOrButt, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ,
     U,
@@ -115,9 +112,11 @@ pub use procedure::{
     Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
 };
 pub use process::{ProcessValue, ProcessValues, check_process, check_process_name, check_process_value};
+pub use program::Program;
 pub use repeat::Repeat;
 pub use seam::{Direction as WeldDirection, Ellipse, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};
+pub use size_limits::{MAX_PASSES, MAX_ROWS, MAX_SEAM_MM, MAX_TRAVEL_S};
 pub use space_seam::{Helix, Spline};
 pub use span::Span;
 pub use span_value::{Ramp, SpanValue};
@@ -130,5 +129,6 @@ pub use torch::{
 pub use torch_jumps::torch_jumps;
 pub use transfer::TransferMoves;
 pub use variables::Variables;
+pub use vessel_head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
 pub use weave::{Dwells, Figure, Swing, Weave};
-pub use weaving::Weaving;
+pub use weave_phase::Weaving;

@@ -1,4 +1,4 @@
-use crate::head::{ConicalHead, EllipsoidalHead, FlatHead, HemisphericalHead, TorisphericalHead};
+use crate::vessel_head::{ConicalHead, EllipsoidalHead, FlatHead, HemisphericalHead, TorisphericalHead};
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, Point, Positive};
 use serde::{Deserialize, Serialize};

@@ -37,7 +37,7 @@ pub fn is_offset_name(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::document::Program;
+    use crate::program::Program;
     use glam::DVec3;
 
     const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\noffset = \"table\"\n\

@@ -71,8 +71,8 @@ impl Oscillation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Program;
     use crate::pass::Pass;
+    use crate::program::Program;
     use std::f64::consts::TAU;
 
     fn text(oscillation: &str) -> String {

@@ -135,7 +135,7 @@ pub fn check_process<T>(file: &Document<T>, path: &str, values: &ProcessValues) 
 #[cfg(test)]
 mod tests {
     use crate::arc_time::ArcTime;
-    use crate::document::Program;
+    use crate::program::Program;
 
     const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n\
         [seam.nozzle.body.cylinder]\nradius_mm = 800\n[[passes]]\nname = \"root\"\n[passes.sequence]\n\

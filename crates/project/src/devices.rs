@@ -1,7 +1,7 @@
 //! The devices of a run: those that the machine file names, and simulated ones for the rest.
 
 use crate::failure::{Failure, with_hint};
-use crate::steps::StreamedSteps;
+use crate::pulse_file::StreamedSteps;
 use seamwright_executive::devices::modbus::{ModbusError, TrafficView};
 #[cfg(target_os = "linux")]
 use seamwright_executive::devices::{DeviceSet, Drives, InputBits, Inputs, LinuxCncDrives, Source, modbus};

@@ -4,7 +4,7 @@ use crate::examples::{EXAMPLES, example};
 use crate::failure::{Failure, with_hint};
 use crate::file_scope::FileScope;
 use crate::files::{self, io_error};
-use crate::outside::Beside;
+use crate::outside_data::Beside;
 use crate::planning::{Clocked, Planning};
 use seamwright_document::{Document, closest};
 use seamwright_executive::Error;

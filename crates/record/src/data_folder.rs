@@ -4,9 +4,9 @@ use crate::hash::sha256_of_file;
 use crate::journal::Journal;
 use crate::library::{AuditCheck, DocumentKind, Library, NewWeld, WeldRecord, WeldResult};
 use crate::moment::Moment;
-use crate::private;
+use crate::private_files;
 use crate::recording::{Plan, Recording, hash_of, settle};
-use crate::stored::joined;
+use crate::stored_message::joined;
 use crate::trace::recover::is_written;
 use crate::trace::{self, Trace};
 use seamwright_message::{Message, Unit};
@@ -64,10 +64,10 @@ impl DataFolder {
     pub fn open(path: &Path) -> Result<Self, Error> {
         crate::replacement_steps::finish_replacing(path)?;
         let welds = path.join("welds");
-        private::folder(&welds).map_err(|e| Error::io(&welds, Doing::Create, e))?;
+        private_files::folder(&welds).map_err(|e| Error::io(&welds, Doing::Create, e))?;
         for name in PRIVATE {
             // Errors are ignored: the permissions of another user's files are left alone.
-            drop(private::tighten(&path.join(name)));
+            drop(private_files::tighten(&path.join(name)));
         }
         Ok(Self { path: path.to_owned(), library: Library::open(&path.join("library.sqlite"))? })
     }
@@ -145,7 +145,7 @@ impl DataFolder {
         let last = self.weld_folders()?.into_iter().max().unwrap_or(0);
         let id = self.library.begin_weld(&new, last)?;
         let folder = self.weld_folder(id);
-        let made = private::folder(&folder).map_err(|e| Error::io(&folder, Doing::Create, e));
+        let made = private_files::folder(&folder).map_err(|e| Error::io(&folder, Doing::Create, e));
         let recording = made.and_then(|()| Recording::new(id, new.begun, folder.clone(), plan));
         recording.inspect_err(|_| self.take_back(id, &folder))
     }

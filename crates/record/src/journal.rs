@@ -14,7 +14,7 @@
 //! | 4 | CRC-32 of all this |
 
 use crate::error::{Doing, Error};
-use crate::{private, whole_file};
+use crate::{private_files, whole_file};
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -132,7 +132,7 @@ impl Drop for Journal {
 /// Opens a file of full length, which it locks.
 fn open(path: &Path) -> Result<(PathBuf, File), Error> {
     let failed = |e| Error::io(path, Doing::Write, e);
-    let mut options = private::options();
+    let mut options = private_files::options();
     let mut file = options.read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
     if file.try_lock().is_err() {
         return Err(Error::Busy { path: path.to_owned() });

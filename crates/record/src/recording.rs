@@ -4,7 +4,7 @@ use crate::figures::{Basis, Figures, HEAT_INPUT};
 use crate::hash::{sha256, sha256_of_file};
 use crate::library::{WeldEnd, WeldFile, WeldRecord, WeldResult};
 use crate::moment::Moment;
-use crate::stored::joined;
+use crate::stored_message::joined;
 use crate::trace::{Column, Trace, TraceWriter};
 use crate::whole_file;
 use seamwright_message::{Message, Unit};

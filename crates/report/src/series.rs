@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::glyph;
 use crate::number::px;
 use crate::svg::Svg;
-use crate::thin::thin;
+use crate::thinning::thin;
 use crate::{Language, Words as _};
 
 /// Drawing style of a series.

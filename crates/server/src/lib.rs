@@ -7,7 +7,7 @@
 //! - The desk, a thread of its own, turns cycles and notes into status, events, records and the list of alarms, and
 //!   passes commands on.
 //! - Stops do not queue. Neither stops nor sockets share a thread with handlers: these run on another runtime. Work on
-//!   files, library and plans runs on threads of lower priority (`http/turns.rs`).
+//!   files, library and plans runs on threads of lower priority (`http/work_limit.rs`).
 //! - Plans from texts run in a process with limits of memory and time (`planner`).
 //! - Forms of texts are made from the JSON Schemas of their formats (`form`); the panel knows no keys.
 //! - Every route states its permission in one table, which a test checks route by route.
@@ -42,9 +42,9 @@ mod error;
 mod form;
 mod front;
 mod http;
-mod lack;
 mod log;
 mod planner;
+mod refusal;
 mod serve;
 mod teaching;
 #[cfg(test)]

@@ -1,4 +1,4 @@
-use crate::smooth::LinePoint;
+use crate::smoothing::LinePoint;
 use glam::DVec3;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 

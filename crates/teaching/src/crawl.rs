@@ -1,9 +1,9 @@
 use crate::events::{Answer, CameraPose, Command, End, Event, Seen};
 use crate::frame_note::CameraNote;
 use crate::height::levelled;
-use crate::line::{GAP_MM, RawPoint, Source, TaughtLine};
 use crate::settings::Settings;
-use crate::view::{Aim, FrameEnd, Patch, Shape, Surface, View};
+use crate::taught_line::{GAP_MM, RawPoint, Source, TaughtLine};
+use crate::work_shape::{Aim, FrameEnd, Patch, Shape, Surface, View};
 use glam::DVec3;
 use seamwright_message::{Message, Unit};
 use seamwright_vision::camera::{HeightError, HeightTable};

@@ -1,6 +1,6 @@
 //! Events and commands of a crawl.
 
-use crate::view::{FrameEnd, Row, View};
+use crate::work_shape::{FrameEnd, Row, View};
 use glam::DVec3;
 use seamwright_message::Message;
 

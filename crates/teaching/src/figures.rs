@@ -1,7 +1,7 @@
-use crate::line::Source;
 use crate::outcome::Outcome;
 use crate::program::{Curves, Reduced};
 use crate::seam_line::{SeamLine, Station};
+use crate::taught_line::Source;
 use glam::DVec3;
 use seamwright_geometry::reduce::{Shape, Span};
 use seamwright_geometry::{Arc, Curve, Spline};

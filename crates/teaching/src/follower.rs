@@ -1,5 +1,5 @@
 use crate::run::{Found, Midline};
-use crate::view::{Aim, FrameEnd, Row};
+use crate::work_shape::{Aim, FrameEnd, Row};
 use glam::DVec2;
 use seamwright_vision::Frame;
 use seamwright_vision::joint::{CONFIDENT, End, Follower, Joint, Options, Start, State};

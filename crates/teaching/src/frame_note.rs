@@ -1,4 +1,4 @@
-use crate::view::FrameEnd;
+use crate::work_shape::FrameEnd;
 use glam::DVec3;
 
 /// Summary of a frame.

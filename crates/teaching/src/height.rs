@@ -1,5 +1,5 @@
 use crate::frame_note::CameraNote;
-use crate::line::{RawPoint, Source, TaughtLine};
+use crate::taught_line::{RawPoint, Source, TaughtLine};
 use glam::DVec3;
 use nalgebra::{Matrix3, Vector3};
 
@@ -69,7 +69,7 @@ fn parabola(heights: &[(f64, f64)], way: f64, reach: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::FrameEnd;
+    use crate::work_shape::FrameEnd;
 
     /// On a slope measured every 8 mm, points placed at their frame's height move along the ray onto the slope.
     #[test]

@@ -2,10 +2,10 @@ use crate::crawl::Crawl;
 use crate::events::End;
 use crate::frame_note::CameraNote;
 use crate::job::smooth;
-use crate::line::TaughtLine;
 use crate::picture::Picture;
 use crate::run::TaughtRun;
-use crate::smooth::LinePoint;
+use crate::smoothing::LinePoint;
+use crate::taught_line::TaughtLine;
 use seamwright_message::Message;
 use seamwright_program::{Finding, PathRange};
 

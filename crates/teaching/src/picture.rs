@@ -3,7 +3,7 @@
 use crate::events::Command;
 use crate::run::Look;
 use crate::settings::Settings;
-use crate::view::Row;
+use crate::work_shape::Row;
 use glam::{DVec2, DVec3};
 use seamwright_frames::{COASTED, CROSS, MOTION, Overlay, ZONE, sureness};
 use seamwright_geometry::HeightTable;

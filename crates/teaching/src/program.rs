@@ -1,4 +1,4 @@
-use crate::smooth::LinePoint;
+use crate::smoothing::LinePoint;
 use glam::{DAffine3, DQuat, DVec3};
 use seamwright_document::{Direction, Finite, Point, Positive};
 use seamwright_geometry::Error;

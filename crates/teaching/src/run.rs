@@ -3,7 +3,7 @@
 use crate::crawl::Crawl;
 use crate::events::{Answer, Command, End, Event, Seen};
 use crate::rig::Rig;
-use crate::view::{Aim, FrameEnd, Row, View};
+use crate::work_shape::{Aim, FrameEnd, Row, View};
 use seamwright_frames::{Field, FrameError, TimedFrame};
 use seamwright_machine::{Joints, Machine, Sensor};
 use seamwright_message::Message;

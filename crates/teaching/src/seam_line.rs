@@ -1,6 +1,6 @@
 //! A seam in space by closely spaced stations: nominal, or in its true position.
 
-use crate::view::{Patch, Shape};
+use crate::work_shape::{Patch, Shape};
 use glam::DVec3;
 use std::collections::HashMap;
 

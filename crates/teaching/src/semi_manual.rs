@@ -1,7 +1,7 @@
 //! Teaching by the operator (SADDLE-2020): the nominal seam is moved to points to which the operator has jogged.
 
 use crate::seam_line::SeamLine;
-use crate::smooth::LinePoint;
+use crate::smoothing::LinePoint;
 use glam::DVec3;
 use seamwright_geometry::MonotoneCurve;
 use seamwright_message::{Message, Unit};

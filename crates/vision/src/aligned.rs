@@ -1,6 +1,6 @@
 //! Numbers that are loaded and stored several at a time.
 
-use crate::wide::LANES;
+use crate::simd::LANES;
 use pulp::Simd;
 use std::ops::{Deref, DerefMut};
 
@@ -92,7 +92,7 @@ impl<'a, const N: usize> IntoIterator for &'a mut Aligned<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wide::{Work, wide};
+    use crate::simd::{Work, wide};
     use pulp::Scalar;
     use seamwright_testkit::Random;
 

@@ -34,7 +34,7 @@ pub mod camera;
 mod frame;
 pub mod joint;
 pub mod region_growing;
+mod simd;
 pub mod stripe;
-mod wide;
 
 pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};

@@ -1,4 +1,4 @@
-use crate::plane;
+use crate::plane_seam;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::RoundedRectangle;
 use seamwright_program::Seam;
@@ -20,7 +20,7 @@ impl Angles {
     /// Those of the seam.
     pub(crate) fn new<T>(file: &Document<T>, seam: &Seam, closed: bool) -> Result<Self, DocumentError> {
         Ok(match seam {
-            Seam::RoundedRectangle(r) => Self::Rectangle(Box::new(plane::rectangle(file, r)?.curve)),
+            Seam::RoundedRectangle(r) => Self::Rectangle(Box::new(plane_seam::rectangle(file, r)?.curve)),
             Seam::Polyline(_) | Seam::Spline(_) => Self::None,
             Seam::Helix(_) => Self::Parameter,
             _ if closed => Self::Parameter,

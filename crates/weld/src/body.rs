@@ -1,7 +1,7 @@
 //! The bodies that nozzles stand on, from the keys of a job or program: their outside, and the inside of their wall.
 
 use crate::allowed::{by_key, more_than, strictly_between};
-use crate::{head, plane};
+use crate::{plane_seam, vessel_head};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Positive};
 use seamwright_geometry::{
@@ -100,24 +100,24 @@ impl Shell {
                 return of_head(
                     "weld-body-torispherical-head",
                     h.outer_diameter_mm,
-                    head::torispherical(file, h, depth)?,
+                    vessel_head::torispherical(file, h, depth)?,
                 );
             }
             Body::EllipsoidalHead(h) => {
-                return of_head("weld-body-ellipsoidal-head", h.outer_diameter_mm, head::ellipsoidal(file, h)?);
+                return of_head("weld-body-ellipsoidal-head", h.outer_diameter_mm, vessel_head::ellipsoidal(file, h)?);
             }
             Body::HemisphericalHead(h) => {
                 return of_head(
                     "weld-body-hemispherical-head",
                     h.outer_diameter_mm,
-                    head::hemispherical(file, h, depth)?,
+                    vessel_head::hemispherical(file, h, depth)?,
                 );
             }
             Body::FlatHead(h) => {
-                return of_head("weld-body-flat-head", h.outer_diameter_mm, head::flat(file, h, depth)?);
+                return of_head("weld-body-flat-head", h.outer_diameter_mm, vessel_head::flat(file, h, depth)?);
             }
             Body::ConicalHead(h) => {
-                return of_head("weld-body-conical-head", h.outer_diameter_mm, head::conical(file, h, depth)?);
+                return of_head("weld-body-conical-head", h.outer_diameter_mm, vessel_head::conical(file, h, depth)?);
             }
         };
         let path = format!("seam.nozzle.body.{key}");
@@ -213,5 +213,5 @@ pub(crate) fn thickness<T>(file: &Document<T>, body: &Body) -> Result<f64, Docum
 
 /// A tube whose angle phi counts from `zero`; without one from x, or from y on a tube along x.
 pub(crate) fn tube(origin: DVec3, direction: DVec3, zero: Option<Direction>, radius: f64) -> Result<Tube, Error> {
-    Tube::new(origin, direction, plane::zero(direction, zero), radius)
+    Tube::new(origin, direction, plane_seam::zero(direction, zero), radius)
 }

@@ -1,7 +1,7 @@
 //! The procedure that a job names.
 
 use crate::job::Job;
-use crate::outside::Outside;
+use crate::outside_data::Outside;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{PROCEDURES, Procedure, Program, shipped_procedure};

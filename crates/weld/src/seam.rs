@@ -4,7 +4,7 @@ use crate::branch::Joint;
 use crate::nozzle::OnBody;
 use crate::periodic_places::repeated;
 use crate::taught::{TaughtEdge, TaughtSpan};
-use crate::{girth, plane, space, spline, t_joint};
+use crate::{girth, plane_seam, space_seam, spline_seam, t_joint};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, FaceRule, Line};
@@ -297,14 +297,14 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
             let (a, b) = (e.a_mm.get(), e.b_mm.get());
             let curve = Ellipse::new(e.centre_mm.get(), normal, e.a_direction.unit(), a, b)
                 .map_err(|e| file.error_at("seam.ellipse.a_direction", e.message(), not_along("normal")))?;
-            Ok(Box::new(CurvedEdge { curve, faces: plane::faces(e.joint, WallFaces::Right, normal) }))
+            Ok(Box::new(CurvedEdge { curve, faces: plane_seam::faces(e.joint, WallFaces::Right, normal) }))
         }
-        Seam::Circle(circle) => Ok(Box::new(plane::circle(file, circle)?)),
-        Seam::Arc(arc) => Ok(Box::new(plane::arc(file, arc)?)),
-        Seam::RoundedRectangle(r) => Ok(Box::new(plane::rectangle(file, r)?)),
-        Seam::Helix(helix) => Ok(Box::new(space::helix(file, helix)?)),
-        Seam::Spline(s) => Ok(Box::new(spline::edge(file, s)?)),
-        Seam::Polyline(p) => Ok(Box::new(plane::polyline(file, p)?)),
+        Seam::Circle(circle) => Ok(Box::new(plane_seam::circle(file, circle)?)),
+        Seam::Arc(arc) => Ok(Box::new(plane_seam::arc(file, arc)?)),
+        Seam::RoundedRectangle(r) => Ok(Box::new(plane_seam::rectangle(file, r)?)),
+        Seam::Helix(helix) => Ok(Box::new(space_seam::helix(file, helix)?)),
+        Seam::Spline(s) => Ok(Box::new(spline_seam::edge(file, s)?)),
+        Seam::Polyline(p) => Ok(Box::new(plane_seam::polyline(file, p)?)),
         Seam::Line(line) => {
             let (n1, n2) = (line.first_normal.unit(), line.second_normal.unit());
             let curve = Line::new(line.start_mm.get(), line.end_mm.get())

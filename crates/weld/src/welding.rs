@@ -1,15 +1,15 @@
 use crate::attitude::Attitude;
 use crate::bead_line::BeadLine;
 use crate::beads::{BeadPlan, WeldValues};
-use crate::cut::Cut;
 use crate::job::Job;
 use crate::joint::SeamJoint;
-use crate::outside::{NoFiles, Outside, fetch, forget};
+use crate::outside_data::{NoFiles, Outside, fetch, forget};
 use crate::pass_keys::PassKeys;
 use crate::pass_path::PassPath;
 use crate::points::PointPath;
 use crate::seam::SeamCurve;
 use crate::stretch::Stretch;
+use crate::tube_cut::Cut;
 use crate::weld_path::WeldPath;
 use crate::{order, procedure};
 use seamwright_document::{Document, DocumentError};

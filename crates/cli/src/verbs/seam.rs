@@ -1,4 +1,4 @@
-use super::places::Places;
+use super::seam_positions::Places;
 use crate::args::SeamArgs;
 use crate::rows::{Cell, Rows};
 use seamwright_project::failure::Failure;

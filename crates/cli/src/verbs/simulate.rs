@@ -1,10 +1,10 @@
 use super::head_columns::HeadColumns;
-use super::part;
 use super::plan::{finish, write_report};
-use super::recorded::{self, Rows};
+use super::row_destination::{self, Rows};
 use super::run::desk::Desk;
 use super::run::orders::Line;
 use super::run::{Ended, bad};
+use super::simulated_part;
 use crate::args::SimulateArgs;
 use crate::args::records::RecordArgs;
 use crate::planning;
@@ -28,7 +28,7 @@ const ORDERS: [&str; 6] = ["on", "home", "wait ready", "arm", "weld", "wait read
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let part = part::read(&args.part)?;
+    let part = simulated_part::read(&args.part)?;
     let around = loaded.surroundings()?;
     let conditions = part.conditions(args.seed, &args.fault, &around);
     let motion = planning::plan_part(&part, &loaded, &args.planning)?;
@@ -107,7 +107,7 @@ fn trace(
         [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", conditions.seed.to_string())];
     let heads = HeadColumns::new(loaded, &conditions);
     let columns = columns(machine, &heads, work.values());
-    let rows = recorded::begin(
+    let rows = row_destination::begin(
         loaded,
         motion,
         &Header { columns: &columns, about: &about, from: None },

@@ -1,6 +1,6 @@
 use super::alarm_list::Place;
-use super::bus::{SeamOrders, VALUES};
 use super::clock::StopTimer;
+use super::device_interface::{SeamOrders, VALUES};
 use seamwright_motion::feed_override::RunPhase;
 
 /// The current activity: a program, jogging, homing, or rest.

@@ -1,6 +1,6 @@
 use super::alarm::{Alarm, Reaction};
 use super::command::Ask;
-use super::state::Note;
+use super::port::Note;
 use arrayvec::ArrayVec;
 
 /// Position of the torch.

@@ -1,5 +1,5 @@
 use super::alarm::Alarm;
-use super::missing::Missing;
+use super::missing_permissive::Missing;
 use super::mode::{Event, Mode, Refused};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::jog;

@@ -1,12 +1,12 @@
 //! Execution of commands.
 
-use super::bus::Devices;
 use super::command::{Ask, Command};
 use super::core::Executive;
-use super::missing::Missing;
+use super::device_interface::Devices;
+use super::missing_permissive::Missing;
 use super::mode::{Event, Mode, Refused};
+use super::port::{Note, Port};
 use super::requests::End;
-use super::state::{Note, Port};
 use super::work::Work;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {

@@ -1,7 +1,7 @@
 use super::activity::Activity;
 use super::alarm_list::{AlarmList, Place};
-use super::bus::Devices;
 use super::clock::{Clock, StopTimer};
+use super::device_interface::Devices;
 use super::device_io::DeviceIo;
 use super::guide::Guide;
 use super::guide_state::GuideState;

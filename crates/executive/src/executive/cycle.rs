@@ -1,9 +1,9 @@
 //! The cycle.
 
 use super::activity::Doing;
-use super::bus::{Devices, ProcessOrders, SeamOrders};
 use super::core::Executive;
-use super::state::{Cycle, Port, Status};
+use super::device_interface::{Devices, ProcessOrders, SeamOrders};
+use super::port::{Cycle, Port, Status};
 use super::work::Work;
 
 /// Maximum number of commands taken in a cycle.

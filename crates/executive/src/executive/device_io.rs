@@ -1,4 +1,4 @@
-use super::bus::{Devices, Orders, ProcessOrders, Reports, SeamOrders};
+use super::device_interface::{Devices, Orders, ProcessOrders, Reports, SeamOrders};
 use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_servo::SetPoint;
 

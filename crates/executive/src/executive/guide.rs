@@ -1,6 +1,6 @@
 //! Seam tracking interface: corrections between the planned set-point of a pass and the orders of a cycle.
 
-use super::bus::{Reports, SeamOrders};
+use super::device_interface::{Reports, SeamOrders};
 use seamwright_machine::Joints;
 use seamwright_tracking::beam::Picture;
 use seamwright_tracking::lead::Sight;

@@ -1,4 +1,4 @@
-use super::bus::Devices;
+use super::device_interface::Devices;
 use super::device_io::DeviceIo;
 use super::guide::{Guide, Guided, Seen, Tracked, Trouble};
 use seamwright_machine::Joints;

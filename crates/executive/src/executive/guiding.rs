@@ -3,12 +3,12 @@
 use super::activity::Doing;
 use super::alarm::{Alarm, Reaction};
 use super::alarm_list::Place;
-use super::bus::Devices;
 use super::clock::{REST_S, StopTimer};
 use super::core::Executive;
+use super::device_interface::Devices;
 use super::guide::{Guide, Guided, Planned, Seen, Trouble};
 use super::mode::{Event, Mode};
-use super::state::Port;
+use super::port::Port;
 use super::work::Work;
 
 impl<'a, D: Devices, P: Port> Executive<'a, D, P> {

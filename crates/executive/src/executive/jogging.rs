@@ -2,11 +2,11 @@
 
 use super::activity::Doing;
 use super::alarm::Alarm;
-use super::bus::Devices;
 use super::core::Executive;
+use super::device_interface::Devices;
 use super::mode::{Event, Mode};
+use super::port::Port;
 use super::reduced_speed::obey;
-use super::state::Port;
 use super::work::Work;
 use seamwright_machine::Level;
 use seamwright_motion::jog::{self, Halt, Jog, Signals};

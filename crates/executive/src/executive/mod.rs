@@ -3,21 +3,23 @@
 mod activity;
 mod alarm;
 mod alarm_list;
-mod bus;
 mod clock;
 mod command;
 mod command_handling;
 mod core;
 mod cycle;
+mod device_interface;
 mod device_io;
+mod dispatch;
 mod guide;
 mod guide_state;
 mod guiding;
 mod homing;
 mod interlocks;
 mod jogging;
-mod missing;
+mod missing_permissive;
 mod mode;
+mod port;
 mod process;
 mod program;
 mod reaction;
@@ -25,25 +27,23 @@ mod readiness;
 mod reduced_speed;
 mod report_checks;
 mod requests;
-mod serve;
 mod shutdown;
-mod state;
 mod supervision;
 mod work;
 
 pub use alarm::{Alarm, Entry, Reaction, catalogue};
 pub use alarm_list::{AlarmList, AlarmState, MAX_ALARMS, Place, Raised};
-pub use bus::{
-    Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, Slack, SourceReport, VALUES,
-};
 pub use command::{Ask, Command, Origin};
 pub use core::Executive;
+pub use device_interface::{
+    Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, Slack, SourceReport, VALUES,
+};
 pub use guide::{Guide, Guided, Planned, Seen, Tracked, Trouble};
 pub use interlocks::{Interlocks, MAX_INPUTS};
-pub use missing::{Missing, SilentDevice};
+pub use missing_permissive::{Missing, SilentDevice};
 pub use mode::{Event, Mode, Refused, table};
+pub use port::{Cycle, Note, Port, Status};
 pub use process::ProcessState;
 pub use reduced_speed::REDUCED_MM_S;
 pub use requests::End;
-pub use state::{Cycle, Note, Port, Status};
 pub use work::{Start, Work};

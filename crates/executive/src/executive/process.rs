@@ -1,5 +1,5 @@
 use super::alarm::Alarm;
-use super::bus::{LATE_S, SourceReport};
+use super::device_interface::{LATE_S, SourceReport};
 use seamwright_machine::Source;
 
 /// Validity of an arming, s.

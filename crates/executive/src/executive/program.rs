@@ -3,12 +3,12 @@
 use super::activity::Doing;
 use super::alarm::Alarm;
 use super::alarm_list::Place;
-use super::bus::{Devices, SeamOrders, VALUES};
 use super::core::Executive;
+use super::device_interface::{Devices, SeamOrders, VALUES};
 use super::guide::Planned;
 use super::mode::{Event, Mode};
+use super::port::{Note, Port};
 use super::process::ProcessState;
-use super::state::{Note, Port};
 use super::work::Work;
 use seamwright_motion::feed_override::{FeedOverride, Instant, Order, Run, RunPhase, Timed};
 use seamwright_motion::transfer::Leg;

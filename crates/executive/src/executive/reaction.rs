@@ -2,10 +2,10 @@
 
 use super::alarm::{Alarm, Reaction};
 use super::alarm_list::{AlarmState, Raised};
-use super::bus::Devices;
 use super::core::Executive;
+use super::device_interface::Devices;
 use super::mode::{Event, Mode};
-use super::state::{Note, Port};
+use super::port::{Note, Port};
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Enters the mode after `event`; false if the mode does not accept it.

@@ -1,11 +1,11 @@
 //! "Why can't I start": the missing permissives of an action.
 
 use super::alarm::{Alarm, Reaction};
-use super::bus::{Devices, LATE_S};
 use super::core::Executive;
-use super::missing::{Missing, SilentDevice};
+use super::device_interface::{Devices, LATE_S};
+use super::missing_permissive::{Missing, SilentDevice};
 use super::mode::{Event, Mode};
-use super::state::Port;
+use super::port::Port;
 use super::work::Work;
 use arrayvec::ArrayVec;
 use seamwright_machine::Level;

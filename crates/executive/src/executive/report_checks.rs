@@ -1,11 +1,11 @@
 //! Checks of the reports of a cycle: the alarms that they raise or clear.
 
 use super::alarm::{Alarm, Reaction};
-use super::bus::{Devices, LATE_S, VALUES};
 use super::core::Executive;
+use super::device_interface::{Devices, LATE_S, VALUES};
 use super::mode::Mode;
+use super::port::Port;
 use super::process::ProcessState;
-use super::state::Port;
 use super::supervision::{DRIVES, INPUTS, SOURCE};
 use seamwright_machine::Level;
 

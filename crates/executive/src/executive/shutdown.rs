@@ -2,12 +2,12 @@
 
 use super::activity::Doing;
 use super::alarm::Reaction;
-use super::bus::Devices;
 use super::clock::REST_S;
 use super::core::Executive;
+use super::device_interface::Devices;
 use super::mode::Event;
+use super::port::Port;
 use super::requests::End;
-use super::state::Port;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Switches the process off in `doing`, stops everything on its path, then switches the power off and ends.

@@ -1,8 +1,8 @@
 //! Supervision: history of the reports, and its limits.
 
-use super::bus::{Reports, Slack, VALUES};
+use super::device_interface::{Reports, Slack, VALUES};
 use super::interlocks::Interlocks;
-use super::state::Note;
+use super::port::Note;
 use seamwright_machine::{AxisKind, MAX_AXES, Machine};
 
 /// Maximum time for the drives to power up, s.
@@ -153,7 +153,7 @@ impl Gap {
 #[cfg(test)]
 mod tests {
     use super::Gap;
-    use crate::executive::bus::LATE_S;
+    use crate::executive::device_interface::LATE_S;
 
     /// Returns the age at which a dead device counts as late, s, with a gap of `lost_s` every `every_s`.
     fn late_at(lost_s: f64, every_s: f64, rides_out_s: f64) -> f64 {

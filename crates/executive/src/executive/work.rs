@@ -1,5 +1,5 @@
 use super::alarm_list::Place;
-use super::bus::VALUES;
+use super::device_interface::VALUES;
 use super::reduced_speed::hand;
 use seamwright_machine::{AxisSet, Joints, Machine, Surroundings};
 use seamwright_message::Message;

@@ -1,4 +1,4 @@
-use super::pairs::spread;
+use super::point_pairs::spread;
 use crate::error::Error;
 use glam::{DAffine3, DMat3, DVec3};
 

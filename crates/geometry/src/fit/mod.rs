@@ -9,22 +9,22 @@
 //! - [`run_out`]: touches around a tube that turns about its nominal axis.
 //! - [`pivot`]: the tip of a tool, brought to one fixed point from several attitudes.
 
-mod best;
+mod best_fit;
 mod datums;
-mod motion;
-mod pairs;
+mod free_motion;
 mod pivot;
 mod placing;
+mod point_pairs;
 mod run_out;
 mod statistics;
 mod twist;
 
-pub use best::{BestFit, Touch, best_fit};
+pub use best_fit::{BestFit, Touch, best_fit};
 pub use datums::{DatumFit, plane_line_point};
-pub use motion::Motion;
-pub use pairs::{PairFit, fit_pairs};
+pub use free_motion::Motion;
 pub use pivot::{PivotFit, pivot};
 pub use placing::{Placing, chuck, three_points};
+pub use point_pairs::{PairFit, fit_pairs};
 pub use run_out::{RunOut, run_out};
 pub use statistics::{outliers, rms};
 pub use twist::Deviation;

@@ -1,5 +1,5 @@
-use super::best::{Touch, best_fit};
-use super::motion::Motion;
+use super::best_fit::{Touch, best_fit};
+use super::free_motion::Motion;
 use crate::error::Error;
 use crate::tube::Tube;
 use glam::{DAffine3, DMat3, DQuat, DVec3};

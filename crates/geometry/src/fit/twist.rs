@@ -1,4 +1,4 @@
-use super::motion::{Motion, positive};
+use super::free_motion::{Motion, positive};
 use glam::{DAffine3, DQuat, DVec3};
 use nalgebra::{DMatrix, DVector, SVD};
 use std::f64::consts::TAU;

@@ -1,9 +1,9 @@
 use crate::axis::{Axis, AxisKind};
 use crate::chain::{AxisSet, Chain, Screw};
 use crate::file::{MachineFile, StepFile};
-use crate::head::Head;
 use crate::inverse::Inverse;
 use crate::links::{Link, Links, NamedFrame};
+use crate::welding_head::Head;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Direction, Point};
 use seamwright_geometry::Pose;

@@ -1,8 +1,8 @@
 //! Self-tests of a machine file: round trip of the inverse, Jacobian against differences, plausible limits, singular
 //! configurations, reach. Seeded, without I/O.
 
-mod climb;
 mod english;
+mod hill_climb;
 mod jacobian;
 mod random;
 mod reach;
@@ -11,7 +11,7 @@ mod sanity;
 mod singular;
 mod skeleton;
 mod task;
-mod usual;
+mod thresholds;
 mod voxels;
 
 pub use jacobian::JacobianCheck;

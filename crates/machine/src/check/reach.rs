@@ -1,4 +1,4 @@
-use super::climb::climb;
+use super::hill_climb::climb;
 use super::random::Random;
 use super::voxels::{self, Volume};
 use crate::chain::Joints;

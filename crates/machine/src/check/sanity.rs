@@ -1,4 +1,4 @@
-use super::usual::*;
+use super::thresholds::*;
 use crate::axis::{Axis, AxisKind};
 use crate::file::{MachineFile, StepFile};
 use crate::machine::Machine;
@@ -63,7 +63,7 @@ impl Remarks<'_> {
     }
 }
 
-/// Lists unusual values of a machine file: likely other units or mistakes. `check/usual.rs` has the thresholds with
+/// Lists unusual values of a machine file: likely other units or mistakes. `check/thresholds.rs` has the thresholds with
 /// their reasons.
 pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
     let mut remarks = Remarks { file, all: Vec::new() };

@@ -1,4 +1,4 @@
-use super::climb::climb;
+use super::hill_climb::climb;
 use super::random::{Random, ranges};
 use super::round_trip::file_units;
 use super::task::Task;

@@ -1,9 +1,9 @@
 //! `[devices.<name>]`: devices of drives, process source, inputs and outputs. All others are simulated.
 
-mod check;
 mod file;
 mod linuxcnc;
 mod modbus;
+mod register_check;
 mod steps;
 
 pub use file::{DeviceFile, LinuxCncFile, StepsFile};
@@ -50,13 +50,13 @@ pub(crate) fn devices(
             file.error_at(&format!("devices.{name}.{kind}"), message, Message::new("machine-one-device-of-drives"))
         };
         match device {
-            DeviceFile::Modbus(modbus) => devices.modbus.push(check::modbus(file, name, modbus)?),
+            DeviceFile::Modbus(modbus) => devices.modbus.push(register_check::modbus(file, name, modbus)?),
             DeviceFile::LinuxCnc(_) if has_drives => return Err(taken("linuxcnc")),
             DeviceFile::Steps(_) if has_drives => return Err(taken("steps")),
             DeviceFile::LinuxCnc(linuxcnc) => devices.linuxcnc = Some(linuxcnc::linuxcnc(file, name, linuxcnc)?),
             DeviceFile::Steps(steps) => devices.steps = Some(steps::steps(file, axes, name, steps)?),
         }
     }
-    check::together(file, &devices.modbus)?;
+    register_check::together(file, &devices.modbus)?;
     Ok(devices)
 }

@@ -3,8 +3,8 @@ mod search;
 use super::Command;
 use super::course::{Course, Return, Segment, State};
 use super::error::FeedOverrideError;
-use super::shield::Shield;
-use super::timed::{Pacing, Rates, Timed};
+use super::limit_check::Shield;
+use super::timed_motion::{Pacing, Rates, Timed};
 use crate::tip_channels::ChannelLimits;
 
 /// Maximum override.

@@ -1,4 +1,4 @@
-use super::timed::Pacing;
+use super::timed_motion::Pacing;
 use arrayvec::ArrayVec;
 
 /// Profile time and its rate.

@@ -11,19 +11,19 @@
 mod control;
 mod course;
 mod error;
-mod order;
-mod pass;
-mod run;
-mod shield;
-mod timed;
+mod hold_and_restart;
+mod limit_check;
+mod run_phase;
+mod timed_motion;
+mod timed_pass;
 
 pub use crate::tip_channels::{CHANNELS, ChannelLimits, channel_limits};
 pub use control::{FeedOverride, Played};
 pub use error::FeedOverrideError;
-pub use order::{Instant, Order, RunPhase};
-pub use pass::PassTimed;
-pub use run::Run;
-pub use timed::{Rates, Timed, Tip};
+pub use hold_and_restart::Run;
+pub use run_phase::{Instant, Order, RunPhase};
+pub use timed_motion::{Rates, Timed, Tip};
+pub use timed_pass::PassTimed;
 
 /// Command to the feed override, effective from the next period.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,9 +6,9 @@
 //! windows of speed and heat input; a stop on the path is.
 
 mod findings;
-mod lie;
+mod inclination;
 mod planned_pass;
-mod windows;
+mod window_check;
 
 pub use planned_pass::{PlannedPass, Quantity};
 use seamwright_message::Message;
@@ -38,17 +38,17 @@ impl PassProcedure {
     /// Compares a planned pass with `procedure`.
     pub fn new(procedure: &Procedure, planned: PlannedPass) -> Self {
         let run = procedure.run_of(planned.number, planned.pass);
-        let lies = lie::along(planned);
-        let (min_dihedral, max_dihedral) = lie::dihedrals(planned.path, &lies);
+        let lies = inclination::along(planned);
+        let (min_dihedral, max_dihedral) = inclination::dihedrals(planned.path, &lies);
         let joint = procedure.joint(min_dihedral, max_dihedral);
         let limits = &procedure.position_limits;
         let places: Vec<f64> = lies.iter().map(|lie| lie.s).collect();
-        let at = |s: f64| lie::at(planned, s).inclination;
+        let at = |s: f64| inclination::at(planned, s).inclination;
         let mut held = Self {
             run: run.map(findings::label),
             joint,
-            quantities: windows::quantities(procedure, run, planned, &lies),
-            heat_input: windows::heat_input(procedure, planned),
+            quantities: window_check::quantities(procedure, run, planned, &lies),
+            heat_input: window_check::heat_input(procedure, planned),
             inclinations: lies.iter().map(|lie| (lie.s, lie.inclination)).collect(),
             positions: limits.along(joint, &places, at),
             findings: Vec::new(),

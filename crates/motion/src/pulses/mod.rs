@@ -21,17 +21,17 @@
 //! After a reversal the first pulses may have to wait for the direction line; those of that period are then spread
 //! evenly over its rest up to the last pulse's position. If they do not fit, the result is [`Error::Crowded`].
 
-mod choice;
 mod generator;
 mod lines;
+mod microstepping;
 mod timing;
 mod train;
 
 use seamwright_message::{Message, Unit};
 
-pub use choice::{Bound, Microstepping};
 pub use generator::Generator;
 pub use lines::{Edge, Event, Lines};
+pub use microstepping::{Bound, Microstepping};
 pub use timing::Timing;
 pub use train::Train;
 

@@ -1,7 +1,7 @@
 use super::graph::Graph;
 use super::hold_error::HoldError;
 use super::task::Task;
-use crate::limits::Runs;
+use crate::speed_findings::Runs;
 use seamwright_machine::{AxisKind, Joints};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, PathRange};

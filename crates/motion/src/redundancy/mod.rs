@@ -21,7 +21,7 @@ mod banded;
 mod continuation;
 mod cost;
 mod explain;
-mod free_axes;
+pub(crate) mod free_axes;
 mod graph;
 mod hold_error;
 mod refine;

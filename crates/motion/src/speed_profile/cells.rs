@@ -1,6 +1,6 @@
 use super::channels::Channels;
 use super::error::SpeedProfileError;
-use super::rest::RestToRest;
+use super::rest_to_rest::RestToRest;
 use crate::stretch::Stretch;
 use seamwright_machine::AxisLimits;
 

@@ -1,7 +1,7 @@
 //! Division of a path into the cells of a speed profile.
 
 use super::channels::Channels;
-use super::rest::RestToRest;
+use super::rest_to_rest::RestToRest;
 use crate::stretch::Stretch;
 use seamwright_machine::AxisLimits;
 

@@ -3,11 +3,11 @@
 use super::cells::Cells;
 use super::channels::Channels;
 use super::error::SpeedProfileError;
-use super::interior::Iterate;
-use super::peak::{peak, used};
+use super::interior_point::Iterate;
+use super::limit_use::{peak, used};
 use super::problem::Problem;
-use super::rest::RestToRest;
-use super::rows::Room;
+use super::rest_to_rest::RestToRest;
+use super::row_selection::Room;
 use seamwright_machine::AxisLimits;
 
 /// Fraction of the limits kept in reserve: for values between the checked points, and for the start of a hold (see

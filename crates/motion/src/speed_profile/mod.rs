@@ -84,20 +84,20 @@
 //! # Method
 //!
 //! 1. **Cells.** `b` is singular at rest, so acceleration and deceleration phase have their own parameter, regular at
-//!    rest (`rest`). In it `b` is a quadratic B-spline: accelerations are continuous, time follows in closed form
-//!    (`cell`).
+//!    rest (`rest_to_rest`). In it `b` is a quadratic B-spline: accelerations are continuous, time follows in closed
+//!    form (`profile_cell`).
 //! 2. **Solution.** The coefficients come from a primal-dual interior-point method (4) with the jerk divided by
 //!    `sqrt(b)`. The only non-convex part, `1 / sqrt(b)`, stays in the Newton matrix as far as that remains positive
-//!    (`interior`, `problem`; `rows` selects the rows). Each iterate satisfies all rows. The matrix has five diagonals,
-//!    so the cost is linear in the number of cells.
+//!    (`interior_point`, `problem`; `row_selection` selects the rows). Each iterate satisfies all rows. The matrix has
+//!    five diagonals, so the cost is linear in the number of cells.
 //! 3. **Refinement.** The profile is first solved in few wide cells, each merged from several final ones, and then in
 //!    successively finer ones. Cells in which it bends are then halved, and it is solved again from the last solution
 //!    (`jerk_limited`). Rows far from a previous profile are left out.
-//! 4. **Check.** All limits are checked afterwards (`peak`), and missing rows are added to the problem, with its
+//! 4. **Check.** All limits are checked afterwards (`limit_use`), and missing rows are added to the problem, with its
 //!    multipliers kept.
 //!
-//! Without limits of jerk the problem is solved by reachability instead (5; `reach`), in cells that are small where the
-//! tip is slow (`spread`).
+//! Without limits of jerk the problem is solved by reachability instead (5; `reachability`), in cells that are small
+//! where the tip is slow (`grid_without_jerk`).
 //!
 //! [`ProfileStream`] plans windows of the path from rest to rest. Far from their ends two overlapping profiles are the
 //! same. A weighted mean of their coefficients, checked against all limits, leads from one into the next. The output
@@ -113,22 +113,22 @@
 //! 4. Mehrotra: On the implementation of a primal-dual interior point method, 1992.
 //! 5. Pham, Pham: A new approach to time-optimal path parameterization based on reachability analysis, 2018.
 
-mod cell;
 mod cells;
 mod certificate;
 mod channels;
 mod error;
 mod grid;
-mod interior;
+mod grid_without_jerk;
+mod interior_point;
 mod jerk_limited;
 mod lanes;
-mod peak;
+mod limit_use;
 mod problem;
 mod profile;
-mod reach;
-mod rest;
-mod rows;
-mod spread;
+mod profile_cell;
+mod reachability;
+mod rest_to_rest;
+mod row_selection;
 mod stream;
 
 pub use certificate::{Bound, Certificate, Interval, Use};

@@ -1,5 +1,5 @@
 use super::cells::{Cells, Weights};
-use super::rows::{Forms, Room};
+use super::row_selection::{Forms, Room};
 use seamwright_geometry::numeric::Pentadiagonal;
 use std::ops::Range;
 

@@ -1,12 +1,12 @@
-use super::cell::Cell;
 use super::cells::Cells;
 use super::channels::{Channels, ends};
 use super::error::SpeedProfileError;
 use super::grid::stations;
+use super::grid_without_jerk::spread;
 use super::jerk_limited::plan;
-use super::reach;
-use super::rest::RestToRest;
-use super::spread::spread;
+use super::profile_cell::Cell;
+use super::reachability;
+use super::rest_to_rest::RestToRest;
 use crate::stretch::Stretch;
 use std::ops::Range;
 
@@ -88,7 +88,7 @@ impl SpeedProfile {
         let mut profile = Self::empty(path);
         for w in ends.windows(2) {
             let stations = spread(path, Stretch { from: w[0], to: w[1] }, cells);
-            let (b, asked) = reach::fastest(path, &stations)?;
+            let (b, asked) = reachability::fastest(path, &stations)?;
             profile.add_linear(&stations, &b, &asked);
         }
         Ok(profile)

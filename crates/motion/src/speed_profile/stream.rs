@@ -1,12 +1,12 @@
-use super::cell::Cell;
 use super::cells::Cells;
 use super::channels::{Channels, ends};
 use super::error::SpeedProfileError;
 use super::grid::stations;
 use super::jerk_limited::plan;
-use super::peak::peak;
+use super::limit_use::peak;
 use super::profile::ProfilePoint;
-use super::rest::RestToRest;
+use super::profile_cell::Cell;
+use super::rest_to_rest::RestToRest;
 use crate::stretch::Stretch;
 use std::collections::VecDeque;
 

@@ -6,10 +6,10 @@
 //! Distances between the remaining points change gradually, because a spline through points at uneven distances would
 //! oscillate. The memory is a window of points. A blend is a quintic, as at the corners of a pass.
 
-mod path;
 mod spline;
-mod thin;
+mod taught_path;
+mod thinning;
 
 pub(crate) use spline::Piece;
 
-pub use path::{Corner, TaughtPath};
+pub use taught_path::{Corner, TaughtPath};

@@ -1,7 +1,7 @@
 //! Deviation of a block from the plan.
 
 use super::block::{Block, Shape};
-use super::cutter::{CHECKS, Cutter};
+use super::block_cutter::{CHECKS, Cutter};
 use super::options::BRIEFEST_S;
 use crate::even_speed::EvenSpeed;
 use crate::part_program::Level;

@@ -13,19 +13,19 @@
 //! motion that is too small for this is left to the next block.
 
 mod arcs;
+mod axis_positions;
 mod block;
+mod block_cutter;
 mod course;
-mod cutter;
 mod deviation;
 mod options;
 mod ramps;
 mod rows;
 mod spline;
-mod stands;
 mod steps;
 
 pub use block::{Block, Linearisation, Shape, Speeds};
-pub use cutter::linearise;
+pub use block_cutter::linearise;
 use options::ROUNDING;
 pub use options::{BRIEFEST_S, Interpolation, Options};
 use steps::{PlannedPass, Steps, Transfers};
@@ -35,13 +35,13 @@ use crate::error::Error;
 use crate::part_program::{Event, Level, PartProgram};
 use crate::points::{ends, event_of, is_posted_as_it_stands};
 use arcs::Arcs;
+use axis_positions::Neighbours;
+use block_cutter::{Cutting, HELD_BACK, Kind, cut};
 use course::Course;
-use cutter::{Cutting, HELD_BACK, Kind, cut};
 use ramps::{ramp_breaks, weave_breaks};
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, Program, TorchPath};
-use stands::Neighbours;
 
 /// Part of the tolerance that controls without a tolerance for blends, and rounding to decimals, may use.
 const SPARED: f64 = 0.05;

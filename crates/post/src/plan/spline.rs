@@ -1,7 +1,7 @@
 //! Uniform cubic B-splines in time whose ends are at rest: PMAC's SPLINE1.
 
 use super::block::{Block, Linearisation, Shape};
-use super::cutter::{Cutting, MAX_BLOCKS};
+use super::block_cutter::{Cutting, MAX_BLOCKS};
 use super::options::BRIEFEST_S;
 use crate::error::Error;
 use crate::even_speed::EvenSpeed;

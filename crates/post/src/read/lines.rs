@@ -1,7 +1,7 @@
 use super::error::Read;
 use super::lexer::Cursor;
+use super::modal_state::State;
 use super::programs::Programs;
-use super::state::State;
 
 /// Flow of control after a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,23 +1,23 @@
 //! Reader of part programs: text in a control's language to data. Everything is checked that needs no machine.
 //!
 //! A line is read byte by byte into the words of one block ([`target`], [`motion::Block`]), then executed on the modal
-//! state ([`state`]); each dialect has a module for its words. Text that is not understood is an error with its
+//! state ([`modal_state`]); each dialect has a module for its words. Text that is not understood is an error with its
 //! position, or, for a lenient reader, listed as left out. The reader skips no text in silence.
 
 mod addresses;
 mod arcs;
+mod block_arc;
 mod error;
 mod expression;
 mod lexer;
 mod lines;
+mod modal_state;
 mod motion;
 mod options;
 mod pmac;
 mod programs;
-mod round;
 mod rs274;
 mod sinumerik;
-mod state;
 mod target;
 
 pub use error::ReadError;
@@ -28,9 +28,9 @@ use crate::control::{Control, Dialect};
 use crate::part_program::{PartProgram, What};
 use error::{Fault, Read, Span};
 use lexer::Cursor;
+use modal_state::State;
 use programs::Programs;
 use seamwright_message::Message;
-use state::State;
 
 /// Result of reading a text.
 #[derive(Debug, Clone, PartialEq)]

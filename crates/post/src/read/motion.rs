@@ -1,7 +1,7 @@
 //! Blocks that move: their end, path and duration.
 
 use super::error::{Fault, Read, Span};
-use super::state::{FeedMode, Motion, State};
+use super::modal_state::{FeedMode, Motion, State};
 use super::target::How;
 use crate::control::Dialect;
 use crate::part_program::{Arc, ChannelKind, Curve, Level, Move, MoveRows, Path, What};

@@ -2,8 +2,8 @@
 //! forward kinematics. The result is compared block by block with the part program that was written, and in time with
 //! the planned motion.
 
-mod plan;
-mod same;
+mod block_comparison;
+mod plan_comparison;
 
 use crate::control::Control;
 use crate::part_program::{Level, PartProgram};
@@ -94,7 +94,7 @@ pub fn verify(
     start: &[f64],
     planned: Planned,
 ) -> Result<Verification, Vec<Message>> {
-    let same = same::same(planned.control, asked, told, start).map_err(|wrong| vec![wrong])?;
+    let same = block_comparison::same(planned.control, asked, told, start).map_err(|wrong| vec![wrong])?;
     let mut wrong = Vec::new();
     if same.rounding > ROUNDING {
         wrong.push(Message::new("post-rounding").text("difference", format!("{:.2e}", same.rounding)));
@@ -102,12 +102,13 @@ pub fn verify(
     let mut passes = Vec::new();
     for (i, pass) in planned.program.passes.iter().enumerate() {
         let checked = match is_posted_as_it_stands(planned.control, pass) {
-            true => plan::as_it_stands(pass, i, &same.blocks),
-            false => plan::check(planned, pass, i, &same.blocks),
+            true => plan_comparison::as_it_stands(pass, i, &same.blocks),
+            false => plan_comparison::check(planned, pass, i, &same.blocks),
         };
         wrong.extend(checked.complaints(planned, i + 1));
         // Checks the text itself, not `asked`: the arc must be off in a pass without one.
-        let burns = |block: &same::Block| block.pass == i && block.told.arc && planned.control.switches_arc();
+        let burns =
+            |block: &block_comparison::Block| block.pass == i && block.told.arc && planned.control.switches_arc();
         if !pass.has_arc() && same.blocks.iter().any(burns) {
             wrong.push(in_pass(i + 1, &pass.name, Message::new("post-arc-in-pass-without")));
         }

@@ -1,7 +1,7 @@
 //! The comments at the start of a text.
 
+use super::dialect::Tongue;
 use super::options::Feed;
-use super::tongue::Tongue;
 use super::writer::Writer;
 use crate::control::Dialect;
 use crate::part_program::{ChannelKind, Event, Level, What};

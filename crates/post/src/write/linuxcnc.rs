@@ -1,5 +1,5 @@
+use super::dialect::Tongue;
 use super::rs274::{Rs274, STATE};
-use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
 use crate::part_program::{Level, Move};
 

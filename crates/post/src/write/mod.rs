@@ -1,5 +1,6 @@
 //! A part program as text.
 
+mod dialect;
 mod feed_mode;
 mod grblhal;
 mod header;
@@ -11,7 +12,6 @@ mod rs274;
 mod sinumerik;
 mod steps;
 mod text;
-mod tongue;
 mod writer;
 
 pub(crate) use number::fixed;

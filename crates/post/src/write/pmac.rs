@@ -1,6 +1,6 @@
+use super::dialect::Tongue;
 use super::number::fixed;
 use super::options::Feed;
-use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
 use crate::part_program::{Arc, Move, Path};
 

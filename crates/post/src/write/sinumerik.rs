@@ -1,6 +1,6 @@
+use super::dialect::Tongue;
 use super::feed_mode::FeedMode;
 use super::rs274::whole_turns;
-use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
 use crate::part_program::{Arc, ChannelKind, Level, Move, Path};
 use crate::polynomial::POWERS;

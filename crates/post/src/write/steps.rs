@@ -1,6 +1,6 @@
 //! The steps of a program in the words of a dialect.
 
-use super::tongue::Tongue;
+use super::dialect::Tongue;
 use super::writer::{Problem, Writer};
 use crate::control::{Code, Dialect};
 use crate::error::Error;

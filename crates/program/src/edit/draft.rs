@@ -1,9 +1,9 @@
 //! A program taken apart for editing: every pass, span, point and event knows where in the document it came from, so that
 //! its comments, layout and expressions go with it.
 
-use crate::document::Program;
 use crate::pass::Pass;
 use crate::points::{Along, Columns, PointEvent, PointSpan, Points};
+use crate::program::Program;
 use crate::span::Span;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, Point};

@@ -1,7 +1,7 @@
 //! The usual order and layout, with the comments and expressions of the document.
 
 use super::merge::replace;
-use crate::document::Program;
+use crate::program::Program;
 use crate::variables::is_expression;
 use seamwright_document::{Document, DocumentError};
 use toml_edit::{Array, Decor, DocumentMut, Item, Table, TableLike, TomlError, Value};

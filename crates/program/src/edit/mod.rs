@@ -10,34 +10,34 @@ mod draft;
 mod format;
 mod history;
 mod merge;
+mod mirror_and_offset;
 mod operation;
+mod pass_direction;
 mod passes;
-mod place;
 mod points;
 mod reduce;
+mod reordered_events;
 mod report;
 mod rows;
 mod spans;
 mod speeds;
-mod switches;
-mod turn;
 mod values;
 mod write;
 
 pub use history::{History, Patch};
+pub use mirror_and_offset::{Mirror, Offset};
 pub use operation::Operation;
+pub use pass_direction::{ReversePass, ShiftStart};
 pub use passes::{
     AddEvent, AddPass, DeleteEvent, DeletePass, DuplicatePass, MovePass, SetOffset, SetPass, SetVariable,
 };
-pub use place::{Mirror, Offset};
 pub use points::{DeletePoints, InsertPoint, SetPoint};
 pub use reduce::Reduce;
 pub use report::{Report, Touched};
 pub use spans::{Interpolate, JoinSpans, SplitSpan};
-pub use turn::{ReversePass, ShiftStart};
 pub use values::{Renumber, ScaleSpeed, SetProcess};
 
-use crate::document::Program;
+use crate::program::Program;
 use draft::Draft;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;

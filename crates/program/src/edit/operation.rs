@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::report::Report;
-use super::{passes, place, points, reduce, spans, turn, values};
+use super::{mirror_and_offset, pass_direction, passes, points, reduce, spans, values};
 use schemars::JsonSchema;
 use seamwright_document::DocumentError;
 use seamwright_message::Message;
@@ -26,13 +26,13 @@ pub enum Operation {
     /// Joins a span with the next one.
     JoinSpans(spans::JoinSpans),
     /// Turns a pass to run from its end to its start.
-    ReversePass(turn::ReversePass),
+    ReversePass(pass_direction::ReversePass),
     /// Shifts where a closed run of points, a pass along the seam or the weld begins.
-    ShiftStart(turn::ShiftStart),
+    ShiftStart(pass_direction::ShiftStart),
     /// Mirrors points: about a plane, or positions of an axis about a value.
-    Mirror(place::Mirror),
+    Mirror(mirror_and_offset::Mirror),
     /// Moves points by the torch's frame, or a pass beside the seam.
-    Offset(place::Offset),
+    Offset(mirror_and_offset::Offset),
     /// Makes the travel faster or slower.
     ScaleSpeed(values::ScaleSpeed),
     /// Sets a process value over a range.

@@ -4,9 +4,9 @@ use super::draft::{Body, Draft, EventDraft, PassDraft, PointsDraft, SeamSpan};
 use super::merge::{each_table, forget_positions, merge_table, rebuild, table_of, tables};
 use super::rows::Written;
 use super::speeds::{WrittenSpeeds, row_runs};
-use crate::document::Program;
 use crate::pass::Pass;
 use crate::points::Points;
+use crate::program::Program;
 use seamwright_document::DocumentError;
 use toml_edit::{Array, DocumentMut, Item, Table, TomlError, Value};
 

@@ -1,7 +1,7 @@
 use super::Library;
 use crate::error::Error;
 use crate::moment::Moment;
-use crate::stored;
+use crate::stored_message;
 use rusqlite::{Row, params};
 use seamwright_message::{Language, Message};
 use serde::Serialize;
@@ -21,10 +21,10 @@ pub struct Place {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Alarm {
     /// Its title in the catalogue, with what it is about.
-    #[serde(flatten, serialize_with = "stored::name")]
+    #[serde(flatten, serialize_with = "stored_message::name")]
     pub name: Message,
     /// Cause.
-    #[serde(serialize_with = "stored::english")]
+    #[serde(serialize_with = "stored_message::english")]
     pub cause: Message,
     /// Position.
     #[serde(flatten)]
@@ -50,7 +50,7 @@ pub struct Event {
     #[serde(serialize_with = "crate::moment::written")]
     pub at: Moment,
     /// Description.
-    #[serde(flatten, serialize_with = "stored::text")]
+    #[serde(flatten, serialize_with = "stored_message::text")]
     pub text: Message,
     /// Position.
     #[serde(flatten)]
@@ -63,8 +63,8 @@ fn alarm(row: &Row<'_>) -> rusqlite::Result<Alarm> {
     let by: Option<String> = row.get(7)?;
     let at: Option<i64> = row.get(8)?;
     Ok(Alarm {
-        name: stored::column(row, 0)?,
-        cause: stored::column(row, 1)?,
+        name: stored_message::column(row, 0)?,
+        cause: stored_message::column(row, 1)?,
         place: Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? },
         raised: Moment(row.get(5)?),
         first_out: row.get(6)?,
@@ -85,8 +85,8 @@ impl Library {
              VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)",
             params![
                 weld,
-                stored::written(&alarm.name),
-                stored::written(&alarm.cause),
+                stored_message::written(&alarm.name),
+                stored_message::written(&alarm.cause),
                 pass,
                 s_mm,
                 t_s,
@@ -141,7 +141,7 @@ impl Library {
     pub fn acknowledge_named(&self, name: &Message, by: &str, at: Moment) -> Result<usize, Error> {
         let sql = "UPDATE alarm SET listed = 0, acknowledged_by = coalesce(acknowledged_by, ?1),
             acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1 AND name IN (?3, ?4)";
-        self.run(sql, params![by, at.0, stored::written(name), name.in_language(Language::English)])
+        self.run(sql, params![by, at.0, stored_message::written(name), name.in_language(Language::English)])
     }
 
     /// Alarms on the panel's list, in the order in which they came.
@@ -167,7 +167,7 @@ impl Library {
     pub fn add_event(&self, weld: Option<i64>, event: &Event) -> Result<(), Error> {
         let Place { pass, s_mm, t_s } = event.place;
         let sql = "INSERT INTO event (weld, at, text, pass, s_mm, t_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
-        self.run(sql, params![weld, event.at.0, stored::written(&event.text), pass, s_mm, t_s]).map(drop)
+        self.run(sql, params![weld, event.at.0, stored_message::written(&event.text), pass, s_mm, t_s]).map(drop)
     }
 
     /// Events of a weld, in the order in which they came.
@@ -178,7 +178,7 @@ impl Library {
         let sql = "SELECT at, text, pass, s_mm, t_s FROM event WHERE weld = ?1 ORDER BY id";
         self.all(sql, [weld], |row| {
             let place = Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? };
-            Ok(Event { at: Moment(row.get(0)?), text: stored::column(row, 1)?, place })
+            Ok(Event { at: Moment(row.get(0)?), text: stored_message::column(row, 1)?, place })
         })
     }
 }

@@ -10,7 +10,7 @@ mod find;
 mod rebuild;
 mod schema;
 mod weld;
-mod words;
+mod word_search;
 
 pub use alarm::{Alarm, Event, Place};
 pub use audit::{AuditCheck, AuditEntry, AuditQuery};
@@ -19,7 +19,7 @@ pub use find::Query;
 pub use weld::{InvalidResult, NewWeld, WeldDetail, WeldEnd, WeldFile, WeldRecord, WeldResult};
 
 use crate::error::Error;
-use crate::private;
+use crate::private_files;
 use rusqlite::{Connection, OpenFlags, Params, Row};
 use seamwright_message::Message;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ impl Library {
     pub fn open(path: &Path) -> Result<Self, Error> {
         if !path.exists() {
             // SQLite gives files beside it the same permissions. If it cannot be created, SQLite reports the reason.
-            drop(private::options().write(true).create_new(true).open(path));
+            drop(private_files::options().write(true).create_new(true).open(path));
         }
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let mut library = Self::connect(path, flags)?;
@@ -109,7 +109,7 @@ impl Library {
             return Err(Error::Newer { path: path.to_owned(), found: version, known });
         }
         let settings = "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA trusted_schema = OFF;";
-        library.db.execute_batch(settings).and_then(|()| words::define(&library.db)).map_err(failed)?;
+        library.db.execute_batch(settings).and_then(|()| word_search::define(&library.db)).map_err(failed)?;
         Ok(library)
     }
 

@@ -4,7 +4,7 @@ use super::document::Document;
 use crate::error::Error;
 use crate::figures::{Basis, Value};
 use crate::moment::Moment;
-use crate::stored;
+use crate::stored_message;
 use rusqlite::{Row, params};
 use seamwright_message::{Message, display_by_message};
 use serde::Serialize;
@@ -150,7 +150,7 @@ pub struct WeldRecord {
     #[serde(serialize_with = "written_result")]
     pub result: WeldResult,
     /// Further remarks; empty without any.
-    #[serde(serialize_with = "stored::english")]
+    #[serde(serialize_with = "stored_message::english")]
     pub note: Message,
     /// Name and version of the job.
     pub job: Option<(String, i64)>,
@@ -203,7 +203,7 @@ impl Library {
         self.run(
             "INSERT INTO weld (id, part, title, simulated, job, program, machine, procedure, welder, begun, result, basis, note)
              VALUES (1 + max(?12, coalesce((SELECT seq FROM sqlite_sequence WHERE name = 'weld'), 0)), ?1, ?2, ?3, ?4, ?5, ?6, ?7, (SELECT id FROM welder WHERE name = ?8), ?9, 'running', ?10, ?11)",
-            params![part, title, simulated, job, program, machine, procedure, welder, begun.0, basis, stored::written(note), after],
+            params![part, title, simulated, job, program, machine, procedure, welder, begun.0, basis, stored_message::written(note), after],
         )?;
         Ok(self.db.last_insert_rowid())
     }
@@ -233,7 +233,7 @@ impl Library {
             id,
             end.ended.0,
             end.result.name(),
-            stored::written(&end.note),
+            stored_message::written(&end.note),
             least,
             mean,
             greatest,
@@ -389,7 +389,7 @@ pub(super) fn weld_record(row: &Row) -> rusqlite::Result<WeldRecord> {
         ended: row.get::<_, Option<i64>>(5)?.map(Moment),
         // The table has no others.
         result: result.parse().unwrap_or(WeldResult::Running),
-        note: stored::column(row, 7)?,
+        note: stored_message::column(row, 7)?,
         job: named(8)?,
         program: (row.get(10)?, row.get(11)?, row.get(12)?),
         machine: (row.get(13)?, row.get(14)?),

@@ -2,7 +2,7 @@
 
 use super::column::Column;
 use crate::error::{Doing, Error};
-use crate::private;
+use crate::private_files;
 use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, TryLockError};
@@ -55,7 +55,7 @@ impl RawWriter {
     /// A new file with its header on the disk.
     pub(super) fn create(path: &Path, header: &Header) -> Result<Self, Error> {
         let failed = |e| Error::io(path, Doing::Write, e);
-        let file = private::options().write(true).create_new(true).open(path).map_err(|e| match e.kind() {
+        let file = private_files::options().write(true).create_new(true).open(path).map_err(|e| match e.kind() {
             std::io::ErrorKind::AlreadyExists => {
                 Error::damaged(path, Message::new("record-trace-left"), Message::new("record-recover-first"))
             }

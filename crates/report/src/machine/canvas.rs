@@ -3,8 +3,8 @@
 use super::drawing::{DrawnAxis, MachineDrawing, along};
 use crate::Words as _;
 use crate::glyph::{self, Point, Seen, distance, shifted, unit};
+use crate::label_placement::Name;
 use crate::layout::Map;
-use crate::place::Name;
 use crate::svg::{Anchor, Rect, Svg};
 
 /// Minimum in-plane part of a direction; below it the symbol points towards or away from the viewer.

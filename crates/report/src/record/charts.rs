@@ -1,5 +1,5 @@
 use crate::block::paragraph;
-use crate::{Axis, Block, Chart, Drawing, Language, LimitLine, Series, Words as _, names};
+use crate::{Axis, Block, Chart, Drawing, Language, LimitLine, Series, Words as _, value_names};
 use seamwright_message::{Message, Unit};
 use seamwright_record::figures::{BIN_MM, Curve, Figures, HEAT_INPUT, Value};
 
@@ -11,7 +11,7 @@ const MAX_CURVES: usize = 8;
 fn figure(title: &'static str, caption: &'static str, chart: Chart, curves: &[&Curve], language: Language) -> Block {
     let several = curves.iter().any(|c| c.pass != curves[0].pass);
     let called = |c: &Curve| {
-        let name = names::curve(language, &c.name);
+        let name = value_names::curve(language, &c.name);
         match several {
             true => Message::new("report-pass-named").pass("pass", c.pass as usize).text("name", name),
             false => Message::verbatim(name),

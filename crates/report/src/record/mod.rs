@@ -5,7 +5,7 @@ mod tables;
 
 use crate::block::{sections, signatures, tile};
 use crate::number::{Significant as _, range, significant};
-use crate::{Block, Language, Page, Severity, Tile, Verdict, Words as _, names};
+use crate::{Block, Language, Page, Severity, Tile, Verdict, Words as _, value_names};
 use seamwright_message::{Message, Unit};
 use seamwright_record::figures::{Figures, Value};
 use seamwright_record::library::{WeldDetail, WeldRecord, WeldResult};
@@ -85,7 +85,7 @@ fn verdict(detail: &WeldDetail, figures: &Figures, language: Language) -> Verdic
 /// Formats a value outside its window and the location, preferably from the trace, which is more detailed than the
 /// library.
 fn outside(value: &Value, figures: &Figures, language: Language) -> String {
-    let name = names::value(language, &value.name);
+    let name = value_names::value(language, &value.name);
     let known = figures.values.iter().find(|v| (v.pass, &v.name) == (value.pass, &value.name));
     let message = match known.unwrap_or(value).outside_along {
         Some(along) => range("report-value-outside-at", along, Unit::Mm),

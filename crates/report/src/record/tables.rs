@@ -1,6 +1,6 @@
 use crate::block::paragraph;
 use crate::number::{NONE, allowed, number};
-use crate::{Block, Language, Table, Words as _, names};
+use crate::{Block, Language, Table, Words as _, value_names};
 use seamwright_message::Message;
 use seamwright_record::figures::Value;
 use seamwright_record::library::{Alarm, Event, Place, WeldFile, WeldRecord};
@@ -19,7 +19,7 @@ pub(super) fn values(values: &[Value], language: Language) -> Block {
     };
     Table::of(language, values)
         .text("report-column-pass", |v| v.pass.to_string())
-        .text("report-column-value", |v| names::value(language, &v.name))
+        .text("report-column-value", |v| value_names::value(language, &v.name))
         .number("report-column-min", |v| number(v.least))
         .number("report-column-mean", |v| number(v.mean))
         .number("report-column-max", |v| number(v.greatest))

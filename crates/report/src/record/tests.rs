@@ -1,5 +1,5 @@
 use super::recorded_weld_page;
-use crate::{Language, names};
+use crate::{Language, value_names};
 use seamwright_executive::tracking;
 use seamwright_executive::{Alarm as Catalogue, Mode};
 use seamwright_message::Message;
@@ -238,6 +238,6 @@ fn what_people_typed_and_what_has_no_words_stays() {
         }
         let number = format!("31{}25", language.decimal_sign());
         assert!(page.contains(&number), "{language:?}: {number}");
-        assert_eq!(names::value(language, "odd_thing_m_min").split(',').next(), Some("odd thing"));
+        assert_eq!(value_names::value(language, "odd_thing_m_min").split(',').next(), Some("odd thing"));
     }
 }

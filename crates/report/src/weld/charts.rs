@@ -3,11 +3,13 @@ use super::certificate::IntervalFigures;
 use super::limits::binds;
 use super::samples::Sample;
 use super::taught::{TaughtPlot, taught};
-use super::{CertificateFigures, SimulationCurves, cut, order, procedure, sections, tracking, woven};
+use super::{
+    CertificateFigures, SimulationCurves, cut_template, procedure, sections, tracking, weave_charts, welding_order,
+};
 use crate::block::figure;
 use crate::{
     Axis, Band, Block, Chart, ChartGrid, Drawing, Gallery, Language, LimitLine, Mark, Series, Style, ThreeViews,
-    Words as _, names,
+    Words as _, value_names,
 };
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
@@ -75,9 +77,9 @@ impl Plots {
             plots.add("heat-input", "report-caption-heat-input", procedure::heat_input(held, language));
             plots.add("position", "report-caption-positions", Some(procedure::positions(held, run, language)));
         }
-        let woven = welding.path(index).along_seam().and_then(|path| woven::weave(pass, path, language));
+        let woven = welding.path(index).along_seam().and_then(|path| weave_charts::weave(pass, path, language));
         plots.add("weave", "report-caption-weave", woven);
-        plots.add("oscillation", "report-caption-oscillation", woven::oscillation(pass, language));
+        plots.add("oscillation", "report-caption-oscillation", weave_charts::oscillation(pass, language));
         plots.add("clearance", "report-caption-clearance", planned.clearance.map(|c| clearance_chart(c, language)));
         if let Some(c) = curves {
             plots.add("speed-deviation", "report-caption-deviation", Some(deviation(machine, motion, c, language)));
@@ -93,9 +95,9 @@ impl Plots {
             let attitude = Chart::along(language, "report-chart-attitude", angle, errors);
             plots.add("attitude", "report-caption-attitude", Some(attitude));
         }
-        plots.add("order", "report-caption-order", if first { order::order(welding, language) } else { None });
+        plots.add("order", "report-caption-order", if first { welding_order::order(welding, language) } else { None });
         if let Some(cut) = welding.cut.as_ref().filter(|_| first) {
-            let picture = Picture::Ready(cut::template(cut, language));
+            let picture = Picture::Ready(cut_template::template(cut, language));
             plots.plots.push(Plot { name: "cut", caption: "report-caption-cut", picture });
         }
         let jointed = welding.joint.as_ref().and(welding.seam.as_ref()).filter(|_| first);
@@ -231,7 +233,7 @@ fn process(pass: &Pass, language: Language) -> Option<ChartGrid> {
     let curves = names.map(|name| (name, ends(name)));
     let changing = curves.filter(|(_, curve)| curve.iter().any(|p| (p.1 - curve[0].1).abs() > 0.0));
     let chart = |(name, curve): (&String, Vec<(f64, f64)>)| {
-        let name = names::value(language, name);
+        let name = value_names::value(language, name);
         Chart {
             title: name.clone(),
             y: Axis::new(name.as_str(), ""),

@@ -3,7 +3,7 @@
 use super::figures::WeldReport;
 use super::range::Range;
 use crate::number::{from_to, number};
-use crate::{Block, Language, Table, Words as _, names};
+use crate::{Block, Language, Table, Words as _, value_names};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Sequence, Slope, WeldDirection};
 
@@ -47,7 +47,7 @@ impl WeldReport {
         // With several passes the table of passes shows their process values.
         let process = self.plan.process.iter().filter(|_| !several);
         rows.extend(process.map(|(name, value)| {
-            let [title, unit] = names::value_parts(language, name);
+            let [title, unit] = value_names::value_parts(language, name);
             let (from, to) = value.ends();
             let [from, to] = [from, to].map(|value| number(value, language));
             [title, if value.is_ramp() { from_to(from, to, language) } else { from }, unit]
@@ -76,7 +76,7 @@ impl WeldReport {
             names.dedup();
             rows.extend(names.into_iter().map(|name| {
                 let values = slopes().filter_map(|slope| slope.process.get(name)).map(|value| value.get());
-                let [title, unit] = names::value_parts(language, name);
+                let [title, unit] = value_names::value_parts(language, name);
                 let label = Message::new(what).text("value", title).in_language(language);
                 [label, Range::of(values).text(language), unit]
             }));

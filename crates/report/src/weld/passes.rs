@@ -12,7 +12,7 @@ use super::simulated::simulation_text;
 use super::tracking;
 use crate::block::{paragraph, sections};
 use crate::number::{NONE, Significant as _, from_to, number, significant, small};
-use crate::{Block, Language, Table, Words as _, names};
+use crate::{Block, Language, Table, Words as _, value_names};
 use seamwright_message::{Message, Unit};
 use seamwright_simulation::Summary;
 use seamwright_simulation::tracking::HeadSummary;
@@ -87,7 +87,7 @@ impl WeldReport {
         let mut table = Table::of(language, &self.passes);
         for name in names {
             let value = |pass: &&PassFigures| pass.process_range.get(name).map(|r| Range::from(*r).text(language));
-            table = table.column(names::value(language, name), true, |pass| optional(value(pass)));
+            table = table.column(value_names::value(language, name), true, |pass| optional(value(pass)));
         }
         table = table.number("report-column-speed-mm-s", |pass| {
             short(Some((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s)))

@@ -2,7 +2,7 @@
 
 use super::range::Range;
 use crate::number::{NONE, Significant as _, allowed, fixed, from_to, number, range};
-use crate::{Axis, Band, Block, Chart, Language, LimitLine, Series, Stretch, Table, Words as _, names};
+use crate::{Axis, Band, Block, Chart, Language, LimitLine, Series, Stretch, Table, Words as _, value_names};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_program::{FilletOrButt, Inclination, Outside, Procedure, Run, WeldingPosition, Window};
@@ -204,7 +204,7 @@ pub(super) fn windows_table(
 ) -> Block {
     let end = |end: Option<f64>| end.map_or_else(|| NONE.to_owned(), |v| value(v, language));
     let table = Table::of(language, rows)
-        .text("report-column-value", |(q, _)| names::value(language, &q.key))
+        .text("report-column-value", |(q, _)| value_names::value(language, &q.key))
         .number("report-column-min", |(q, _)| end(q.found.map(|found| found.0)))
         .number("report-column-max", |(q, _)| end(q.found.map(|found| found.1)))
         .text("report-column-allowed", |(q, _)| allowed(q.allowed, language))

@@ -1,5 +1,5 @@
 use super::names::{Names, shelvable};
-use crate::lack::panel_word;
+use crate::refusal::panel_word;
 use crate::view::written;
 use crate::wire::{AlarmView, Shelving, WhoWhen};
 use seamwright_executive::{Alarm, AlarmList, AlarmState, Ask, Note, Raised, Reaction};

@@ -1,12 +1,12 @@
 //! Audit log and alarm archive, written by a separate thread.
 
 use super::audit_entry::{Change, entry, plain};
-use super::happening::happening;
+use super::event::happening;
 use super::hub::Hub;
 use super::refusals::Refusals;
-use super::stored::stored;
-use crate::lack::action_word;
+use super::stored_message::stored;
 use crate::log;
+use crate::refusal::action_word;
 use seamwright_message::Message;
 use seamwright_record::library::{Alarm, AuditEntry};
 use seamwright_record::{DataFolder, Error, Moment};
@@ -292,7 +292,7 @@ impl Archive {
 mod tests {
     use super::*;
     use crate::cell::audit_entry::MAX_FIELD_CHARS;
-    use crate::cell::stored::from_stored;
+    use crate::cell::stored_message::from_stored;
 
     fn words(entry: &AuditEntry) -> String {
         from_stored(entry.result.clone()).to_string()

@@ -33,7 +33,7 @@ pub(crate) struct Change<'a> {
     pub(crate) new: &'a str,
 }
 
-/// Creates an entry from columns that are [`stored`](super::stored::stored) already.
+/// Creates an entry from columns that are [`stored`](super::stored_message::stored) already.
 pub(super) fn entry(user: &str, station: &str, command: &str, change: Change<'_>, result: &str) -> AuditEntry {
     AuditEntry {
         at: Moment::now(),

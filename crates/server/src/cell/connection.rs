@@ -1,7 +1,7 @@
 //! The devices of the cell, and the program and values they serve.
 
-use super::base::SEED;
-use super::prepared::Prepared;
+use super::prepared_task::Prepared;
+use super::task::SEED;
 use seamwright_executive::{Devices, Orders, Reports, Slack};
 use seamwright_message::Message;
 use seamwright_project::devices::{self, Lines};

@@ -2,7 +2,7 @@
 
 use super::connection::CellDevices;
 use super::guiding::{Sensing, Slot};
-use super::prepared::Prepared;
+use super::prepared_task::Prepared;
 use rtrb::{Consumer, Producer};
 use seamwright_executive::devices::WithSensors;
 use seamwright_executive::realtime::{LivePort, Paced, Pacer, RealtimeRights, Shutdown, guarded};

@@ -1,6 +1,6 @@
 //! Tracking of the loaded task: correction of its passes, and sensors of its joints.
 
-use super::base::Base;
+use super::task::Base;
 use seamwright_executive::devices::Sensors;
 use seamwright_executive::tracking::Tracking;
 use seamwright_executive::{Guide, Guided, Place, Planned, SeamOrders, Seen, SensorReport, Tracked, Trouble};

@@ -1,6 +1,6 @@
 use super::connection::Connection;
 use super::display_distances::Around;
-use super::happening::Happening;
+use super::event::Happening;
 use crate::view::written;
 use crate::wire::{AlarmView, EventView, FromCell, NearView, RefusedView, Role, Status, TeachView, WorkView};
 use seamwright_machine::{Joints, Machine};
@@ -400,7 +400,7 @@ impl Told {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::happening::happening;
+    use crate::cell::event::happening;
     use seamwright_message::Message;
 
     /// An operator always gets one page, and further pages do not take the places of other operators.

@@ -1,5 +1,5 @@
-use super::stillness::Stillness;
-use crate::lack::{Lack, lack};
+use super::standstill::Stillness;
+use crate::refusal::{Lack, lack};
 use crate::wire::{Ages, AlarmView, AxisStatus, LeftView, ProcessStatus, RealtimeView, Status};
 use seamwright_executive::realtime::{RealtimeRights, Shown};
 use seamwright_executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};

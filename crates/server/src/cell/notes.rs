@@ -2,10 +2,10 @@
 
 use super::audit_entry::Change;
 use super::desk::{Desk, Welding};
-use super::happening::happening;
+use super::event::happening;
 use super::names::WHY;
 use super::progress::{Left, Progress};
-use crate::lack::Lack;
+use crate::refusal::Lack;
 use crate::wire::FromCell;
 use seamwright_executive::realtime::RealtimeRights;
 use seamwright_executive::{Ask, Command, Missing, Mode, Note, Origin, Place, Raised};

@@ -1,7 +1,7 @@
 //! Weld progress of parts: finished passes and the position where a weld was left, by program and part, from the
 //! library and since.
 
-use crate::lack::{Lack, lack};
+use crate::refusal::{Lack, lack};
 use crate::wire::LeftView;
 use seamwright_executive::{Note, Place};
 use seamwright_message::{Message, Unit};

@@ -1,9 +1,9 @@
 use super::archive::Archive;
-use super::happening::happening;
+use super::event::happening;
 use super::hub::Hub;
 use super::names::Names;
-use super::stored::stored;
-use crate::lack::panel_word;
+use super::stored_message::stored;
+use crate::refusal::panel_word;
 use seamwright_executive::realtime::{RealtimeRights, Shown};
 use seamwright_executive::{Mode, Note, Place, Raised, Reaction};
 use seamwright_message::{Message, Unit};

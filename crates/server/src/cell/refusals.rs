@@ -1,7 +1,7 @@
 //! Refusals on their way to the audit log: counted and summed up, so that repetition fills neither queue nor disk.
 
 use super::audit_entry::{Change, entry};
-use super::stored::stored;
+use super::stored_message::stored;
 use seamwright_message::{Message, Unit};
 use seamwright_record::library::AuditEntry;
 use std::collections::HashMap;
@@ -86,7 +86,7 @@ impl Refusals {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::stored::from_stored;
+    use crate::cell::stored_message::from_stored;
 
     fn words(entry: &AuditEntry) -> String {
         from_stored(entry.result.clone()).to_string()

@@ -1,7 +1,7 @@
 //! Release of devices, and confirmation of their safe outputs.
 
 use super::connection::{CellDevices, Connection};
-use super::happening::happening;
+use super::event::happening;
 use super::hub::Hub;
 use seamwright_message::Message;
 use std::collections::BTreeMap;

@@ -1,6 +1,6 @@
 //! Answers being sent: bounded in memory and in the time that their reader may take.
 
-use super::room::{Room, Taken};
+use super::memory_limit::{Room, Taken};
 use crate::http::Refused;
 use axum::body::{Body, Bytes};
 use axum::http::{Response, StatusCode};

@@ -1,6 +1,6 @@
 //! Request bodies, collected completely within limits of size, memory and time.
 
-use super::room::Room;
+use super::memory_limit::Room;
 use crate::http::{MAX_BYTES, MAX_UNKNOWN, Refused};
 use axum::body::Body;
 use axum::http::StatusCode;

@@ -6,9 +6,9 @@
 
 mod answers;
 mod bodies;
-mod places;
-mod rates;
-mod room;
+mod connection_slots;
+mod memory_limit;
+mod rate_limits;
 mod stream;
 
 use crate::http::{Panel, Refused, URGENT, app, cookie, urgent_app};
@@ -21,12 +21,12 @@ use axum::extract::ConnectInfo;
 use axum::http::{HeaderValue, Request, Response, StatusCode, header};
 use axum::response::IntoResponse as _;
 use bodies::Bodies;
+use connection_slots::{Place, Places};
 use hyper::body::Incoming;
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
-use places::{Place, Places};
-use rates::{Asker, Rates};
+use rate_limits::{Asker, Rates};
 use rustls::ServerConfig;
 use seamwright_message::Message;
 use std::convert::Infallible;

@@ -1,6 +1,6 @@
 //! Stream of a connection: holds its slot, and ends if the client does not read.
 
-use super::places::Place;
+use super::connection_slots::Place;
 use std::io;
 use std::pin::Pin;
 use std::sync::{Arc, Mutex, PoisonError};

@@ -3,7 +3,7 @@
 use super::guard::role_refused;
 use super::panel::Panel;
 use crate::cell::{Change, Refusal, ToDesk, WHY, happening};
-use crate::lack::{Lack, action_word, lack, panel_word};
+use crate::refusal::{Lack, action_word, lack, panel_word};
 use crate::users::{Session, may};
 use crate::wire::{AskView, FromCell, TeachOrder, ToCell};
 use seamwright_executive::{Alarm, Ask, Command, Origin};

@@ -1,7 +1,7 @@
 use super::answer::Refused;
 use super::login::same;
 use super::panel::Panel;
-use crate::lack::{action_word, panel_word};
+use crate::refusal::{action_word, panel_word};
 use crate::users::{Session, may};
 use crate::wire::Role;
 use axum::extract::{Request, State};

@@ -1,4 +1,4 @@
-use super::turns::{Turn, Turns};
+use super::work_limit::{Turn, Turns};
 use crate::cell::Cell;
 use crate::planner::Planner;
 use crate::teaching::{Cameras, Teaching};

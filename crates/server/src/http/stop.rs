@@ -1,7 +1,7 @@
 use super::login::{From, address};
 use super::panel::Panel;
 use crate::cell::Change;
-use crate::lack::panel_word;
+use crate::refusal::panel_word;
 use crate::wire::Stopped;
 use axum::Json;
 use axum::extract::State;

@@ -1,11 +1,11 @@
 //! Thread of a teaching session.
 
-use super::hand::Hand;
+use super::axis_motion::Hand;
 use super::rig::{Asked, CellRig, Sees, Station};
 use super::state::{Field, Found, Open, State, Wish};
 use crate::cell::happening;
 use crate::http::{Panel, Turn, job_text};
-use crate::lack::panel_word;
+use crate::refusal::panel_word;
 use crate::wire::{TaughtLook, TaughtPointView, TeachPhase};
 use glam::DVec3;
 use seamwright_frames::LiveFrames;

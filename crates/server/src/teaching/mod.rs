@@ -5,9 +5,9 @@
 //! The machine moves only while the page that opened the session has control and sends heartbeats. Jogging by hand
 //! pauses the session.
 
+mod axis_motion;
 mod cameras;
 mod crawl;
-mod hand;
 mod program;
 mod rig;
 mod state;
@@ -19,7 +19,7 @@ pub(crate) use program::program;
 pub(crate) use state::{Open, Teaching};
 
 use crate::http::Panel;
-use crate::lack::{Lack, lack};
+use crate::refusal::{Lack, lack};
 use crate::wire::TeachOrder;
 use glam::{DVec2, DVec3};
 use seamwright_machine::Machine;

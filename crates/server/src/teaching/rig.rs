@@ -1,6 +1,6 @@
 //! The camera on the cell's machine, moved by its axes; and the operator at the panel.
 
-use super::hand::{Came, Hand};
+use super::axis_motion::{Came, Hand};
 use super::state::{Teaching, Wish};
 use crate::cell::Hub;
 use crate::wire::TeachPhase;

@@ -1,5 +1,5 @@
 use crate::cell::Hub;
-use crate::lack::{Lack, lack};
+use crate::refusal::{Lack, lack};
 use crate::wire::{TaughtView, TeachPhase, TeachView, WorkView};
 use glam::{DAffine3, DVec2, DVec3};
 use seamwright_geometry::HeightTable;

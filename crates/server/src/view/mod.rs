@@ -1,24 +1,24 @@
 //! Views of machines and planned programs for the panel.
 
 mod certificate;
+mod clearance;
 mod devices;
+mod finding_position;
 mod machine;
 mod moment;
-mod near;
 mod parameters;
 mod section;
 mod sensor;
 mod sensor_file;
 mod solid;
-mod standing;
 mod tracking;
 mod tuning;
 mod work;
 
+pub(crate) use clearance::near;
 pub(crate) use devices::{device_views, simulated_view};
 pub(crate) use machine::machine_view;
 pub(crate) use moment::written;
-pub(crate) use near::near;
 pub(crate) use parameters::{PARAMETERS, parameters_view};
 pub(crate) use section::sections;
 pub(crate) use sensor_file::{SENSOR_KEYS, height_view, sensors_view, steps};

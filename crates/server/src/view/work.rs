@@ -1,9 +1,9 @@
 use super::certificate::{certificate, used};
+use super::clearance::near;
+use super::finding_position::Standing;
 use super::machine::axes;
-use super::near::near;
 use super::section::sections;
 use super::solid::solid;
-use super::standing::Standing;
 use crate::wire::{FindingView, NearView, PassView, PathPoint, SolidView, WorkView};
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::transfer::Leg;

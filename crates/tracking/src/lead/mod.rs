@@ -13,13 +13,13 @@
 //! - **Smoothing.** Local parabolas with Huber's weights (Huber, 1964) use both sides, never across a jump. One node of
 //!   the result is computed per cycle, so the cost of a cycle is bounded.
 
-mod cells;
+mod deviation_cells;
 mod error;
+mod estimate;
 mod filter;
 mod fit;
 mod history;
 mod measurement;
-mod node;
 mod outliers;
 mod own_curve;
 mod ring;
@@ -28,10 +28,10 @@ mod settings;
 mod tracker;
 
 pub use error::Error;
+pub use estimate::{Estimate, Sight};
 pub(crate) use history::History;
 pub use history::Moment;
 pub use measurement::{Measurement, Refusal, Verdict};
-pub use node::{Estimate, Sight};
 pub use own_curve::{OwnCurve, SeamFrame, View};
 pub use sample_buffer::SampleBuffer;
 pub use settings::Settings;

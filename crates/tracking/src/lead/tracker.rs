@@ -1,10 +1,10 @@
-use super::cells::{BENT, CELLS, Cells, STRAIGHT};
+use super::deviation_cells::{BENT, CELLS, Cells, STRAIGHT};
 use super::error::Error;
+use super::estimate::{Estimate, Node, Sight};
 use super::filter::{Filter, Noise};
 use super::fit::{Fit, Seen};
 use super::history::{History, Moment};
 use super::measurement::{Measurement, Refusal, Verdict};
-use super::node::{Estimate, Node, Sight};
 use super::outliers::{GATE, IN_A_ROW, Suspects, begun};
 use super::own_curve::OwnCurve;
 use super::ring::Ring;

@@ -5,7 +5,7 @@ use super::midline::Midline;
 use super::rims::{self, Rims};
 use super::second_attempt::same_within;
 use super::trail::{Limits, Look, ROWS, Trail};
-use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge, make_room};
+use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, confidence, make_room};
 use crate::frame::Frame;
 use std::f32::consts::PI;
 
@@ -226,26 +226,26 @@ fn tell(
     let to_end =
         midline.rows[..rows].iter().rposition(|found| found.seen).filter(|_| end == End::JointEnd).unwrap_or(rows);
     for (i, found) in midline.rows[..rows].iter().enumerate() {
-        let confidence = judge::row(found, scale, midline.is_whole(i, picture));
+        let confidence = confidence::row(found, scale, midline.is_whole(i, picture));
         let [x, y] = found.at.map(|v| from_level(v, level));
         let state = if found.seen || i > to_end { State::Seen } else { State::Coasted };
         out.push(Row { x, y, confidence, width: found.width * scale, state });
     }
     bridge(out);
-    judge::steps(out, &midline.rows[..rows]);
-    judge::narrowed(out);
-    judge::gaps(out, &midline.rows[..rows]);
+    confidence::steps(out, &midline.rows[..rows]);
+    confidence::narrowed(out);
+    confidence::gaps(out, &midline.rows[..rows]);
     if end == End::JointEnd {
         place_end(out, rows as f32 - 0.5 + beyond);
     }
-    judge::rims(out, end, on_joint);
-    judge::doubtful(out, solid);
-    let is_short = !on_joint && judge::length(out, end);
+    confidence::rims(out, end, on_joint);
+    confidence::doubtful(out, solid);
+    let is_short = !on_joint && confidence::length(out, end);
     if !on_joint {
-        judge::few(out);
+        confidence::few(out);
     }
-    judge::corners(out);
-    judge::lone(out);
+    confidence::corners(out);
+    confidence::lone(out);
     match end {
         // An exit from the frame is not reported, as no row is confident.
         End::LeftImage if out.iter().all(|r| r.confidence < CONFIDENT) => End::Lost,

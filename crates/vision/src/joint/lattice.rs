@@ -1,7 +1,7 @@
 use super::make_room;
 use super::strip::{COLS, Columns, GROUP, Line, MID, Strip, greater, greatest, lesser};
 use crate::aligned::Aligned;
-use crate::wide::{Work, wide};
+use crate::simd::{Work, wide};
 use pulp::Simd;
 
 /// Cost of a step to the next column, nats.

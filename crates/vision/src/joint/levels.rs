@@ -1,7 +1,7 @@
 use super::make_room;
 use super::top_hat::TopHat;
 use crate::frame::{Frame, Pixels, Size};
-use crate::wide::{Work, wide};
+use crate::simd::{Work, wide};
 use pulp::Simd;
 
 /// Maximum number of halvings.

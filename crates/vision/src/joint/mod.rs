@@ -5,16 +5,16 @@
 //!    a pixel or two (`trail`).
 //! 2. Midline: a second pass along the whole trail finds the best path and its margin over other paths. It then finds
 //!    the middle between pixels (`profile`, `readings`, `midline`).
-//! 3. The end of the joint (`end`) and the confidence of each row (`judge`) follow. Unconfident rows of wide gaps are
+//! 3. The end of the joint (`end`) and the confidence of each row (`confidence`) follow. Unconfident rows of wide gaps are
 //!    placed between the rims (`rims`).
 //! 4. A lost joint is followed again with the edges of light removed (`again`, `top_hat`). It is also followed
 //!    straight on behind the point where another line led it aside (`straight_on`).
 
 mod axis;
 mod bend;
+mod confidence;
 mod end;
 mod follow;
-mod judge;
 mod lattice;
 mod levels;
 mod midline;

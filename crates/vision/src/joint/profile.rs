@@ -1,6 +1,6 @@
 use super::strip::{COLS, Line, MID, greater};
 use crate::aligned::Aligned;
-use crate::wide::LANES;
+use crate::simd::LANES;
 use pulp::{Scalar, Simd};
 
 /// Maximum columns to one side of the middle.

@@ -1,7 +1,7 @@
 use super::make_room;
 use super::profile::{Around, MIDDLE, Profile, Reading, Shape, about, across};
 use super::strip::Strip;
-use crate::wide::{Work, wide};
+use crate::simd::{Work, wide};
 use pulp::Simd;
 
 /// Measurements of the rows of a strip about the joint's middle, and sums over rows.

@@ -4,7 +4,7 @@ use super::axis::Station;
 use super::levels::OF_16_BITS;
 use super::strip::{COLS, Line, MID, greater, lesser};
 use crate::frame::Size;
-use crate::wide::LANES;
+use crate::simd::LANES;
 
 /// Fractions of a pixel that positions within a row are counted in.
 const PARTS: f32 = (1 << PARTS_BITS) as f32;

@@ -3,7 +3,7 @@
 use super::follow::{COARSE, Follower, Inside, NARROWER, known_width};
 use super::levels::{DarkLine, Levels};
 use super::trail::{Look, ROWS};
-use super::{CONFIDENT, End, Row, Start, State, judge};
+use super::{CONFIDENT, End, Row, Start, State, confidence};
 use crate::frame::Frame;
 
 /// A second attempt is accepted if the joint is this many times as long, ...
@@ -141,7 +141,7 @@ impl Follower {
             std::mem::swap(&mut self.joint, &mut self.before);
             return false;
         }
-        judge::doubtful(&mut self.joint.rows, 0);
+        confidence::doubtful(&mut self.joint.rows, 0);
         if self.joint.end == End::LeftImage && self.before.end != End::LeftImage {
             // An exit from the frame is not reported, as no row is confident.
             self.joint.end = End::Lost;

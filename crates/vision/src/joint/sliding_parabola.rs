@@ -3,7 +3,7 @@
 use super::axis::Station;
 use super::make_room;
 use super::parabola::Parabola;
-use crate::wide::LANES;
+use crate::simd::LANES;
 use std::ops::Range;
 
 /// Maximum rows before and after.

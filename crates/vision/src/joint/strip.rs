@@ -3,7 +3,7 @@ use super::levels::{Grey, Picture};
 use super::make_room;
 use super::sample::{Pixel, Sampler};
 use crate::aligned::Aligned;
-use crate::wide::{LANES, Work, wide};
+use crate::simd::{LANES, Work, wide};
 use pulp::Simd;
 use std::ops::Range;
 

@@ -6,7 +6,7 @@ use super::levels::{Grey, Picture};
 use super::make_room;
 use crate::aligned::CACHE_LINE;
 use crate::frame::Size;
-use crate::wide::{Work, wide};
+use crate::simd::{Work, wide};
 use pulp::Simd;
 
 /// Resolution of grey values, parts of one. (A sum of two of them fits into 16 bits.)

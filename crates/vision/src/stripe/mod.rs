@@ -3,7 +3,7 @@
 //!
 //! 1. `blobs`: up to five bright blobs of every column, sub-pixel, above a subtracted background. (Three are not
 //!    enough: spatter is brighter.)
-//! 2. `chain`: one chain of blobs across the columns by Viterbi's method, without reflections and spatter. Reported
+//! 2. `blob_chain`: one chain of blobs across the columns by Viterbi's method, without reflections and spatter. Reported
 //!    points are smoothed over several columns (`smooth`).
 //! 3. `profile`: the chain in mm, through the sensor's map. All further steps are in mm.
 //! 4. `segments`: at most five straight segments, cut by dynamic programming and fitted robustly.
@@ -13,8 +13,8 @@
 //! The stripe runs from left to right, with one point per column. y grows to the right, z upwards, to the sensor. All
 //! steps are deterministic. After a first image, a [`StripeReader`] does not allocate for others of that size.
 
+mod blob_chain;
 mod blobs;
-mod chain;
 mod edges;
 mod features;
 mod fit;
@@ -24,14 +24,14 @@ mod profile;
 mod segments;
 mod smooth;
 
-pub use chain::StripePoint;
+pub use blob_chain::StripePoint;
 pub use features::{Doubt, Expected, Feature, Features, JointKind, NoFeatures, Quantity, StripeTask};
 pub use fit::StripeLine;
 pub use segments::Segment;
 
 use crate::frame::Frame;
+use blob_chain::Chainer;
 use blobs::Blobs;
-use chain::Chainer;
 use glam::DVec2;
 use joints::View;
 use light::{Light, UsualStripe};

@@ -1,7 +1,7 @@
 //! The profile: points of the stripe in mm, from left to right.
 
+use super::blob_chain::StripePoint;
 use super::blobs::{Blob, Blobs, MAX_BLOBS};
-use super::chain::StripePoint;
 use glam::DVec2;
 use seamwright_geometry::Homography;
 

@@ -1,7 +1,7 @@
 //! Smoothing of the stripe's centres over several columns.
 
-use super::chain::StripePoint;
-use crate::wide::{Work, wide};
+use super::blob_chain::StripePoint;
+use crate::simd::{Work, wide};
 use pulp::Simd;
 
 /// Columns to each side in a window, and the maximum distance of its centres from their straight line, pixels. Beside

@@ -2,7 +2,7 @@
 
 use super::swept::{Section, WITHIN_MM, sweep_through};
 use super::{Extent, Impossible, Making, PLATE_MM, standing};
-use crate::plane::zero;
+use crate::plane_seam::zero;
 use crate::t_joint::Middle;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use seamwright_clearance::{Shape, Solid};

@@ -1,12 +1,12 @@
 //! Parts that the torch goes into: a nozzle with its bore, and the wall of a body, open where the torch comes in.
 
-use super::heads::{head_within, turned};
 use super::swept::WITHIN_MM;
 use super::tubes::Foot;
+use super::vessel_heads::{head_within, turned};
 use super::{Extent, Impossible, Making, standing};
 use crate::body::thickness;
-use crate::head;
 use crate::nozzle::{NozzleEdges, bore};
+use crate::vessel_head;
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_document::Document;
@@ -119,14 +119,18 @@ impl Making<'_> {
                 };
                 vessel(half(0.0)?, &half)?
             }
-            Body::TorisphericalHead(h) => {
-                vessel(head::torispherical(file, h, 0.0)?, &|depth| Ok(head::torispherical(file, h, depth)?))?
+            Body::TorisphericalHead(h) => vessel(vessel_head::torispherical(file, h, 0.0)?, &|depth| {
+                Ok(vessel_head::torispherical(file, h, depth)?)
+            })?,
+            Body::HemisphericalHead(h) => vessel(vessel_head::hemispherical(file, h, 0.0)?, &|depth| {
+                Ok(vessel_head::hemispherical(file, h, depth)?)
+            })?,
+            Body::FlatHead(h) => {
+                vessel(vessel_head::flat(file, h, 0.0)?, &|depth| Ok(vessel_head::flat(file, h, depth)?))?
             }
-            Body::HemisphericalHead(h) => {
-                vessel(head::hemispherical(file, h, 0.0)?, &|depth| Ok(head::hemispherical(file, h, depth)?))?
+            Body::ConicalHead(h) => {
+                vessel(vessel_head::conical(file, h, 0.0)?, &|depth| Ok(vessel_head::conical(file, h, depth)?))?
             }
-            Body::FlatHead(h) => vessel(head::flat(file, h, 0.0)?, &|depth| Ok(head::flat(file, h, depth)?))?,
-            Body::ConicalHead(h) => vessel(head::conical(file, h, 0.0)?, &|depth| Ok(head::conical(file, h, depth)?))?,
             Body::Torus { .. } | Body::Ellipsoid { .. } | Body::EllipsoidalHead(_) => None,
         })
     }

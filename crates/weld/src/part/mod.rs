@@ -2,14 +2,14 @@
 
 mod bevelled;
 mod flat;
-mod heads;
 mod hollow;
 mod plates;
 mod swept;
 mod tubes;
+mod vessel_heads;
 
 use crate::joint::SeamJoint;
-use crate::plane;
+use crate::plane_seam;
 use crate::seam::SeamCurve;
 use crate::t_joint::Middle;
 use crate::welding::Welding;
@@ -142,7 +142,7 @@ impl Making<'_> {
             Seam::Girth(girth) => self.girth(girth),
             Seam::Ellipse(ellipse) => self.ellipse(ellipse),
             Seam::Circle(circle) => self.circle(circle),
-            Seam::Arc(arc) => self.arc(arc, &plane::arc(file, arc)?.curve),
+            Seam::Arc(arc) => self.arc(arc, &plane_seam::arc(file, arc)?.curve),
             Seam::RoundedRectangle(r) => self.rectangle(r),
             Seam::Polyline(p) => self.plate_below(p.points_mm[0].get(), p.normal.unit()).map(|plate| vec![plate]),
             Seam::Helix(helix) => self.helix(helix),

@@ -1,7 +1,7 @@
-use super::heads::bend;
+use super::vessel_heads::bend;
 use super::{Extent, Impossible, Making, standing};
 use crate::branch::{Joint, Leg};
-use crate::head;
+use crate::vessel_head;
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid};
 use seamwright_document::{Document, Positive};
@@ -145,11 +145,11 @@ impl Making<'_> {
                 let pose = standing(centre_mm.get(), axis.unit());
                 Solid::new("bend", bend(bend_radius_mm.get(), radius_mm.get())?, pose)
             }
-            Body::TorisphericalHead(h) => self.vessel_head(&head::torispherical(file, h, 0.0)?),
-            Body::EllipsoidalHead(h) => self.vessel_head(&head::ellipsoidal(file, h)?),
-            Body::HemisphericalHead(h) => self.vessel_head(&head::hemispherical(file, h, 0.0)?),
-            Body::FlatHead(h) => self.vessel_head(&head::flat(file, h, 0.0)?),
-            Body::ConicalHead(h) => self.vessel_head(&head::conical(file, h, 0.0)?),
+            Body::TorisphericalHead(h) => self.vessel_head(&vessel_head::torispherical(file, h, 0.0)?),
+            Body::EllipsoidalHead(h) => self.vessel_head(&vessel_head::ellipsoidal(file, h)?),
+            Body::HemisphericalHead(h) => self.vessel_head(&vessel_head::hemispherical(file, h, 0.0)?),
+            Body::FlatHead(h) => self.vessel_head(&vessel_head::flat(file, h, 0.0)?),
+            Body::ConicalHead(h) => self.vessel_head(&vessel_head::conical(file, h, 0.0)?),
         };
         Ok(solid?)
     }

@@ -1,6 +1,6 @@
 use super::block::{Block, Shape};
 use super::knots::{Knots, Timed};
-use super::thin::keep_points;
+use super::thinning::keep_points;
 use super::{MachineAxes, Numbers, PointPath, Row};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, NonNegative, Positive};

@@ -8,7 +8,7 @@
 mod block;
 mod build;
 mod knots;
-mod thin;
+mod thinning;
 
 use block::Block;
 use glam::{DAffine3, DVec3};

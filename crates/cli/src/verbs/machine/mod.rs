@@ -2,10 +2,10 @@
 
 mod check;
 mod place;
-mod placed;
-mod touched;
+mod placement_report;
+mod touched_points;
 mod tune;
-mod tuning;
+mod tuning_report;
 
 use super::{io, kinematics, latency, lists, move_to};
 use crate::args::ListArgs;

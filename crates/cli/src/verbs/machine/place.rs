@@ -1,5 +1,5 @@
-use super::placed::{Axis, Fitted, Placed};
-use super::touched::{Touched, Wanted, read};
+use super::placement_report::{Axis, Fitted, Placed};
+use super::touched_points::{Touched, Wanted, read};
 use crate::args::machine::{PlaceArgs, PlaceMethod};
 use crate::refusals::{between, in_file, not_allowed, refused, signed};
 use crate::rows::print_either;
@@ -13,7 +13,7 @@ use seamwright_message::{Message, Unit};
 use seamwright_program::{OFFSET_NAMES, is_offset_name};
 use seamwright_project::failure::Failure;
 use seamwright_project::load::{Loaded, load, load_text};
-use seamwright_project::{files, offset};
+use seamwright_project::{files, work_offset};
 use seamwright_weld::{SeamCurve, SeamSurfaces};
 use std::path::Path;
 
@@ -28,7 +28,7 @@ pub(crate) fn run(args: &PlaceArgs) -> Result<(), Failure> {
         }
         NoPlace::Input(failure) => failure,
     })?;
-    let transform = offset::rounded(&fitted.offset).ok_or_else(|| no_number(args))?;
+    let transform = work_offset::rounded(&fitted.offset).ok_or_else(|| no_number(args))?;
     let placed = Placed::new(args, &rows, fitted, transform);
     if let (Some(path), true) = (&args.output, placed.accepted) {
         write_job(args, path, &transform)?;
@@ -194,8 +194,8 @@ fn write_job(args: &PlaceArgs, path: &Path, transform: &Transform) -> Result<(),
         let message = Message::new("cli-place-unchangeable").text("file", args.job.display().to_string());
         Failure::input(message.message("why", why))
     };
-    let placed =
-        offset::put_into(&files::read(&args.job)?, &args.name, transform).map_err(|e| cannot(Message::outside(&e)))?;
+    let placed = work_offset::put_into(&files::read(&args.job)?, &args.name, transform)
+        .map_err(|e| cannot(Message::outside(&e)))?;
     let text = placed.ok_or_else(|| cannot(Message::new("project-not-a-table").key("table", "offsets")))?;
     let folder = path.parent().unwrap_or(Path::new("."));
     load_text(&path.display().to_string(), &text, folder)?;

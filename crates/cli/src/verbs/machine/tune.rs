@@ -1,4 +1,4 @@
-use super::tuning::{AxisTuning, snippet, table};
+use super::tuning_report::{AxisTuning, snippet, table};
 use crate::args::machine::TuneArgs;
 use crate::labels::labelled;
 use crate::progress::Progress;

@@ -5,7 +5,7 @@ mod run;
 mod table;
 mod two_level;
 
-use super::process::ArcClock;
+use super::process_columns::ArcClock;
 use super::{period, positive};
 use crate::args::{ExportArg, MotionArgs};
 use crate::planning;

@@ -1,5 +1,5 @@
 use crate::rows::{Cell, Rows};
-use crate::verbs::process::ProcessColumns;
+use crate::verbs::process_columns::ProcessColumns;
 use seamwright_machine::Joints;
 use seamwright_motion::SetPoint;
 use seamwright_program::ArcTime;

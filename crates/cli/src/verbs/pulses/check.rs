@@ -1,6 +1,6 @@
 use super::motors::Motor;
 use super::play::{Place, Play};
-use super::stepped::Stepped;
+use super::timer::Stepped;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::pulses::{Edge, Generator};
 use seamwright_program::Finding;

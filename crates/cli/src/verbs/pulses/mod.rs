@@ -4,8 +4,8 @@
 mod check;
 mod motors;
 mod play;
-mod stepped;
 mod summary;
+mod timer;
 
 use super::positive;
 use crate::args::PulsesArgs;
@@ -23,8 +23,8 @@ use seamwright_project::load::load;
 use seamwright_record::{VcdAxis, VcdWriter, Wire};
 use std::io::Write;
 use std::path::Path;
-use stepped::{Clock, Stepped};
 use summary::Summary;
+use timer::{Clock, Stepped};
 
 pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
     if let Some(path) = args.output.as_deref().filter(|p| p.extension().is_none_or(|e| e != "vcd")) {

@@ -1,5 +1,5 @@
 use super::play::Place;
-use super::stepped::{Clock, Stepped};
+use super::timer::{Clock, Stepped};
 use crate::refusals::in_file;
 use seamwright_machine::{AxisKind, Load};
 use seamwright_message::Message;

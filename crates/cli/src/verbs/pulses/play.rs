@@ -1,4 +1,4 @@
-use super::stepped::{Clock, Stepped};
+use super::timer::{Clock, Stepped};
 use crate::progress::Progress;
 use seamwright_machine::Joints;
 use seamwright_message::{Message, Unit};

@@ -1,5 +1,5 @@
 use super::check::Checked;
-use super::stepped::{Clock, Stepped};
+use super::timer::{Clock, Stepped};
 use crate::refusals::unit_of;
 use crate::rows::in_english;
 use seamwright_message::{Message, Unit};

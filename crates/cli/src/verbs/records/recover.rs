@@ -1,7 +1,7 @@
 use super::data::{folder, result};
 use crate::args::records::RecoverArgs;
 use crate::rows::{print_json, print_text};
-use crate::verbs::recorded::audit;
+use crate::verbs::row_destination::audit;
 use seamwright_message::{Message, Unit};
 use seamwright_project::failure::Failure;
 use seamwright_record::DataFolder;

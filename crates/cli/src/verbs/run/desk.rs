@@ -3,7 +3,7 @@
 use super::Ended;
 use super::orders::Line;
 use super::table::Table;
-use crate::verbs::recorded::Happened;
+use crate::verbs::row_destination::Happened;
 use seamwright_executive::realtime::{RealtimeRights, Shown, ShutdownCause};
 use seamwright_executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_machine::Machine;

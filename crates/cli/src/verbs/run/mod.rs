@@ -8,7 +8,7 @@ use crate::args::records::RecordArgs;
 use crate::args::run::RunArgs;
 use crate::planning;
 use crate::refusals::refused;
-use crate::verbs::part;
+use crate::verbs::simulated_part;
 use desk::Desk;
 use seamwright_executive::realtime::{Latency, Outside, Paced, Pacer, RealtimeRights, Shutdown, Urgent, guarded, live};
 use seamwright_executive::tracking::Tracking;
@@ -46,7 +46,7 @@ pub(super) struct Ended {
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let part = part::read(&args.part)?;
+    let part = simulated_part::read(&args.part)?;
     let around = loaded.surroundings()?;
     let conditions = part.conditions(args.seed, &args.fault, &around);
     part.check_devices(&loaded.machine)?;

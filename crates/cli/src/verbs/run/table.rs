@@ -1,7 +1,7 @@
 //! The trace of a run: a row a cycle.
 
 use crate::args::records::RecordArgs;
-use crate::verbs::recorded::{self, Happened, Rows};
+use crate::verbs::row_destination::{self, Happened, Rows};
 use seamwright_executive::Place;
 use seamwright_executive::realtime::Shown;
 use seamwright_machine::Machine;
@@ -48,7 +48,7 @@ impl Table {
         let title = loaded.welding.program.value.title.clone();
         let about = [("title", title), ("machine", machine.name.clone())];
         let columns = run_rows::columns(machine, values, &heads);
-        let rows = recorded::begin(
+        let rows = row_destination::begin(
             loaded,
             motion,
             &Header { columns: &columns, about: &about, from },

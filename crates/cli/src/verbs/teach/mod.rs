@@ -1,10 +1,10 @@
 //! A seam taught by camera, from simulated, recorded or sent frames, or by the operator's points.
 
+mod live_frames;
 mod operator;
 mod plot;
-mod recorded;
+mod recorded_frames;
 mod report;
-mod sent;
 mod session;
 mod setup;
 mod simulated;
@@ -42,8 +42,8 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
             let (outcome, truth) = simulated::teach(args, &loaded, &nominal)?;
             (outcome, Some(truth))
         }
-        Source::Folder(folder) => (recorded::teach(args, folder, &loaded, &nominal)?, None),
-        Source::Sender(address) => (sent::teach(args, address, &loaded, &nominal)?, None),
+        Source::Folder(folder) => (recorded_frames::teach(args, folder, &loaded, &nominal)?, None),
+        Source::Sender(address) => (live_frames::teach(args, address, &loaded, &nominal)?, None),
     };
     if outcome.smooth.len() < 2 {
         let why = outcome.finding.take().unwrap_or_else(|| Message::new("project-teach-no-joint"));
@@ -91,7 +91,7 @@ impl<'a> Source<'a> {
             (Some(points), _) => Self::Points(points),
             (None, Some("simulated")) => Self::Simulated,
             (None, Some(frames)) => match frames.split_once("://") {
-                Some(("tcp", address)) => Self::Sender(sent::address(frames, address)?),
+                Some(("tcp", address)) => Self::Sender(live_frames::address(frames, address)?),
                 Some(_) => {
                     return Err(not_allowed("--frames", frames, Message::new("cli-teach-frames")));
                 }

@@ -1,9 +1,9 @@
 //! Running HAL, with our streams and the hardware.
 
-use super::error::Symptom;
-use super::line::{self, Sample};
+use super::error::{LinuxCncError, Symptom};
 use super::programs::{self, Commands, Keeper, Program, User};
-use super::{LinuxCncError, script};
+use super::script;
+use super::stream_line::{self, Sample};
 use crate::realtime::RealtimeRights;
 use rtrb::{Consumer, Producer, RingBuffer};
 use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
@@ -172,7 +172,7 @@ fn listen(from: ChildStdout, axes: &[Axis], heard: &Heard, mut to: Producer<Samp
         text.clear();
         match from.read_line(&mut text) {
             Ok(1..) => {
-                if let Some(sample) = line::read(&text, axes, Instant::now()) {
+                if let Some(sample) = stream_line::read(&text, axes, Instant::now()) {
                     heard.now();
                     // If the queue is full the sample is dropped; a newer one comes.
                     let _ = to.push(sample);

@@ -10,10 +10,10 @@
 
 mod engine;
 mod error;
-mod line;
 mod programs;
 mod script;
 mod store;
+mod stream_line;
 mod supervisor;
 
 pub use error::{LinuxCncError, Symptom};
@@ -21,8 +21,6 @@ pub use error::{LinuxCncError, Symptom};
 use super::Drives;
 use crate::executive::{DriveReport, Orders, Slack};
 use engine::{Link, Plan};
-use line::LONGEST;
-pub use line::Sample;
 use rtrb::{Consumer, Producer, RingBuffer};
 use seamwright_machine::{Axis, Joints, LinuxCnc, Machine};
 use seamwright_message::Message;
@@ -30,6 +28,8 @@ use std::io::Write as _;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use store::Store;
+use stream_line::LONGEST;
+pub use stream_line::Sample;
 use supervisor::Supervisor;
 
 /// Number of sent positions that wait for their sample.
@@ -135,7 +135,7 @@ impl LinuxCncDrives {
         store.feed(&orders.set, |number, positions| {
             let counts = orders.power && !orders.home;
             sent[number as usize % SENT] = Sent { positions: *positions, ordered: Instant::now(), counts };
-            let line = line::write(buffer, axes, number, orders, positions);
+            let line = stream_line::write(buffer, axes, number, orders, positions);
             // Written whole or not at all: a line is shorter than the pipe's atomic write. The store detects a line
             // that did not fit. A pipe without a reader marks the link as broken.
             let written = link.as_mut().filter(|_| !*broken).map_or(Ok(0), |link| link.stream.write(line));

@@ -1,6 +1,6 @@
 //! LinuxCNC's programs: start, output, end.
 
-use super::LinuxCncError;
+use super::error::LinuxCncError;
 use super::error::Symptom;
 use crate::realtime::RealtimeRights;
 use seamwright_message::{Message, Unit};

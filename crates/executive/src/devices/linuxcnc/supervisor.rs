@@ -1,7 +1,7 @@
 //! Supervision of HAL: a thread that restarts it after it has ended.
 
-use super::LinuxCncError;
 use super::engine::{Engine, Link, Plan};
+use super::error::LinuxCncError;
 use rtrb::{Consumer, Producer, RingBuffer};
 use seamwright_message::{Message, Unit};
 use std::sync::Arc;

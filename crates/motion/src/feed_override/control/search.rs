@@ -2,8 +2,8 @@
 
 use super::{BOLDEST, FeedOverride, Stop};
 use crate::feed_override::course::{Course, Return, Segment, State};
-use crate::feed_override::shield::Breach;
-use crate::feed_override::timed::{Pacing, Rates, Timed};
+use crate::feed_override::limit_check::Breach;
+use crate::feed_override::timed_motion::{Pacing, Rates, Timed};
 
 /// Maximum number of courses tried in a period; if none holds, the previous one continues.
 const ATTEMPTS: usize = 10;

@@ -5,8 +5,8 @@ use crate::part_program::Event;
 use crate::read::addresses::no_address;
 use crate::read::error::{Fault, Read, Span};
 use crate::read::lexer::Cursor;
+use crate::read::modal_state::{FeedMode, Motion, State};
 use crate::read::motion::Block;
-use crate::read::state::{FeedMode, Motion, State};
 use glam::DVec3;
 use seamwright_message::Message;
 

@@ -5,7 +5,7 @@ use crate::control::Dialect;
 use crate::part_program::{Event, Level, Step, What};
 use crate::read::error::{Fault, Read, Span, once};
 use crate::read::lines::Flow;
-use crate::read::state::{FeedMode, Motion, State};
+use crate::read::modal_state::{FeedMode, Motion, State};
 use seamwright_message::Message;
 
 /// Modal groups, as bits.

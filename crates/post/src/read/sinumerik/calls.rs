@@ -6,8 +6,8 @@ use crate::polynomial::POWERS;
 use crate::read::addresses::no_address;
 use crate::read::error::{Fault, Read, Span};
 use crate::read::lexer::{Cursor, same};
+use crate::read::modal_state::State;
 use crate::read::programs::Programs;
-use crate::read::state::State;
 use crate::read::target::{FARTHEST, How};
 use seamwright_message::Message;
 

@@ -4,7 +4,7 @@ use super::line::Line;
 use crate::part_program::Event;
 use crate::read::error::{Fault, Read, Span, once};
 use crate::read::lines::Flow;
-use crate::read::state::{FeedMode, Motion, State};
+use crate::read::modal_state::{FeedMode, Motion, State};
 use seamwright_message::Message;
 
 /// Siemens' G groups, as bits.

@@ -1,7 +1,7 @@
 //! Least-squares fit of the map to the dots.
 
+use super::crossings::Crossing;
 use super::identified::{Dot, Grid, GridError, Identified};
-use super::order::Crossing;
 use crate::frame::Size;
 use glam::{DMat2, DVec2};
 use nalgebra::{SMatrix, SVector};

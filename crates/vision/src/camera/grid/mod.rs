@@ -1,9 +1,9 @@
 //! Identification of the map of a plane from one picture of a known grid of dots.
 
+mod crossings;
 mod dots;
 mod fit;
 mod identified;
-mod order;
 
 use crate::frame::Frame;
 pub use identified::{Dot, Grid, GridError, Identified};
@@ -22,6 +22,6 @@ pub fn identify(frame: &Frame, grid: &Grid) -> Result<Identified, GridError> {
         return Err(GridError::Pitch(grid.pitch_mm));
     }
     let dots = dots::find(frame)?;
-    let ordered = order::ordered(&dots, frame.size())?;
+    let ordered = crossings::ordered(&dots, frame.size())?;
     fit::fit(&ordered, frame.size(), grid)
 }

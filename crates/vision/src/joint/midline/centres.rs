@@ -8,7 +8,7 @@ use crate::joint::profile::Profile;
 use crate::joint::readings::Window;
 use crate::joint::sliding_parabola;
 use crate::joint::strip::MID;
-use crate::wide::{LANES, Work, wide};
+use crate::simd::{LANES, Work, wide};
 use pulp::Simd;
 
 /// Rows before and after over which step and rims are averaged where the light steps.

@@ -1,4 +1,4 @@
-use super::see::MinRows;
+use super::detection::MinRows;
 use super::{BACK, CHORD, FITTED, Limits, Look, Place, ROWS, TAKEN_CLEAR, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;

@@ -1,5 +1,5 @@
+mod detection;
 mod leap;
-mod see;
 
 use crate::joint::axis::{Axis, Station, length};
 use crate::joint::lattice::{Lattice, column_about};

@@ -9,7 +9,7 @@ mod sums;
 
 use self::sums::{CellMeans, FourRows, Grey, Pairs};
 use crate::frame::{Frame, Pixels};
-use crate::wide::wide;
+use crate::simd::wide;
 
 /// Maximum blobs per column.
 pub(super) const MAX_BLOBS: usize = 5;

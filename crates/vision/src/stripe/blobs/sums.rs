@@ -1,7 +1,7 @@
 //! Passes over whole rows: sums of rows, their means in cells, and pairs of sums above a floor.
 
 use super::CELL;
-use crate::wide::Work;
+use crate::simd::Work;
 use pulp::Simd;
 
 /// Pixels of 8 or 16 bits.
@@ -99,7 +99,7 @@ impl Work for Pairs<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wide::wide;
+    use crate::simd::wide;
     use seamwright_testkit::Random;
 
     #[test]

@@ -1,4 +1,4 @@
-use super::cover::Part;
+use super::completeness::Part;
 use super::{Support, View, ramp, turn};
 use crate::stripe::edges::Usual;
 use crate::stripe::features::{Feature, Features, NoFeatures, Quantity};

@@ -1,4 +1,4 @@
-use super::cover::Part;
+use super::completeness::Part;
 use super::{Edge, Support, View, between, ramp, turn, twice_area};
 use crate::stripe::features::{Feature, Features, NoFeatures, Quantity};
 use crate::stripe::light::Course;

@@ -1,6 +1,6 @@
 //! Lap joints: the end of an upper sheet on a lower one.
 
-use super::cover::Part;
+use super::completeness::Part;
 use super::groove::SHOULDERS;
 use super::{Support, View, ramp, turn};
 use crate::stripe::features::{Feature, Features, NoFeatures, Quantity};

@@ -2,11 +2,11 @@
 //! features.
 
 mod butt;
-mod cover;
+mod completeness;
 mod fillet;
 mod groove;
 mod lap;
-mod round;
+mod round_groove;
 
 use super::edges::{Usual, is_hidden, lit_columns, sub_column};
 use super::features::{Doubt, Feature, Features, JointKind, NoFeatures, Quantity, StripeTask};

@@ -3,7 +3,7 @@
 mod evidence;
 
 use self::evidence::{Gap, UNKNOWN, best_seam, expected_runs, longest_dark, sharpness};
-use super::cover::Part;
+use super::completeness::Part;
 use super::groove::mismatch;
 use super::{Edge, Support, View, between, ramp, turn};
 use crate::stripe::edges::Usual;
