@@ -1,6 +1,6 @@
 import uPlot from 'uplot';
-import { colour } from '../parts/theme.svelte';
-import { ends } from './ends';
+import { colour } from '../panel/theme.svelte';
+import { ends } from './axis_range';
 
 /** A line of a chart. */
 export type Line = { name: string; colour: string; dashed?: boolean; /** Draws over places without a value. */ joined?: boolean };

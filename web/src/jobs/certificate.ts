@@ -1,4 +1,4 @@
-import { axisUnit, number } from '../parts/numbers';
+import { axisUnit, number } from '../panel/numbers';
 import type { BoundView, PassView, UseView } from '../wire';
 
 /** The limits of an axis, in the order of the wire. */

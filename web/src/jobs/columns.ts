@@ -1,4 +1,4 @@
-import { axisUnit, valueName } from '../parts/numbers';
+import { axisUnit, valueName } from '../panel/numbers';
 import type { AxisView } from '../wire';
 import { named, t } from '../words/index.svelte';
 

@@ -1,7 +1,7 @@
 import { api, Refusal } from '../live/api';
 import { session } from '../live/session.svelte';
 import type { FormView, PlanAnswer, SectionView, WorkView } from '../wire';
-import { refusalText } from '../parts/refusal';
+import { refusalText } from '../panel/refusal';
 import { Sheet } from './sheet.svelte';
 
 const PLAN_AFTER_MS = 500;

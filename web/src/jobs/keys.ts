@@ -1,4 +1,4 @@
-import { valueName } from '../parts/numbers';
+import { valueName } from '../panel/numbers';
 import { named, words } from '../words/index.svelte';
 
 /** The words of a key without its unit, or of a word that stands in a file. */

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { reachedBy, waysOf, type Operation, type Way } from './modes';
+import { reachedBy, waysOf, type Operation, type Way } from './point_ways';
 import type { PointPass } from './points';
 
 /** A pass with a way for each point, in spans of these. */

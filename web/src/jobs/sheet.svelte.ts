@@ -1,5 +1,5 @@
 import { api } from '../live/api';
-import { refusalText } from '../parts/refusal';
+import { refusalText } from '../panel/refusal';
 import type { FormAnswer, FormChange, FormView, WrongView } from '../wire';
 import { withChanges } from './form';
 

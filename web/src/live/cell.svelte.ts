@@ -17,8 +17,8 @@ import { Link, type Answer, type LinkState, type Move } from './socket';
 import { session } from './session.svelte';
 import { Stopping } from './stopping.svelte';
 import { shownSpeed, type Shown } from './speed';
-import { Strip } from './strip';
-import { Track } from './track';
+import { Strip } from './status_strip';
+import { Track } from './tracking_rows';
 
 /** What is shown as numbers changes this often at most; charts and the 3D scene take every status. */
 const SHOWN_MS = 100;

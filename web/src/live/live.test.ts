@@ -4,7 +4,7 @@ import { refusal } from './api';
 import { HoldToRun, REPEAT_MS } from './hold_to_run';
 import { Link, type LinkState } from './socket';
 import { Stopping } from './stopping.svelte';
-import { Strip } from './strip';
+import { Strip } from './status_strip';
 
 class FakeSocket {
   readyState = 0;

@@ -1,4 +1,4 @@
-import { runs } from '../parts/orders';
+import { runs } from '../panel/orders';
 import type { Stopped } from '../wire';
 import type { Answer } from './socket';
 

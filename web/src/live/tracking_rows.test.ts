@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { Status, TrackingStatus } from '../wire';
-import { Track } from './track';
+import { Track } from './tracking_rows';
 
 const LENGTH = 100;
 const seen = (lateral: number): TrackingStatus => ({ head: 1, state: 'seen', deviation_mm: [lateral, 0], correction_mm: [lateral, 0], confidence: 1 }) as unknown as TrackingStatus;

@@ -1,7 +1,7 @@
 import { cell } from '../live/cell.svelte';
 import { session } from '../live/session.svelte';
 import { layers } from './layers.svelte';
-import { meant, type Spot } from './meant';
+import { meant, type Spot } from './key_command';
 import type { Order } from './orders';
 import { starting } from './starting.svelte';
 import { place } from './place.svelte';

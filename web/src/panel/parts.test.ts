@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { Layers } from './layers.svelte';
-import { meant, type Meaning, type Spot } from './meant';
+import { meant, type Meaning, type Spot } from './key_command';
 import { dayAndTime, digitsFor, duration, limit, number, span, valueName } from './numbers';
 import { programText } from './taught.svelte';
 import type { MachineView } from '../wire';
@@ -128,7 +128,7 @@ describe('keys', () => {
   test('Esc is decided in one place, and every menu has a layer there', () => {
     const sources = import.meta.glob<string>(['../**/*.svelte', '../**/*.ts', '!../**/*.test.ts'], { query: '?raw', import: 'default', eager: true });
     const having = (what: RegExp): string[] => Object.entries(sources).flatMap(([path, text]) => (what.test(text) ? path : []));
-    expect(having(/=== 'Escape'/)).toEqual(['./meant.ts']);
+    expect(having(/=== 'Escape'/)).toEqual(['./key_command.ts']);
     const menus = having(/class="(?:[\w ]* )?menu[" ]/);
     expect(menus.length).toBeGreaterThan(2);
     expect(having(/\{@attach layers\.menu\(/)).toEqual(menus);

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { ends } from '../charts/ends';
-import { Strip } from '../live/strip';
+import { ends } from '../charts/axis_range';
+import { Strip } from '../live/status_strip';
 import type { AxisView, Status } from '../wire';
 import { chosen, plots, usual } from './plots';
 

@@ -1,6 +1,6 @@
 import { refusalText } from './refusal';
 
-/** What a page asks the server for: whether the answer is awaited, and what is said of it. `Said.svelte` shows it. */
+/** What a page asks the server for: whether the answer is awaited, and what is said of it. `RequestResult.svelte` shows it. */
 export class Asking {
   waits = $state(false);
   said = $state.raw<{ good: boolean; text: string } | null>(null);

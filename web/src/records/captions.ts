@@ -1,4 +1,4 @@
-import { valueName } from '../parts/numbers';
+import { valueName } from '../panel/numbers';
 import { named, t } from '../words/index.svelte';
 
 /** What every trace of a cell or of a simulation has. */

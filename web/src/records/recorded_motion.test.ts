@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { MachineView } from '../wire';
-import { axesAt, columnsOf, moves } from './moves';
+import { axesAt, columnsOf, moves } from './recorded_motion';
 
 const machine = { axes: [{ name: 'theta', unit: 'deg' }, { name: 's', unit: 'mm' }] } as MachineView;
 

@@ -1,4 +1,4 @@
-import { valueName } from '../parts/numbers';
+import { valueName } from '../panel/numbers';
 
 /** Words of keys that are not those of their name without its unit. */
 const WORDS: Record<string, string> = {

@@ -1,5 +1,5 @@
 import { cell } from '../live/cell.svelte';
-import { machineOf } from '../parts/taught.svelte';
+import { machineOf } from '../panel/taught.svelte';
 
 /** Touches of one point with the tool, positions of all axes each; kept when the page is left, not when the machine is another. */
 class Touches {

@@ -1,6 +1,6 @@
 import { api } from '../live/api';
 import { cell } from '../live/cell.svelte';
-import { refusalText } from '../parts/refusal';
+import { refusalText } from '../panel/refusal';
 import type { TaughtProgram, TaughtView, TeachOrder } from '../wire';
 
 const NOTHING: TaughtView = { points: [], looks: [] };
