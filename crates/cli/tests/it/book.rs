@@ -1,7 +1,7 @@
 //! The commands in the book run as printed.
 
 use crate::common::root;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -107,4 +107,34 @@ fn every_library_has_its_reason() {
     let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split(" |").next());
     let named: BTreeSet<String> = rows.flat_map(|row| row.split(", ")).map(|name| name.replace('`', "")).collect();
     assert_eq!(named, used);
+}
+
+/// Every crate has a row in the code map, with files that exist, and depends on no crate of a higher layer.
+#[test]
+fn code_map_of_the_architecture_is_current() {
+    let page = std::fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let mut layers = BTreeMap::new();
+    for row in page.lines().filter(|line| line.starts_with("| ") && line.matches('|').count() == 6) {
+        let cells: Vec<&str> = row.trim_matches('|').split('|').map(|cell| cell.trim().trim_matches('`')).collect();
+        let folder = root().join("crates").join(cells[1]);
+        if !folder.is_dir() {
+            continue;
+        }
+        for file in cells[4].split("`, `") {
+            assert!(folder.join("src").join(file).exists() || folder.join(file).exists(), "{}: {file}", cells[1]);
+        }
+        // Benchmarks and tests may use everything.
+        layers.insert(cells[1], cells[0].parse::<u32>().unwrap_or(u32::MAX));
+    }
+    for entry in std::fs::read_dir(root().join("crates")).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        let layer = *layers.get(name.as_str()).unwrap_or_else(|| panic!("{name} has no row"));
+        let file = std::fs::read_to_string(entry.path().join("Cargo.toml")).unwrap();
+        let file = file.parse::<toml_edit::DocumentMut>().unwrap();
+        let used = file.get("dependencies").and_then(|of| of.as_table()).into_iter().flat_map(|of| of.iter());
+        for below in used.filter_map(|(used, _)| used.strip_prefix("seamwright-")) {
+            assert!(layers[below] <= layer, "{name} depends on {below}");
+        }
+    }
 }
