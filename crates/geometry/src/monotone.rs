@@ -12,7 +12,6 @@ use crate::knots::knots;
 pub struct MonotoneCurve {
     x: Vec<f64>,
     y: Vec<f64>,
-    /// Slopes at the knots.
     slope: Vec<f64>,
     period: Option<f64>,
 }
