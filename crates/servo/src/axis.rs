@@ -32,27 +32,7 @@ pub struct AxisState {
 ///
 /// The set-point for `t_k` is compared with the measurement at `t_k`; the command acts from `t_k` to `t_k+1`, without a
 /// dead time for its computation. At constant speed with `kvff = 1` only the encoder's error of half a count remains.
-///
-/// ```
-/// use seamwright_servo::{DriveParameters, DriveTuning, Gains, LinearLoad, ServoAxis, SetPoint};
-/// # fn main() -> Result<(), seamwright_servo::Error> {
-/// let load = LinearLoad { mass_kg: 60.0, peak_force_n: 500.0, coulomb_n: 25.0, viscous_n_s_per_m: 60.0 };
-/// let tuning = DriveTuning {
-///     velocity_bandwidth_hz: 80.0,
-///     current_time_constant_s: 3e-4,
-///     current_delay_s: 0.0,
-///     encoder_counts_per_unit: 1000.0,
-/// };
-/// let parameters = DriveParameters::linear(load, tuning)?;
-/// let mut axis = ServoAxis::new(Gains::suggested(80.0, 1e-3), 200.0, parameters, 1e-3)?;
-/// axis.settle_at(5.0);
-/// for _ in 0..500 {
-///     axis.step(SetPoint { position: 5.1, ..SetPoint::default() }, 0.0);
-/// }
-/// assert!((axis.drive().position() - 5.1).abs() < 0.002);
-/// # Ok(())
-/// # }
-/// ```
+/// The [crate](crate#examples) has an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ServoAxis {
     position_loop: PositionLoop,
@@ -118,13 +98,11 @@ impl ServoAxis {
     }
 
     /// Returns the drive with its load, after the last step.
-    #[must_use]
     pub fn drive(&self) -> &Drive {
         &self.drive
     }
 
     /// Returns the position loop.
-    #[must_use]
     pub fn position_loop(&self) -> &PositionLoop {
         &self.position_loop
     }

@@ -1,8 +1,5 @@
 //! Tests of the whole axis: following error and coming to rest.
 
-// Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
-#![allow(clippy::unwrap_used)]
-
 use std::f64::consts::TAU;
 
 use seamwright_servo::{AxisState, DriveParameters, DriveTuning, Gains, LinearLoad, Notch, ServoAxis, SetPoint};
@@ -43,7 +40,6 @@ fn ramp_up(t: f64, speed: f64, ramp: f64) -> SetPoint {
     }
 }
 
-/// Runs a motion and returns every state.
 fn run(mut axis: ServoAxis, periods: u32, set: impl Fn(f64) -> SetPoint) -> Vec<AxisState> {
     (0..periods).map(|k| axis.step(set(f64::from(k) * PERIOD), 0.0)).collect()
 }
@@ -115,7 +111,6 @@ fn friction_at_the_turn_is_worked_off() {
     }
 }
 
-/// Peak-to-peak oscillation and maximum error, in counts, over the last 4 of 8 seconds after a step.
 fn rest_after_step(gains: Gains, load: LinearLoad, target: f64) -> (f64, f64) {
     let states = run(axis(gains, load, COUNT), 8000, |_| at(target));
     let tail = &states[4000..];
