@@ -56,7 +56,6 @@ impl Binding {
         Some(Self { axis: Some(axis.name.clone()), kind, value, unit: kind.unit(axis.kind) })
     }
 
-    /// Reports the difference between the requested and the reached tip speed, mm/s.
     pub(crate) fn cannot_keep(&self, asked: f64, reached: f64) -> Message {
         let message = self.message("motion-speed-axis", "motion-speed-tip").quantity("asked", asked, Unit::MmPerS, 3);
         message.quantity("reached", reached, Unit::MmPerS, 3)
@@ -89,7 +88,6 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
     slow.iter().map(|run| speed_finding(planned, run, pass, number, keepable)).collect()
 }
 
-/// True if the tip keeps the speed that `pass` asks for.
 pub(crate) fn keeps_speed(planned: Planned, pass: &Pass) -> bool {
     slow_runs(planned, pass, 1.0).is_empty()
 }
@@ -117,7 +115,7 @@ fn slow_runs(planned: Planned, pass: &Pass, times: f64) -> Vec<SlowRun> {
             _ => runs.push(Vec::new()),
         }
     }
-    let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
+    let changes = planned.joints.beside || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
     let slowest = |run: &[Interval]| run.iter().copied().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0));
     runs.retain(|run| {
         let reached = slowest(run).map_or(1.0, |interval| interval.reached.0);
@@ -197,10 +195,8 @@ fn slower_cure(keepable: Option<Keepable>, in_blend: bool) -> Message {
     }
 }
 
-/// A lower speed that every axis can keep everywhere.
 #[derive(Clone, Copy)]
 enum Keepable {
-    /// The speed, mm/s.
     Speed(f64),
     /// Fraction of the requested speeds.
     Part(f64),
@@ -251,7 +247,6 @@ fn between(planned: Planned, asked: &dyn Fn(f64) -> f64) -> Vec<Interval> {
     all
 }
 
-/// Reports legs too short to reach the requested speed.
 pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pass: usize) -> Vec<Finding> {
     let finding = |leg: &Leg| {
         let reached = planned.tip_speed_at(leg.run_up_end);
@@ -280,7 +275,6 @@ pub(crate) struct Runs {
     open: bool,
 }
 
-/// A stretch of the path with one complaint.
 pub(crate) struct Run {
     pub(crate) from: f64,
     pub(crate) to: f64,
@@ -314,7 +308,6 @@ impl Runs {
         self.open = true;
     }
 
-    /// True if the last station added had a complaint.
     pub(crate) fn is_open(&self) -> bool {
         self.open
     }
