@@ -35,14 +35,12 @@ pub enum FaceRule {
     /// second the plate. The wall faces to the right of the curve with the plate below (away from the inside of a
     /// counter-clockwise curve), or to the `left`.
     WallOnPlate { plate: DVec3, left: bool },
-    /// Both faces lie in one plane with this normal (a butt joint).
-    Flat { normal: DVec3 },
     /// The curve lies on a cylinder and both faces are its outside (a butt joint).
     Cylinder { about: DVec3, axis: DVec3 },
     /// The curve lies on a cylinder and a wall stands on it, square to it: first face the wall, second the cylinder.
     /// The wall faces to the right of the curve with the cylinder below, or to the `left`.
     WallOnCylinder { about: DVec3, axis: DVec3, left: bool },
-    /// Two flat faces with these normals.
+    /// Two flat faces with these normals, which are equal for a butt joint in one plane.
     Fixed { n1: DVec3, n2: DVec3 },
     /// Two faces that turn with an arc: the normals at its start, turned about its axis by the parameter.
     Turning { axis: DVec3, n1: DVec3, n2: DVec3 },
@@ -96,7 +94,6 @@ impl<C: Curve> Edge for CurvedEdge<C> {
                 let out = out_of_cylinder(jet.point - about, axis);
                 (wall(jet.d1, out, left), out)
             }
-            FaceRule::Flat { normal } => (normal, normal),
             FaceRule::Fixed { n1, n2 } => (n1, n2),
             FaceRule::Turning { axis, n1, n2 } => {
                 let turn = DQuat::from_axis_angle(axis, u);
