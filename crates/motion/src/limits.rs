@@ -179,19 +179,16 @@ fn speed_finding(planned: Planned, run: &SlowRun, pass: &Pass, number: usize, ke
 
 /// Operator action at a limit: a lower speed, if one helps, or to slow down at the limit; in a blend also a wider one.
 fn slower_cure(keepable: Option<Keepable>, in_blend: bool) -> Message {
-    match (keepable, in_blend) {
-        (Some(Keepable::Speed(v)), false) => Message::new("motion-cure-speed").quantity("speed", v, Unit::MmPerS, 3),
-        (Some(Keepable::Speed(v)), true) => {
-            Message::new("motion-cure-speed-or-blend").quantity("speed", v, Unit::MmPerS, 3)
+    let new = |outside, inside| Message::new(if in_blend { inside } else { outside });
+    match keepable {
+        Some(Keepable::Speed(v)) => {
+            new("motion-cure-speed", "motion-cure-speed-or-blend").quantity("speed", v, Unit::MmPerS, 3)
         }
-        (Some(Keepable::Part(part)), false) => {
-            Message::new("motion-cure-speed-part").quantity("part", 100.0 * part, Unit::Percent, 1)
+        Some(Keepable::Part(part)) => {
+            let cure = new("motion-cure-speed-part", "motion-cure-speed-part-or-blend");
+            cure.quantity("part", 100.0 * part, Unit::Percent, 1)
         }
-        (Some(Keepable::Part(part)), true) => {
-            Message::new("motion-cure-speed-part-or-blend").quantity("part", 100.0 * part, Unit::Percent, 1)
-        }
-        (None, false) => Message::new("motion-cure-slow"),
-        (None, true) => Message::new("motion-cure-slow-or-blend"),
+        None => new("motion-cure-slow", "motion-cure-slow-or-blend"),
     }
 }
 
