@@ -2,7 +2,6 @@
 
 use crate::drive::{Disturbance, Drive};
 use crate::error::Error;
-use crate::notch::Notch;
 use crate::parameters::DriveParameters;
 use crate::position_loop::{Gains, PositionLoop, SetPoint};
 
@@ -57,14 +56,6 @@ impl ServoAxis {
         Ok(Self { position_loop, drive: Drive::new(parameters, position_loop.period_s())? })
     }
 
-    /// Sends the speed command through `notch`.
-    ///
-    /// # Errors
-    /// That of [`PositionLoop::with_notch`].
-    pub fn with_notch(self, notch: Notch) -> Result<Self, Error> {
-        Ok(Self { position_loop: self.position_loop.with_notch(notch)?, ..self })
-    }
-
     /// Runs one servo period, from the set-point's instant to the next, under constant outside forces `disturbance`. A
     /// number is a force on the load (N or N m, positive towards positive positions).
     ///
@@ -85,14 +76,10 @@ impl ServoAxis {
         }
     }
 
-    /// Puts the axis at rest with its encoder at `position` (u), without disturbance and with cleared state.
-    pub fn settle_at(&mut self, position: f64) {
-        self.settle_loaded_at(position, 0.0);
-    }
-
-    /// Does the same as [`ServoAxis::settle_at`], with the drive already holding against `disturbance` (N or N m), such
-    /// as the weight of a vertical axis. The axis does not sag when it is stepped with the same disturbance.
-    pub fn settle_loaded_at(&mut self, position: f64, disturbance: f64) {
+    /// Puts the axis at rest with its encoder at `position` (u) and with cleared state, the drive already holding
+    /// against `disturbance` (N or N m), such as the weight of a vertical axis: stepped with the same disturbance it
+    /// does not sag.
+    pub fn settle_at(&mut self, position: f64, disturbance: f64) {
         self.position_loop.reset();
         self.drive.settle_at(position, disturbance);
     }

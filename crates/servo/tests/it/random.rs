@@ -46,10 +46,12 @@ proptest! {
         notch in prop::option::of((0.01..0.95, 0.0..1.0, 0.01..0.9)),
         sets in prop::collection::vec((-1e3..1e3, -1e3..1e3, -1e5..1e5, -1.0..1.0), 60),
     ) {
-        let mut axis = ServoAxis::new(Gains { kp, ki, kd, kvff, kaff }, max_speed, drive, period).unwrap();
+        let mut looped = PositionLoop::new(Gains { kp, ki, kd, kvff, kaff }, period, max_speed).unwrap();
         if let Some((frequency, depth, width)) = notch {
-            axis = axis.with_notch(Notch::new(frequency * 0.5 / period, depth, width * 0.5 / period, period).unwrap()).unwrap();
+            let notch = Notch::new(frequency * 0.5 / period, depth, width * 0.5 / period, period).unwrap();
+            looped = looped.with_notch(notch).unwrap();
         }
+        let mut axis = ServoAxis::with_loop(looped, drive).unwrap();
         let by_mass = 1000.0 / load.mass_kg; // mm/s^2 per N
         let (peak, friction) = (load.peak_force_n * by_mass, load.coulomb_n * by_mass);
         for (position, velocity, acceleration, push) in sets {
