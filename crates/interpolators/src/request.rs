@@ -60,9 +60,7 @@ impl Request {
     /// # Errors
     /// Any [`Error`]: the request is checked in full before the first point.
     pub fn interpolate(&self) -> Result<Interpolation, Error> {
-        let path = self.shape.path()?;
-        let length = path.length_mm()?;
-        self.check(&path, length)?;
+        let (path, length) = self.checked()?;
         let (step, period) = (self.step_mm(), self.period_s);
         Ok(match self.method {
             Method::Exact(equal) => Interpolation::new(path.clone(), Exact::new(&path, equal, step, period)?),
@@ -89,9 +87,7 @@ impl Request {
     /// # Errors
     /// As [`Request::interpolate`].
     pub fn tally(&self) -> Result<Tally, Error> {
-        let path = self.shape.path()?;
-        let length = path.length_mm()?;
-        self.check(&path, length)?;
+        let (path, length) = self.checked()?;
         Ok(Tally::new(path, length, self.period_s, (!self.method.is_pulse()).then(|| self.step_mm())))
     }
 
@@ -105,7 +101,10 @@ impl Request {
         Ok(tally.finish())
     }
 
-    fn check(&self, path: &Path, length: f64) -> Result<(), Error> {
+    /// The path and its length.
+    fn checked(&self) -> Result<(Path, f64), Error> {
+        let path = self.shape.path()?;
+        let length = path.length_mm()?;
         positive("motion-value-speed", self.speed_mm_s)?;
         positive("motion-value-period", self.period_s)?;
         let step = positive("motion-value-step", self.step_mm())?;
@@ -132,7 +131,7 @@ impl Request {
             let message = Message::new("motion-too-many-steps").text("steps", format!("{steps:.3e}"));
             return Err(Error(message.text("max", format!("{STEP_LIMIT:.0e}"))));
         }
-        Ok(())
+        Ok((path, length))
     }
 }
 

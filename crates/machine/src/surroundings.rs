@@ -234,13 +234,8 @@ impl<'a> Surroundings<'a> {
         let (from, to) = (self.links[a], self.links[b]);
         let different = links.links[from].axes.different(links.links[to].axes);
         let up = links.up(from).filter(move |axis| different.has(*axis));
-        let mut down: [usize; crate::chain::MAX_AXES] = [0; crate::chain::MAX_AXES];
-        let mut count = 0;
-        for axis in links.up(to).filter(|axis| different.has(*axis)) {
-            down[count] = axis;
-            count += 1;
-        }
-        up.chain((0..count).rev().map(move |i| down[i]))
+        let down: ArrayVec<usize, MAX_AXES> = links.up(to).filter(|axis| different.has(*axis)).collect();
+        up.chain(down.into_iter().rev())
     }
 }
 

@@ -169,9 +169,7 @@ impl<'a> Jog<'a> {
     /// Restarts at rest at positions `start`, without a command and with the full override. Returns false, with the jog
     /// unchanged, if they are out of range or not clear. No allocation, except on meshes.
     pub fn begin(&mut self, start: &Joints) -> bool {
-        let there = self.machine.axes.iter().zip(start).all(|(_, q)| q.is_finite());
-        let stands = there
-            && self.machine.outside(start).is_none()
+        let stands = check_positions(self.machine, start).is_ok()
             && self.monitor.as_mut().is_none_or(|monitor| monitor.holds_at(start));
         if stands {
             self.state = State::at_rest(start);
