@@ -121,14 +121,12 @@ impl Scene {
     }
 }
 
-/// A sample of the motion.
 #[derive(Debug, Clone, Copy)]
 struct Sample {
     s: f64,
     found: Evaluation,
 }
 
-/// Adaptive sampling of one watch.
 struct Walk<'a, M> {
     scene: &'a Scene,
     motion: &'a M,

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-/// An axis-aligned bounding box.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bounds {
     pub(crate) low: DVec3,
@@ -47,7 +46,6 @@ pub(crate) struct Node {
     pub(crate) count: u32,
 }
 
-/// Maximum number of items in a leaf.
 const LEAF: usize = 4;
 
 /// The tree over items with these boxes, root first, and the order of the items in its leaves. Halved at the median of

@@ -15,7 +15,6 @@ pub(crate) trait Convex {
     fn radius(&self) -> f64;
 }
 
-/// A triangle's corners.
 impl Convex for [DVec3; 3] {
     fn support(&self, direction: DVec3) -> DVec3 {
         let [a, b, c] = self.map(|p| p.dot(direction));

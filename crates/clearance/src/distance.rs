@@ -71,7 +71,6 @@ pub(crate) fn is_usable(frame: &DAffine3) -> bool {
     frame.is_finite() && frame.translation.abs().max_element() <= 1e9
 }
 
-/// A shape with its pose in a frame.
 #[derive(Clone, Copy)]
 pub(crate) struct Posed<'a> {
     pub(crate) shape: &'a Shape,
@@ -79,7 +78,6 @@ pub(crate) struct Posed<'a> {
 }
 
 impl<'a> Posed<'a> {
-    /// The shape of a solid at a pose of its own.
     pub(crate) fn new(solid: &'a Solid, pose: DAffine3) -> Self {
         Self { shape: solid.shape(), pose }
     }

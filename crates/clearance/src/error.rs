@@ -4,93 +4,42 @@ use seamwright_message::{Message, Unit, display_by_message};
 /// Maximum extent of a shape from its origin, mm: 10 km.
 pub(crate) const FARTHEST_MM: f64 = 1e7;
 
-/// Error of shapes, meshes and scenes.
+/// Error of shapes, meshes and scenes. Lengths are in mm.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum ClearanceError {
-    /// A size is not a finite number in its range.
-    Size {
-        /// Code of the size's name.
-        what: &'static str,
-        /// The value, mm.
-        value: f64,
-        /// Maximum, mm.
-        max: f64,
-    },
+    /// The size of this name (a code) is not a finite number in its range.
+    Size { what: &'static str, value: f64, max: f64 },
     /// A capsule is shorter than its two ends.
-    ShortCapsule {
-        /// Its length, mm.
-        length: f64,
-        /// Its radius, mm.
-        radius: f64,
-    },
+    ShortCapsule { length: f64, radius: f64 },
     /// A solid is too far from the origin of its group.
-    TooFar {
-        /// Its largest coordinate, mm.
-        value: f64,
-        /// Maximum, mm.
-        max: f64,
-    },
+    TooFar { value: f64, max: f64 },
     /// A pose scales, shears, mirrors or is not finite.
     NotRigid,
     /// The bytes are not an STL file.
     NotStl(Message),
     /// The STL file ends too early.
     CutShort(Message),
-    /// A corner's coordinate is not a finite number.
-    NotFinite {
-        /// Number of the triangle, from 1.
-        triangle: usize,
-    },
+    /// A corner's coordinate is not a finite number. Triangles count from 1.
+    NotFinite { triangle: usize },
     /// A corner is too far from the origin.
-    TooLarge {
-        /// Number of the triangle, from 1.
-        triangle: usize,
-        /// Its largest coordinate, mm.
-        farthest_mm: f64,
-    },
+    TooLarge { triangle: usize, farthest_mm: f64 },
     /// The mesh has no triangle with an area.
     NoTriangles,
-    /// The surface has holes or walls without thickness.
-    Open {
-        /// Number of edges that do not belong to exactly two triangles.
-        edges: usize,
-        /// Middle of the first of them, mm.
-        at: DVec3,
-    },
-    /// A watch names a group that the scene does not have.
-    NoSuchGroup {
-        /// Index of the watch.
-        watch: usize,
-        /// Index of the group.
-        group: usize,
-    },
+    /// The surface has holes or walls without thickness: edges without exactly two triangles, the middle of the first `at`.
+    Open { edges: usize, at: DVec3 },
+    /// A watch names a group that the scene does not have; both by index.
+    NoSuchGroup { watch: usize, group: usize },
     /// A watch without a meaningful distance: a group that must be bounded has a half-space.
-    Endless {
-        /// Index of the watch.
-        watch: usize,
-        /// Name of the group.
-        group: String,
-    },
+    Endless { watch: usize, group: String },
     /// A permitted zone of an invalid shape.
-    ZoneShape {
-        /// Index of the watch.
-        watch: usize,
-    },
+    ZoneShape { watch: usize },
     /// A permitted-zone watch without a zone.
-    NoZone {
-        /// Index of the watch.
-        watch: usize,
-    },
+    NoZone { watch: usize },
     /// An invalid minimum of a watch: a distance must be above 0 (overlapping bodies have 0), a margin finite.
-    Minimum {
-        /// Index of the watch.
-        watch: usize,
-    },
-    /// A limit of the sampling is not greater than 0.
-    Limit {
-        /// Code of the limit's name.
-        what: &'static str,
-    },
+    Minimum { watch: usize },
+    /// The limit of the sampling of this name (a code) is not greater than 0.
+    Limit { what: &'static str },
 }
 
 display_by_message!(ClearanceError);

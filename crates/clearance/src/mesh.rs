@@ -55,7 +55,6 @@ impl Mesh {
         (self.centre, self.reach)
     }
 
-    /// One corner of each piece of the surface.
     pub(crate) fn pieces(&self) -> &[DVec3] {
         &self.pieces
     }
@@ -79,7 +78,6 @@ impl Mesh {
         winding != 0
     }
 
-    /// The corner farthest along a direction.
     pub(crate) fn extreme(&self, direction: DVec3) -> DVec3 {
         self.greatest(|b| b.reach(direction), |p| p.dot(direction))
     }
@@ -188,7 +186,6 @@ impl Mesh {
     }
 }
 
-/// A search for the nearest triangle.
 struct Search<'a, C> {
     body: &'a C,
     limit: f64,

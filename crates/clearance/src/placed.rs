@@ -17,7 +17,6 @@ enum Core {
     Ellipsoid(DVec3),
 }
 
-/// A convex shape in a pose.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed {
     core: Core,
@@ -40,7 +39,6 @@ impl Placed {
         Some(Self { core, radius, pose })
     }
 
-    /// A point inside.
     pub(crate) fn inner_point(&self) -> DVec3 {
         let height = match self.core {
             Core::Segment(low, high) => (low + high) / 2.0,

@@ -18,27 +18,14 @@ pub struct Group {
 
 /// Condition between two groups.
 #[derive(Debug, Clone)]
+#[allow(missing_docs, reason = "groups are indices")]
 pub enum Watch {
-    /// Two groups keep clear of each other. A forbidden zone is the group `b` with the zone's solids.
-    Apart {
-        /// A group, by its index.
-        a: usize,
-        /// The other.
-        b: usize,
-        /// Minimum distance, mm; above 0, since overlapping bodies have distance 0.
-        least_mm: f64,
-    },
-    /// A group stays inside permitted zones: all of it inside at least one of them.
-    Inside {
-        /// The group, by its index.
-        group: usize,
-        /// Index of the group in whose frame the zones are given.
-        of: usize,
-        /// The zones: boxes, cylinders, spheres, half-spaces.
-        zones: Vec<Solid>,
-        /// Minimum margin to the zone's surface, mm.
-        least_mm: f64,
-    },
+    /// Two groups keep clear of each other by a distance above 0, since overlapping bodies have distance 0. A forbidden
+    /// zone is the group `b` with the zone's solids.
+    Apart { a: usize, b: usize, least_mm: f64 },
+    /// A group stays inside permitted zones, all of it inside at least one of them, by a margin to the zone's surface.
+    /// Zones are boxes, cylinders, spheres and half-spaces in the frame of the group `of`.
+    Inside { group: usize, of: usize, zones: Vec<Solid>, least_mm: f64 },
 }
 
 impl Watch {

@@ -5,45 +5,22 @@ use std::sync::Arc;
 
 /// A body in its own frame, mm. Everything inside its surface is solid.
 #[derive(Debug, Clone)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum Shape {
-    /// A box, centred on the origin, edges along the axes.
-    Box {
-        /// Full size along x, y and z.
-        size: DVec3,
-    },
+    /// A box of this full size, centred on the origin, edges along the axes.
+    Box { size: DVec3 },
     /// A sphere about the origin.
-    Sphere {
-        /// Radius.
-        radius: f64,
-    },
+    Sphere { radius: f64 },
     /// A cylinder about z that stands on the origin: from z = 0 to z = `length`.
-    Cylinder {
-        /// Radius.
-        radius: f64,
-        /// Length.
-        length: f64,
-    },
-    /// A truncated cone about z that stands on the origin: from z = 0 to z = `length`.
-    Cone {
-        /// Radius at z = 0.
-        radius: f64,
-        /// Radius at z = `length`; 0 for a pointed cone.
-        top_radius: f64,
-        /// Length.
-        length: f64,
-    },
-    /// A cylinder about z with half spheres as its ends; with them it goes from z = 0 to z = `length`.
-    Capsule {
-        /// Radius.
-        radius: f64,
-        /// Length over all, at least twice the radius.
-        length: f64,
-    },
+    Cylinder { radius: f64, length: f64 },
+    /// A truncated cone about z that stands on the origin: from z = 0 to z = `length`, where its radius is `top_radius`
+    /// (0 for a pointed cone).
+    Cone { radius: f64, top_radius: f64, length: f64 },
+    /// A cylinder about z with half spheres as its ends; with them it goes from z = 0 to z = `length`, at least twice
+    /// the radius.
+    Capsule { radius: f64, length: f64 },
     /// An ellipsoid about the origin, its axes along x, y and z.
-    Ellipsoid {
-        /// Semi-axes.
-        semi_axes: DVec3,
-    },
+    Ellipsoid { semi_axes: DVec3 },
     /// Everything with z <= 0.
     HalfSpace,
     /// The inside of a closed surface of triangles.

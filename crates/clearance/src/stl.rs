@@ -107,7 +107,6 @@ fn read_line(
     Ok(())
 }
 
-/// The three numbers of a corner.
 fn corner<'a>(words: impl Iterator<Item = &'a str>) -> Option<DVec3> {
     let numbers: Vec<f64> = words.map(|w| w.parse().ok()).collect::<Option<_>>()?;
     <[f64; 3]>::try_from(numbers).ok().map(DVec3::from_array)

@@ -68,6 +68,11 @@ impl<T> Document<T> {
         DocumentError { help: suggestion(name, known), ..error }
     }
 
+    /// An error as of [`Document::error_at`] without arguments: the codes of the fault and of what is allowed.
+    pub fn fault_at(&self, path: &str, fault: &'static str, allowed: &'static str) -> DocumentError {
+        self.error_at(path, Message::new(fault), Message::new(allowed))
+    }
+
     /// An error at the key `path` (like `tool[2].range_mm`), or at the nearest table above it that exists.
     pub fn error_at(&self, path: &str, message: impl Into<Message>, allowed: impl Into<Message>) -> DocumentError {
         let span = span_of(&self.text, path);

@@ -2,79 +2,26 @@ use seamwright_message::{Message, Unit, display_by_message};
 use seamwright_vision::FrameError as Shape;
 use std::path::Path;
 
-/// Reasons for a missing frame.
+/// Reasons for a missing frame. Frames count from 0, lines from 1; `what` is a file, a folder or an address.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum FrameError {
     /// A file or folder cannot be read or written, or a connection fails.
-    Io {
-        /// The file, folder or address.
-        what: String,
-        /// The reason.
-        why: Message,
-    },
+    Io { what: String, why: Message },
     /// A named file or folder is missing, of another kind, or not accessible.
-    Named {
-        /// The file or folder.
-        what: String,
-        /// The reason.
-        why: Message,
-    },
+    Named { what: String, why: Message },
     /// An invalid image.
-    Image {
-        /// The file.
-        file: String,
-        /// The defect.
-        why: Message,
-    },
+    Image { file: String, why: Message },
     /// An invalid list of frames.
-    List {
-        /// The list.
-        file: String,
-        /// Line, counted from 1.
-        line: usize,
-        /// The defect.
-        message: Message,
-        /// Allowed content.
-        allowed: Message,
-    },
+    List { file: String, line: usize, message: Message, allowed: Message },
     /// An invalid frame header.
-    Header {
-        /// Counted from 0.
-        frame: usize,
-        /// The header's field.
-        field: Field,
-        /// Its value.
-        found: Message,
-        /// Allowed values.
-        allowed: Message,
-    },
-    /// The stream ends within a frame.
-    Truncated {
-        /// Counted from 0.
-        frame: usize,
-        /// Header, axes or pixels.
-        part: Part,
-        /// Bytes there.
-        found: usize,
-        /// Bytes of that part.
-        wanted: usize,
-    },
+    Header { frame: usize, field: Field, found: Message, allowed: Message },
+    /// The stream ends within a part of a frame, with the bytes `found` of those `wanted`.
+    Truncated { frame: usize, part: Part, found: usize, wanted: usize },
     /// A time that is not finite, or not after the previous one.
-    Time {
-        /// Counted from 0.
-        frame: usize,
-        /// Its time, s.
-        t_s: f64,
-        /// Time of the previous frame, s.
-        before: Option<f64>,
-    },
+    Time { frame: usize, t_s: f64, before: Option<f64> },
     /// Invalid pixels.
-    Shape {
-        /// Counted from 0.
-        frame: usize,
-        /// The defect.
-        shape: Shape,
-    },
+    Shape { frame: usize, shape: Shape },
 }
 
 /// Field of a frame's header.

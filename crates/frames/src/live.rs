@@ -27,7 +27,6 @@ struct Shared {
 struct State {
     /// The newest frame and its time of arrival.
     newest: Option<(Instant, TimedFrame)>,
-    /// Reason for the end of the stream.
     ended: Option<FrameError>,
 }
 

@@ -10,14 +10,12 @@ use std::path::{Path, PathBuf};
 
 /// File name of the list of frames in their folder.
 pub const LIST: &str = "frames.csv";
-/// Column of the work's height.
 const HEIGHT: &str = "height_mm";
 /// Maximum list size, bytes.
 const LARGEST_LIST: u64 = 1 << 28;
 /// Maximum image file size, bytes.
 const LARGEST_IMAGE: u64 = 1 << 30;
 
-/// A row of the list.
 #[derive(Debug, Clone, PartialEq)]
 struct Row {
     file: String,

@@ -7,7 +7,6 @@ use std::io::{Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
 use std::time::Duration;
 
-/// First bytes of a frame.
 const MAGIC: &[u8; 4] = b"SWFR";
 /// Version of the header.
 pub const VERSION: u16 = 1;
@@ -84,7 +83,6 @@ impl<R: Read> FrameStream<R> {
         Ok(found)
     }
 
-    /// Reads a part of a frame, of `wanted` bytes.
     fn part(&mut self, part: Part, wanted: usize) -> Result<Vec<u8>, FrameError> {
         let mut bytes = Vec::new();
         while bytes.len() < wanted {
@@ -152,7 +150,6 @@ fn array<const N: usize>(bytes: &[u8]) -> [u8; N] {
     std::array::from_fn(|i| bytes.get(i).copied().unwrap_or(0))
 }
 
-/// A frame's header.
 struct Header {
     width: usize,
     height: usize,

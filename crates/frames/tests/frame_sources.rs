@@ -12,7 +12,6 @@ use std::time::Duration;
 
 const AXES: [&str; 2] = ["x", "w"];
 
-/// Frames of both depths, one without a height.
 fn frames() -> Vec<TimedFrame> {
     (0..4u16)
         .map(|i| {
@@ -90,7 +89,6 @@ fn a_socket_that_says_nothing_is_given_up() {
     assert!(FrameStream::connect("no-such-host.invalid:1", Duration::from_millis(100)).is_err());
 }
 
-/// Returns the first error of a stream of these bytes.
 fn refused(bytes: &[u8]) -> FrameError {
     let mut source = FrameStream::new(bytes, "test".to_owned());
     for _ in 0..100 {

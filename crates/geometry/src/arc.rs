@@ -8,7 +8,6 @@ use std::f64::consts::TAU;
 pub struct Arc {
     centre: DVec3,
     axis: DVec3,
-    /// From the centre to the start, mm.
     start: DVec3,
     sweep: f64,
 }
@@ -73,9 +72,6 @@ impl Arc {
 impl Curve for Arc {
     fn domain(&self) -> (f64, f64) {
         (0.0, self.sweep)
-    }
-    fn closed(&self) -> bool {
-        false
     }
     fn jet(&self, u: f64) -> Jet {
         let out = DQuat::from_axis_angle(self.axis, u) * self.start;

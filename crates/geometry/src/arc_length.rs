@@ -1,9 +1,3 @@
-//! Arc length of a curve and its inverse.
-//!
-//! The speed `|dp/du|` is a Chebyshev series on panels between the curve's breaks. Its integral is the arc length,
-//! again a series. The inverse is a second series, checked between its nodes. So both directions cost a table look-up
-//! and a short recurrence.
-
 use crate::chebyshev::{NODES, Series, nodes};
 use crate::curve::Curve;
 use crate::error::Error;

@@ -11,7 +11,6 @@ use crate::slopes::{End, periodic_slopes, slopes};
 pub struct CubicSpline {
     x: Vec<f64>,
     y: Vec<f64>,
-    /// Slopes at the knots.
     slope: Vec<f64>,
     period: Option<f64>,
 }

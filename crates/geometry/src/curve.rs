@@ -46,9 +46,6 @@ pub struct Jet {
 ///     fn domain(&self) -> (f64, f64) {
 ///         (0.0, 20.0)
 ///     }
-///     fn closed(&self) -> bool {
-///         false
-///     }
 ///     fn jet(&self, u: f64) -> Jet {
 ///         Jet {
 ///             point: DVec3::new(u, u * u / 40.0, 0.0),
@@ -70,7 +67,9 @@ pub trait Curve {
     fn domain(&self) -> (f64, f64);
 
     /// Returns true if the end joins the start, with equal derivatives unless there is a break.
-    fn closed(&self) -> bool;
+    fn closed(&self) -> bool {
+        false
+    }
 
     /// Evaluates the point and the exact first and second derivative at parameter `u`.
     ///

@@ -26,56 +26,24 @@ pub trait Edge: Curve {
     }
 }
 
-/// Rule for the faces' normals of a curve that lies in a plane, on a cylinder or is straight.
+/// Rule for the faces' normals of a curve that lies in a plane, on a cylinder or is straight. All directions are unit
+/// vectors, normals point outward, and `about` is a point on the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum FaceRule {
-    /// The curve lies in a plate with this outward unit normal and a wall rises from it along that normal: first
-    /// face the wall, second the plate. The wall faces to the right of the curve with the plate below: away from the
-    /// inside of a counter-clockwise curve.
-    WallOnPlate {
-        /// Outward unit normal of the plate.
-        plate: DVec3,
-        /// The wall faces to the left instead.
-        left: bool,
-    },
-    /// Both faces lie in one plane with this outward unit normal (a butt joint).
-    Flat {
-        /// Outward unit normal of both faces.
-        normal: DVec3,
-    },
+    /// The curve lies in a plate with this normal and a wall rises from it along that normal: first face the wall,
+    /// second the plate. The wall faces to the right of the curve with the plate below (away from the inside of a
+    /// counter-clockwise curve), or to the `left`.
+    WallOnPlate { plate: DVec3, left: bool },
     /// The curve lies on a cylinder and both faces are its outside (a butt joint).
-    Cylinder {
-        /// A point on the axis, mm.
-        about: DVec3,
-        /// Unit direction of the axis.
-        axis: DVec3,
-    },
+    Cylinder { about: DVec3, axis: DVec3 },
     /// The curve lies on a cylinder and a wall stands on it, square to it: first face the wall, second the cylinder.
-    /// The wall faces to the right of the curve with the cylinder below.
-    WallOnCylinder {
-        /// A point on the axis, mm.
-        about: DVec3,
-        /// Unit direction of the axis.
-        axis: DVec3,
-        /// The wall faces to the left instead.
-        left: bool,
-    },
-    /// Two flat faces with these outward unit normals.
-    Fixed {
-        /// First face.
-        n1: DVec3,
-        /// Second face.
-        n2: DVec3,
-    },
+    /// The wall faces to the right of the curve with the cylinder below, or to the `left`.
+    WallOnCylinder { about: DVec3, axis: DVec3, left: bool },
+    /// Two flat faces with these normals, which are equal for a butt joint in one plane.
+    Fixed { n1: DVec3, n2: DVec3 },
     /// Two faces that turn with an arc: the normals at its start, turned about its axis by the parameter.
-    Turning {
-        /// Unit axis of the arc.
-        axis: DVec3,
-        /// First face at the start.
-        n1: DVec3,
-        /// Second face at the start.
-        n2: DVec3,
-    },
+    Turning { axis: DVec3, n1: DVec3, n2: DVec3 },
 }
 
 /// A curve with a [`FaceRule`].
@@ -126,7 +94,6 @@ impl<C: Curve> Edge for CurvedEdge<C> {
                 let out = out_of_cylinder(jet.point - about, axis);
                 (wall(jet.d1, out, left), out)
             }
-            FaceRule::Flat { normal } => (normal, normal),
             FaceRule::Fixed { n1, n2 } => (n1, n2),
             FaceRule::Turning { axis, n1, n2 } => {
                 let turn = DQuat::from_axis_angle(axis, u);

@@ -3,134 +3,54 @@ use seamwright_message::{Message, Unit, display_by_message};
 /// Error in the construction of a geometric object. Angles are in rad, lengths in mm. Names of sizes, directions and
 /// sets of points are codes of messages.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum Error {
     /// A size must be finite and greater than zero.
-    Size {
-        /// Name of the size.
-        what: &'static str,
-        /// The value given.
-        value: f64,
-    },
-    /// A size must lie between two others.
-    Range {
-        /// Name of the size.
-        what: &'static str,
-        /// The value given, mm.
-        value: f64,
-        /// It must be more than this, mm.
-        min: f64,
-        /// It must be less than this, mm.
-        max: f64,
-    },
+    Size { what: &'static str, value: f64 },
+    /// A size must lie between two others, mm.
+    Range { what: &'static str, value: f64, min: f64, max: f64 },
     /// A direction has no length or is not finite.
-    Direction {
-        /// Name of the direction.
-        what: &'static str,
-    },
+    Direction { what: &'static str },
     /// Two directions that span a plane are parallel.
-    Parallel {
-        /// First direction.
-        first: &'static str,
-        /// Second direction.
-        second: &'static str,
-    },
+    Parallel { first: &'static str, second: &'static str },
     /// Every line of the tube's wall misses the body although its axis meets it.
     TubeLargerThanBody,
     /// The tube passes beside the body.
     TubeBesideBody,
-    /// Part of the tube's wall misses the body: the curve is not closed.
-    NotClosed {
-        /// Start of the angle range that misses, rad.
-        from: f64,
-        /// End of the angle range that misses, rad, greater than `from`.
-        to: f64,
-    },
-    /// Part of the tube's wall leaves a head over the end of its flange.
-    BeyondHead {
-        /// Start of the angle range beyond the end, rad.
-        from: f64,
-        /// End of the angle range, rad, greater than `from`.
-        to: f64,
-    },
-    /// The wall touches the body tangentially: the curve has a corner there.
-    Tangent {
-        /// Angle about the tube's axis, rad.
-        at: f64,
-    },
+    /// Part of the tube's wall misses the body, between these angles: the curve is not closed.
+    NotClosed { from: f64, to: f64 },
+    /// Part of the tube's wall leaves a head over the end of its flange, between these angles.
+    BeyondHead { from: f64, to: f64 },
+    /// The wall touches the body tangentially at this angle: the curve has a corner there.
+    Tangent { at: f64 },
     /// The tube's wall passes beside a body that trims it, above the body that it stands on: the curve would jump.
-    Beside {
-        /// Angle about the tube's axis, rad.
-        at: f64,
-    },
+    Beside { at: f64 },
     /// The tube's direction points into the body and never leaves it.
     NeverLeaves,
-    /// The length of a curve cannot be measured to the requested accuracy.
-    ArcLength {
-        /// Requested accuracy, mm.
-        accuracy_mm: f64,
-        /// Parameter where subdivision stopped.
-        at: f64,
-    },
+    /// The length of a curve cannot be measured to the requested accuracy; subdivision stopped at this parameter.
+    ArcLength { accuracy_mm: f64, at: f64 },
     /// Fewer points than a fit needs.
-    TooFewPoints {
-        /// Name of the set of points.
-        what: &'static str,
-        /// Number of points given.
-        given: usize,
-        /// Number needed.
-        min: usize,
-    },
+    TooFewPoints { what: &'static str, given: usize, min: usize },
     /// Points too close to one position to define the result.
-    OnePosition {
-        /// Name of the set of points.
-        what: &'static str,
-    },
+    OnePosition { what: &'static str },
     /// Points too close to one line to define the result.
-    OneLine {
-        /// Name of the set of points.
-        what: &'static str,
-    },
-    /// A circle touched over too small a part of it.
-    ShortArc {
-        /// Angle over which it was touched, rad.
-        touched: f64,
-        /// Angle needed, rad.
-        min: f64,
-    },
-    /// Attitudes too similar to determine the touched point.
-    Alike {
-        /// Largest angle between two of them, rad.
-        apart: f64,
-    },
+    OneLine { what: &'static str },
+    /// A circle touched over too small an angle.
+    ShortArc { touched: f64, min: f64 },
+    /// Attitudes too similar to determine the touched point: `apart` is the largest angle between two of them.
+    Alike { apart: f64 },
     /// A search for a rigid motion did not converge.
     NoFit,
     /// A column with another number of values than there are points.
-    Column {
-        /// Number of values.
-        values: usize,
-        /// Number of points.
-        points: usize,
-    },
-    /// A point that is not finite or too large.
-    Place {
-        /// Its index.
-        index: usize,
-    },
-    /// A piece of a chain does not start at the end of the one before.
-    Gap {
-        /// Index of the piece, counted from 0.
-        piece: usize,
-    },
+    Column { values: usize, points: usize },
+    /// The point of this index is not finite or too large.
+    Place { index: usize },
+    /// A piece of a chain, counted from 0, does not start at the end of the one before.
+    Gap { piece: usize },
     /// A direction turns too sharply between neighbouring points.
-    Turn {
-        /// Name of the direction.
-        what: &'static str,
-    },
-    /// Knots of a spline must increase strictly.
-    Knots {
-        /// First index that does not increase.
-        index: usize,
-    },
+    Turn { what: &'static str },
+    /// Knots of a spline must increase strictly: the first index that does not.
+    Knots { index: usize },
 }
 
 display_by_message!(Error);
@@ -181,7 +101,6 @@ fn name(what: &'static str) -> Message {
     Message::new(what)
 }
 
-/// An error of `what`.
 fn named(code: &'static str, what: &'static str) -> Message {
     Message::new(code).message("what", name(what))
 }
@@ -193,7 +112,6 @@ fn range(what: &'static str, value: f64, min: f64, max: f64) -> Message {
     if max.is_finite() { message.value("max", max, Unit::Mm) } else { message }
 }
 
-/// An error at an angle, rad.
 fn angle(code: &'static str, name: &'static str, angle: f64, decimals: u8) -> Message {
     Message::new(code).quantity(name, angle.to_degrees(), Unit::Deg, decimals)
 }
@@ -208,7 +126,6 @@ pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, Error> {
     if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::Size { what, value }) }
 }
 
-/// Unit vector along `v`.
 pub(crate) fn unit(what: &'static str, v: glam::DVec3) -> Result<glam::DVec3, Error> {
     v.try_normalize().filter(|u| u.is_finite()).ok_or(Error::Direction { what })
 }

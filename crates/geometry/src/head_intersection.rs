@@ -1,9 +1,3 @@
-//! Intersection of a tube with the head of a vessel.
-//!
-//! A head is convex, so a line leaves it at one point. Newton's method finds this point from outside, where it cannot
-//! overshoot. On the surface of each zone (dome, knuckle, cylinder) the curve is that of the zone, from border to
-//! border: the borders are `Curve::breaks`.
-
 use crate::curve::{Curve, Jet};
 use crate::edge::{Edge, EdgePoint};
 use crate::error::Error;
@@ -27,7 +21,6 @@ pub struct HeadIntersection {
     tube: Tube,
     head: Head,
     walls: Vec<Wall>,
-    /// The zone at each angle.
     pieces: Pieces,
 }
 
@@ -61,11 +54,6 @@ impl HeadIntersection {
     /// The tube.
     pub fn tube(&self) -> &Tube {
         &self.tube
-    }
-
-    /// The head.
-    pub fn head(&self) -> &Head {
-        &self.head
     }
 
     /// The point at which the wall's line at `phi` leaves the head, in any zone.

@@ -2,46 +2,22 @@ use crate::plane_map::{MapError, PlaneMap};
 use glam::{DVec2, DVec3};
 use seamwright_message::{Message, Unit, display_by_message};
 
-/// Error of a map between pixels and space.
+/// Error of a map between pixels and space. Rows count from 0, heights are in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum HeightError {
     /// An empty table.
     Empty,
     /// Heights that do not increase.
-    Order {
-        /// Index, counted from 0.
-        row: usize,
-        /// Its height, mm.
-        height: f64,
-    },
+    Order { row: usize, height: f64 },
     /// Rows of frames of different sizes.
-    Size {
-        /// Index, counted from 0.
-        row: usize,
-    },
-    /// Two rows too different for a valid map between them.
-    Between {
-        /// The lower row.
-        row: usize,
-        /// The cause.
-        why: MapError,
-    },
+    Size { row: usize },
+    /// A row and the next one are too different for a valid map between them.
+    Between { row: usize, why: MapError },
     /// A height outside the table.
-    Outside {
-        /// The requested height, mm.
-        height: f64,
-        /// The lowest row, mm.
-        low: f64,
-        /// The highest, mm.
-        high: f64,
-    },
+    Outside { height: f64, low: f64, high: f64 },
     /// A pixel beyond the fold of the distortion.
-    Folded {
-        /// Pixels to the right.
-        x: f64,
-        /// Pixels down.
-        y: f64,
-    },
+    Folded { x: f64, y: f64 },
 }
 
 display_by_message!(HeightError);

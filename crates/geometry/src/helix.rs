@@ -31,9 +31,6 @@ impl Curve for Helix {
     fn domain(&self) -> (f64, f64) {
         (0.0, self.end)
     }
-    fn closed(&self) -> bool {
-        false
-    }
     fn jet(&self, u: f64) -> Jet {
         let (sin, cos) = u.sin_cos();
         let t = &self.tube;

@@ -31,14 +31,8 @@ impl Homography {
     }
 
     /// The inverse map.
-    #[must_use]
     pub fn inverse(&self) -> Self {
         Self { matrix: self.matrix.inverse() }
-    }
-
-    /// The matrix `H`.
-    pub fn matrix(&self) -> DMat3 {
-        self.matrix
     }
 }
 

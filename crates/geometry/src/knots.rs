@@ -1,9 +1,6 @@
 use crate::error::Error;
 
 /// Positions and values of `points`, positions increasing; with a period the first point once more at its end.
-///
-/// # Errors
-/// [`Error::Knots`] if positions do not increase strictly, there is no point, or the points span a period or more.
 pub(crate) fn knots(points: &[(f64, f64)], period: Option<f64>) -> Result<(Vec<f64>, Vec<f64>), Error> {
     if let Some(index) = (1..points.len()).find(|&i| points[i].0 <= points[i - 1].0 || !points[i].0.is_finite()) {
         return Err(Error::Knots { index });

@@ -16,7 +16,7 @@
 //! | an implicit surface with gradient and Hessian; the distance from it | [`Quadric`], [`QuadricDistance`] |
 //! | the head of a vessel: quadrics and a [`Torus`] without a corner | [`Head`] |
 //! | the rigid motion that brings nominal geometry to measured points | [`fit`] |
-//! | systems of linear equations with few diagonals | [`numeric`] |
+//! | bisection, systems of linear equations with few diagonals | [`numeric`] |
 //! | pixels of a camera to mm on a plane, or in space | [`PlaneMap`], [`HeightTable`] |
 //!
 //! # Units and frames

@@ -25,9 +25,6 @@ impl Curve for Line {
     fn domain(&self) -> (f64, f64) {
         (0.0, self.length)
     }
-    fn closed(&self) -> bool {
-        false
-    }
     fn jet(&self, u: f64) -> Jet {
         Jet { point: self.start + u * self.direction, d1: self.direction, d2: DVec3::ZERO }
     }

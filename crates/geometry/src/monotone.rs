@@ -12,29 +12,17 @@ use crate::knots::knots;
 pub struct MonotoneCurve {
     x: Vec<f64>,
     y: Vec<f64>,
-    /// Slopes at the knots.
     slope: Vec<f64>,
     period: Option<f64>,
 }
 
 impl MonotoneCurve {
-    /// The curve through `points` (position, value), level at the first and last and constant beyond them.
+    /// The curve through `points` (position, value): level at the first and last and constant beyond them, or repeating
+    /// every `period`, within which the positions must lie.
     ///
     /// # Errors
-    /// [`Error::Knots`] if positions do not increase strictly or there is no point.
-    pub fn level(points: &[(f64, f64)]) -> Result<Self, Error> {
-        Self::build(points, None)
-    }
-
-    /// The curve through `points` that repeats every `period`; positions must lie within one period.
-    ///
-    /// # Errors
-    /// As [`MonotoneCurve::level`], and if the points span a period or more.
-    pub fn periodic(points: &[(f64, f64)], period: f64) -> Result<Self, Error> {
-        Self::build(points, Some(period))
-    }
-
-    fn build(points: &[(f64, f64)], period: Option<f64>) -> Result<Self, Error> {
+    /// [`Error::Knots`] if positions do not increase strictly, span a period or more, or there is no point.
+    pub fn new(points: &[(f64, f64)], period: Option<f64>) -> Result<Self, Error> {
         let (x, y) = knots(points, period)?;
         let slope = slopes(&x, &y, period.is_some());
         Ok(Self { x, y, slope, period })
@@ -110,10 +98,7 @@ mod tests {
         ) {
             let mut x = 0.0;
             let points: Vec<(f64, f64)> = steps.iter().map(|(d, y)| { x += d; (x, *y) }).collect();
-            let curve = match repeats {
-                true => MonotoneCurve::periodic(&points, x + 10.0).unwrap(),
-                false => MonotoneCurve::level(&points).unwrap(),
-            };
+            let curve = MonotoneCurve::new(&points, repeats.then_some(x + 10.0)).unwrap();
             for w in curve.knots().windows(2) {
                 let (l, r) = (curve.at(w[0]), curve.at(w[1]));
                 for k in 0..=20 {
@@ -131,9 +116,10 @@ mod tests {
 
     #[test]
     fn one_point_is_a_constant_and_two_are_the_quintic_step() {
-        assert!((MonotoneCurve::level(&[(3.0, 7.0)]).unwrap().at(100.0) - 7.0).abs() < 1e-15);
-        assert!((MonotoneCurve::periodic(&[(3.0, 7.0)], 10.0).unwrap().at(100.0) - 7.0).abs() < 1e-15);
-        let s = MonotoneCurve::level(&[(0.0, 0.0), (2.0, 1.0)]).unwrap();
+        for period in [None, Some(10.0)] {
+            assert!((MonotoneCurve::new(&[(3.0, 7.0)], period).unwrap().at(100.0) - 7.0).abs() < 1e-15);
+        }
+        let s = MonotoneCurve::new(&[(0.0, 0.0), (2.0, 1.0)], None).unwrap();
         let x: f64 = 0.3;
         assert!((s.at(2.0 * x) - x.powi(3) * (10.0 - 15.0 * x + 6.0 * x * x)).abs() < 1e-15);
         assert!((s.at(-5.0)).abs() < 1e-15 && (s.at(9.0) - 1.0).abs() < 1e-15);
@@ -141,14 +127,14 @@ mod tests {
 
     #[test]
     fn a_straight_row_stays_straight_inside() {
-        let s = MonotoneCurve::level(&[(0.0, 0.0), (1.0, 2.0), (3.0, 6.0), (4.0, 8.0)]).unwrap();
+        let s = MonotoneCurve::new(&[(0.0, 0.0), (1.0, 2.0), (3.0, 6.0), (4.0, 8.0)], None).unwrap();
         assert!((s.at(2.2) - 4.4).abs() < 1e-14);
     }
 
     #[test]
     fn bad_positions_are_refused() {
-        assert_eq!(MonotoneCurve::level(&[(0.0, 1.0), (0.0, 2.0)]), Err(Error::Knots { index: 1 }));
-        assert_eq!(MonotoneCurve::level(&[]), Err(Error::Knots { index: 0 }));
-        assert!(MonotoneCurve::periodic(&[(0.0, 1.0), (10.0, 2.0)], 10.0).is_err());
+        assert_eq!(MonotoneCurve::new(&[(0.0, 1.0), (0.0, 2.0)], None), Err(Error::Knots { index: 1 }));
+        assert_eq!(MonotoneCurve::new(&[], None), Err(Error::Knots { index: 0 }));
+        assert!(MonotoneCurve::new(&[(0.0, 1.0), (10.0, 2.0)], Some(10.0)).is_err());
     }
 }

@@ -1,5 +1,6 @@
 //! Closed curves cut into pieces at their crossings of borders, computed once.
 
+use crate::numeric::bisect;
 use crate::tube_intersection::{SAMPLES, minimum};
 use std::f64::consts::TAU;
 
@@ -13,7 +14,6 @@ pub(crate) const AT_BORDER_MM: f64 = 1e-9;
 const SHORTEST: f64 = 1e-5;
 
 impl Pieces {
-    /// One piece, all in `zone`.
     pub(crate) fn whole(zone: usize) -> Self {
         Self(vec![(0.0, zone)])
     }
@@ -57,7 +57,6 @@ impl Pieces {
         if self.0.len() > 1 { self.0.iter().map(|piece| piece.0).collect() } else { Vec::new() }
     }
 
-    /// The zone at an angle.
     pub(crate) fn zone(&self, phi: f64) -> usize {
         let phi = phi.rem_euclid(TAU);
         let after = self.0.partition_point(|piece| piece.0 <= phi);
@@ -66,7 +65,6 @@ impl Pieces {
         self.0[piece].1
     }
 
-    /// The middle of each piece, rad.
     pub(crate) fn middles(&self) -> Vec<f64> {
         let end = |i: usize| self.0.get(i + 1).map_or(self.0[0].0 + TAU, |piece| piece.0);
         self.0.iter().enumerate().map(|(i, piece)| 0.5 * (piece.0 + end(i))).collect()
@@ -92,12 +90,9 @@ fn crossing(from: (f64, f64), to: (f64, f64), f: &dyn Fn(f64) -> f64) -> Option<
     if (from.1 > AT_BORDER_MM) == (to.1 > AT_BORDER_MM) {
         return None;
     }
-    let (mut below, mut above) = if to.1 > AT_BORDER_MM { (from, to.0) } else { (to, from.0) };
+    let (below, above) = if to.1 > AT_BORDER_MM { (from, to.0) } else { (to, from.0) };
     // A curve that runs along the border has no single zero: use the threshold instead.
     let level = if below.1 <= 0.0 { 0.0 } else { AT_BORDER_MM };
-    for _ in 0..60 {
-        let middle = 0.5 * (below.0 + above);
-        if f(middle) > level { above = middle } else { below.0 = middle }
-    }
-    Some((0.5 * (below.0 + above)).rem_euclid(TAU))
+    let (above, below) = bisect(above, below.0, 60, |phi| f(phi) > level);
+    Some((0.5 * (below + above)).rem_euclid(TAU))
 }

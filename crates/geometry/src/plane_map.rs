@@ -3,7 +3,6 @@ use seamwright_message::{Message, Unit, display_by_message};
 
 /// Minimum and maximum mm per pixel.
 const SCALES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
-/// Maximum shear.
 const MAX_SHEAR: f64 = 0.9;
 /// Maximum relative change of a radius at the rim: beyond it the image folds or does not show a work plane.
 const MAX_BARREL: f64 = 0.25;
@@ -29,6 +28,7 @@ pub struct MapParameters {
 
 /// Error for invalid map parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum MapError {
     /// A scale outside the allowed range of mm per pixel.
     Scale(f64),
@@ -36,13 +36,8 @@ pub enum MapError {
     Shear(f64),
     /// A rotation that is not finite or exceeds half a turn.
     Rotation(f64),
-    /// The centre is far outside of the frame.
-    Centre {
-        /// Pixels to the right.
-        x: f64,
-        /// Pixels down.
-        y: f64,
-    },
+    /// The centre, in pixels to the right and down, is far outside of the frame.
+    Centre { x: f64, y: f64 },
     /// Distortion without an inverse over the whole frame.
     Barrel(f64),
 }

@@ -11,7 +11,6 @@ pub trait Surface {
     fn hessian(&self, p: DVec3) -> DMat3;
 }
 
-/// Outer product `u v^T`.
 fn outer(u: DVec3, v: DVec3) -> DMat3 {
     DMat3::from_cols(u * v.x, u * v.y, u * v.z)
 }
@@ -136,7 +135,6 @@ impl Quadric {
         if self.centre.is_finite() { Ok(self) } else { Err(Error::Direction { what: "geometry-body-position" }) }
     }
 
-    /// Terms common to all lines along `d`.
     pub(crate) fn line_along(&self, d: DVec3) -> LineAlong {
         let ad = self.a * d;
         LineAlong { ad, k2: d.dot(ad), bd: self.b.dot(d) }

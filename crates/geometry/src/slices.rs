@@ -116,7 +116,6 @@ mod tests {
         0.5 * (0..points.len()).map(|i| points[i].perp_dot(points[(i + 1) % points.len()])).sum::<f64>()
     }
 
-    /// The part of a polygon below a height, cut edge by edge (Sutherland and Hodgman).
     fn below(points: &[DVec2], up: DVec2, height: f64) -> f64 {
         let mut kept = Vec::new();
         for (i, a) in points.iter().enumerate() {

@@ -116,11 +116,6 @@ impl Spline {
         &self.knots
     }
 
-    /// First derivatives at the knots.
-    pub fn slopes(&self) -> &[DVec3] {
-        &self.slopes
-    }
-
     /// The piece that holds parameter `u`, counted from 1, and `u` within the domain of a closed curve.
     fn piece(&self, u: f64) -> (usize, f64) {
         let (first, last) = self.domain();

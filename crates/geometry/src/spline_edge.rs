@@ -1,9 +1,3 @@
-//! Faces along a spline.
-//!
-//! A cubic spline has jumps of its third derivative at the knots, so its tangent has jumps of the second derivative.
-//! Faces that turn with the tangent would give the axes a jump of acceleration. `Along` replaces the tangent: it is the
-//! spline through the tangents at the knots and at positions between them, and twice continuously differentiable.
-
 use crate::curve::{Curve, Jet};
 use crate::edge::{Edge, EdgePoint};
 use crate::error::Error;

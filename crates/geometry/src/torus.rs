@@ -13,7 +13,7 @@ pub struct Torus {
     centre: DVec3,
     axis: DVec3,
     ring: f64,
-    tube: f64,
+    pub(crate) tube: f64,
 }
 
 /// Maximum number of Newton steps: each step at least halves the error, even on a tangent line.
@@ -57,11 +57,6 @@ impl Torus {
         let distance = beyond.hypot(height);
         let (sin, cos) = if distance > 0.0 { (beyond / distance, height / distance) } else { (1.0, 0.0) };
         Seen { rho, out, distance, sin, cos }
-    }
-
-    /// Radius of the tube, mm.
-    pub fn tube_radius(&self) -> f64 {
-        self.tube
     }
 
     /// Height over `foot`, along the unit vector `d`, of the last point of a line on the torus; NaN if the line misses

@@ -38,16 +38,6 @@ impl TorusIntersection {
         Self { tube, torus, outer_half: true }
     }
 
-    /// The tube.
-    pub fn tube(&self) -> &Tube {
-        &self.tube
-    }
-
-    /// The torus.
-    pub fn torus(&self) -> &Torus {
-        &self.torus
-    }
-
     fn check(&self) -> Result<(), Error> {
         let e3 = self.tube.e3;
         let steepness = |phi: f64| {
@@ -65,7 +55,7 @@ impl TorusIntersection {
         for i in 0..SAMPLES {
             let (from, to) = (seen(i), seen(i + 1));
             let climbed = 0.5 * step * (from.1 + to.1);
-            if (to.0 - from.0 - climbed).abs() > 0.1 * self.torus.tube_radius() + climbed.abs() {
+            if (to.0 - from.0 - climbed).abs() > 0.1 * self.torus.tube + climbed.abs() {
                 return Err(Error::Tangent { at: (i as f64 + 0.5) * step });
             }
         }

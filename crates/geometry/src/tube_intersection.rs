@@ -1,12 +1,7 @@
-//! Intersection of a tube with a quadric body (INTERSECT-2006, generalised to any axis and any quadric).
-//!
-//! At each angle about the tube's axis the wall is a straight line. Its height over the foot is a root of a quadratic:
-//! the one where the body's implicit function `F` grows. Differentiating `F(p(phi)) = 0` gives exact derivatives. The
-//! sign of the quadratic's discriminant all around decides whether the tube leaves the body everywhere.
-
 use crate::curve::{Curve, Jet};
 use crate::edge::{Edge, EdgePoint};
 use crate::error::Error;
+use crate::numeric::bisect;
 use crate::quadric::{LineAlong, Quadric, Surface};
 use crate::tube::Tube;
 use glam::DVec3;
@@ -109,6 +104,10 @@ impl TubeIntersection {
 /// Checks that `margin` stays positive all around.
 pub(crate) fn check_margin(margin: &dyn Fn(f64) -> f64, axis_meets: bool) -> Result<(), Error> {
     let step = TAU / SAMPLES as f64;
+    let edge = |bad: f64, good: f64| {
+        let (good, bad) = bisect(good, bad, 60, |phi| margin(phi) > 0.0);
+        0.5 * (bad + good)
+    };
     let good: Vec<bool> = samples().map(|phi| margin(phi) > 0.0).collect();
     if good.iter().all(|g| !g) {
         return Err(if axis_meets { Error::TubeLargerThanBody } else { Error::TubeBesideBody });
@@ -117,8 +116,7 @@ pub(crate) fn check_margin(margin: &dyn Fn(f64) -> f64, axis_meets: bool) -> Res
         let run = (0..SAMPLES).take_while(|k| !good[(first_bad + k) % SAMPLES]).count();
         let start = first_bad as f64 * step;
         let end = start + (run - 1) as f64 * step;
-        let from = bisect(margin, start, start - step);
-        let to = bisect(margin, end, end + step);
+        let (from, to) = (edge(start, start - step), edge(end, end + step));
         return Err(if to - from < 1e-6 {
             Error::Tangent { at: 0.5 * (from + to) }
         } else {
@@ -132,8 +130,7 @@ pub(crate) fn check_margin(margin: &dyn Fn(f64) -> f64, axis_meets: bool) -> Res
         if m <= l && m <= r && m < 0.05 {
             let at = minimum(margin, (i as f64 - 1.0) * step, (i as f64 + 1.0) * step);
             if margin(at).is_nan() || margin(at) < -1e-12 {
-                let from = bisect(margin, at, at - step);
-                return Err(Error::NotClosed { from, to: bisect(margin, at, at + step) });
+                return Err(Error::NotClosed { from: edge(at, at - step), to: edge(at, at + step) });
             }
             if margin(at) < 1e-10 {
                 return Err(Error::Tangent { at: at.rem_euclid(TAU) });
@@ -145,15 +142,6 @@ pub(crate) fn check_margin(margin: &dyn Fn(f64) -> f64, axis_meets: bool) -> Res
 
 pub(crate) fn samples() -> impl Iterator<Item = f64> {
     (0..SAMPLES).map(|i| i as f64 * TAU / SAMPLES as f64)
-}
-
-/// The angle between `bad` (margin not positive) and `good` where the margin changes sign.
-fn bisect(margin: &dyn Fn(f64) -> f64, mut bad: f64, mut good: f64) -> f64 {
-    for _ in 0..60 {
-        let mid = 0.5 * (bad + good);
-        if margin(mid) > 0.0 { good = mid } else { bad = mid }
-    }
-    0.5 * (bad + good)
 }
 
 /// Golden-section search for the minimum of `f` in [a, b].

@@ -43,7 +43,6 @@ struct Zone {
     end: Border,
 }
 
-/// The surface of a zone.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Face {
     Quadric(Box<(Quadric, QuadricDistance)>),

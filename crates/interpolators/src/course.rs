@@ -7,7 +7,7 @@ use crate::grid::{Grid, leaving};
 /// pulses, one axis at a time. So a walk always ends on the lattice point nearest to the path's end.
 pub(crate) struct Course {
     pub(crate) grid: Grid,
-    at: [i64; 3],
+    pub(crate) at: [i64; 3],
     quadrant: u32,
     left: u32,
 }
@@ -17,22 +17,13 @@ pub(crate) fn walk(
     grid: Grid,
     rule: fn(&Course) -> Option<[i64; 3]>,
 ) -> impl Iterator<Item = (u64, [i64; 3])> + Send + 'static {
-    let mut course = Course::new(grid);
-    let start = (0, course.at());
+    let mut course = Course { at: grid.start, quadrant: leaving(grid.start), left: grid.crossings, grid };
+    let start = (0, course.at);
     let pulses = (1..).map_while(move |clock| rule(&course).map(|pulse| (clock, course.pulse(pulse))));
     std::iter::once(start).chain(pulses)
 }
 
 impl Course {
-    pub(crate) fn new(grid: Grid) -> Self {
-        Self { at: grid.start, quadrant: leaving(grid.start), left: grid.crossings, grid }
-    }
-
-    /// Current position, pulses.
-    pub(crate) fn at(&self) -> [i64; 3] {
-        self.at
-    }
-
     /// Direction of the pulses of x and y in this quadrant.
     pub(crate) fn signs(&self) -> (i64, i64) {
         match self.quadrant {
@@ -50,8 +41,7 @@ impl Course {
         (self.left > 0 || (end[0] - self.at[0]) * sx > 0, self.left > 0 || (end[1] - self.at[1]) * sy > 0)
     }
 
-    /// Makes a pulse and returns the new position.
-    pub(crate) fn pulse(&mut self, pulse: [i64; 3]) -> [i64; 3] {
+    fn pulse(&mut self, pulse: [i64; 3]) -> [i64; 3] {
         for (at, by) in self.at.iter_mut().zip(pulse) {
             *at += by;
         }

@@ -26,7 +26,7 @@ const QUOTIENT_BITS: u32 = 20;
 /// the short axis is added, enlarged by the ratio of the axes. Neither the end nor the start of a full turn is met.
 /// This error belongs to the method and is not corrected.
 pub(crate) struct Dda {
-    grid: Grid,
+    pub(crate) grid: Grid,
     saddle: bool,
     /// Integrand of x by -y and of y by x.
     by_y: i128,
@@ -35,14 +35,15 @@ pub(crate) struct Dda {
     register: [i128; 3],
     at: [i64; 3],
     clock: u64,
-    clocks: u64,
+    /// Clocks for the whole path.
+    pub(crate) clocks: u64,
     started: bool,
 }
 
 impl Dda {
     pub(crate) fn new(path: &Path, pulse_mm: f64) -> Self {
         let grid = Grid::new(path, pulse_mm);
-        let saddle = matches!(path.base(), crate::path::Base::Saddle { .. });
+        let saddle = matches!(&path.base, crate::path::Base::Saddle { .. });
         let (by_y, by_x) = if saddle { (1 << QUOTIENT_BITS, 1 << QUOTIENT_BITS) } else { grid.squares() };
         let (a, b) = path.plan_axes();
         let largest = |mm: f64| (mm / pulse_mm).ceil() as i128 + 2;
@@ -51,15 +52,6 @@ impl Dda {
         let clocks = (path.domain().1 / du).round().max(1.0) as u64;
         let at = grid.start;
         Self { grid, saddle, by_y, by_x, range, register: [range / 2; 3], at, clock: 0, clocks, started: false }
-    }
-
-    pub(crate) fn grid(&self) -> &Grid {
-        &self.grid
-    }
-
-    /// Clocks for the whole path.
-    pub(crate) fn clocks(&self) -> u64 {
-        self.clocks
     }
 
     fn integrands(&self) -> [i128; 3] {
@@ -109,14 +101,9 @@ impl Iterator for Dda {
 mod tests {
     use super::*;
     use crate::method::Method;
-    use crate::request::Request;
     use crate::shape::Shape;
-    use crate::testing::Random;
+    use crate::testing::{Random, pulses};
     use glam::DVec2;
-
-    fn request(shape: Shape, pulse_mm: f64) -> Request {
-        Request { shape, method: Method::Dda, speed_mm_s: 0.1, period_s: 0.1, pulse_mm }
-    }
 
     fn circle(radius: f64) -> Shape {
         let start_mm = DVec2::new(radius, 0.0);
@@ -128,11 +115,10 @@ mod tests {
         assert_eq!([1, 2, 3, 4, 5, 1024, 1025].map(needed_bits), [0, 1, 2, 2, 3, 10, 11]);
     }
 
-    /// The radius n grows by pi n / 2^w pulses a turn by Euler's method; rounding may add one pulse.
     #[test]
     fn a_circle_spirals_outwards_as_derived() {
         for n in [300.0f64, 500.0, 510.0, 1000.0, 1020.0, 4000.0, 20000.0, 32700.0] {
-            let last = request(circle(n), 1.0).interpolate().unwrap().last().unwrap();
+            let last = pulses(Method::Dda, circle(n), 1.0).interpolate().unwrap().last().unwrap();
             let range = ((n + 2.0).log2().ceil()).exp2();
             let drift = last.position.length() - n;
             let derived = std::f64::consts::PI * n / range;
@@ -148,10 +134,7 @@ mod tests {
             let saddle = i % 3 == 0;
             let shape = if saddle { random.saddle(2.0, 20.0, 0.9) } else { random.ellipse(0.5, 20.0) };
             let pulse = random.log(0.005, 0.1);
-            let run = match request(shape, pulse).interpolate() {
-                Ok(run) => run,
-                Err(_) => continue,
-            };
+            let Ok(run) = pulses(Method::Dda, shape, pulse).interpolate() else { continue };
             let path = run.path().clone();
             let duration = path.length_mm().unwrap() / 0.1;
             let worst = if saddle { &mut worst_saddle } else { &mut worst };
@@ -169,7 +152,6 @@ mod tests {
             assert!(off < 25.0, "{shape:?} {pulse}: {off}");
             assert!(last.t_s <= duration * (1.0 + 1e-12));
         }
-        println!("dda: worst {worst} pulses, saddle {worst_saddle}");
         assert!(worst < 8.0 && worst_saddle < 15.0);
     }
 }

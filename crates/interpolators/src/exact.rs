@@ -186,7 +186,6 @@ mod tests {
             }
             last = Some(p);
         }
-        println!("worst step of a long path: {worst:e}");
         assert!(steps > 1e5 && worst < 1e-14 * 2.27e6, "{worst}");
     }
 

@@ -37,7 +37,7 @@ impl Grid {
         let count = |mm: f64| (mm / pulse_mm * f64::from(1u32 << fraction)).round() as i128;
         let (a, b) = path.plan_axes();
         let (a2, b2) = (count(a).pow(2), count(b).pow(2));
-        let shell = match path.base() {
+        let shell = match &path.base {
             Base::Ellipse { .. } => None,
             Base::Saddle { shell, .. } => Some((count(*shell).pow(2), count(*shell).pow(2) - a2)),
         };
@@ -52,7 +52,6 @@ impl Grid {
         Self { pulse_mm, mirror, fraction, a2, b2, constant, shell, start, end, crossings }
     }
 
-    /// A lattice point's position, mm.
     pub(crate) fn position(&self, at: [i64; 3]) -> DVec3 {
         DVec3::new(at[0] as f64, (self.mirror * at[1]) as f64, at[2] as f64) * self.pulse_mm
     }

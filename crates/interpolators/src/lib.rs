@@ -21,7 +21,6 @@ mod nearest;
 mod path;
 mod point;
 mod point_by_point;
-mod pulse_points;
 mod request;
 mod shape;
 mod spread;

@@ -23,7 +23,7 @@ impl Path {
     /// samples over the window that must contain it, improved by the same method. The distance is exact to the rounding
     /// of coordinates.
     pub fn nearest(&self, p: DVec3) -> Nearest {
-        let u = match self.base() {
+        let u = match &self.base {
             Base::Ellipse { a, b, .. } => nearest_on_ellipse(*a, *b, p.truncate()),
             Base::Saddle { nozzle, .. } => self.nearest_on_saddle(*nozzle, p),
         };
@@ -117,7 +117,6 @@ mod tests {
     use crate::shape::Shape;
     use crate::testing::Random;
 
-    /// Smallest distance over 4000 samples and their refinement by golden section.
     fn brute(path: &Path, p: DVec3) -> f64 {
         let n = 4000;
         let at = |i: i32| TAU * f64::from(i) / f64::from(n);

@@ -2,7 +2,6 @@ use crate::error::Error;
 use glam::DVec3;
 use seamwright_geometry::{ByLength, Curve, Ellipse, Jet, TubeIntersection};
 
-/// The closed curve of a path.
 #[derive(Debug, Clone)]
 #[allow(clippy::large_enum_variant, reason = "there is one a path")]
 pub(crate) enum Base {
@@ -19,9 +18,8 @@ pub(crate) enum Base {
 /// angle travelled since the start, from 0 to [`Path::span_rad`].
 #[derive(Debug, Clone)]
 pub struct Path {
-    base: Base,
+    pub(crate) base: Base,
     start: f64,
-    /// +1 or -1.
     direction: f64,
     span: f64,
 }
@@ -29,14 +27,6 @@ pub struct Path {
 impl Path {
     pub(crate) fn new(base: Base, start: f64, direction: f64, span: f64) -> Self {
         Self { base, start, direction, span }
-    }
-
-    pub(crate) fn base(&self) -> &Base {
-        &self.base
-    }
-
-    pub(crate) fn into_base(self) -> Base {
-        self.base
     }
 
     /// Angle at the start, rad.
@@ -76,7 +66,6 @@ impl Path {
         Ok(ByLength::new(self.clone(), accuracy_mm)?)
     }
 
-    /// Angle after `travelled` rad.
     pub(crate) fn angle(&self, travelled: f64) -> f64 {
         self.start + self.direction * travelled
     }
@@ -113,9 +102,6 @@ impl Path {
 impl Curve for Path {
     fn domain(&self) -> (f64, f64) {
         (0.0, self.span)
-    }
-    fn closed(&self) -> bool {
-        false
     }
     fn jet(&self, travelled: f64) -> Jet {
         let jet = self.jet_at(self.angle(travelled));

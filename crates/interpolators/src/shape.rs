@@ -89,7 +89,7 @@ fn ellipse(a: f64, b: f64, start: DVec2, end: Option<DVec2>, clockwise: bool) ->
             if !(SAME_POINT_RAD..=TAU - SAME_POINT_RAD).contains(&span) { TAU } else { span }
         }
     };
-    Ok(Path::new(whole.into_base(), from, direction, span))
+    Ok(Path::new(whole.base, from, direction, span))
 }
 
 /// Eccentric angle of a point that should lie on the ellipse, in (-pi, pi]; else the error `off`.

@@ -2,7 +2,6 @@ use crate::path::Path;
 use crate::point::Point;
 use crate::spread::{Moments, Spread};
 
-/// Samples of the curve between two interpolated points.
 const BETWEEN: usize = 7;
 
 /// Statistics of an interpolation; the same for every method, for comparison.

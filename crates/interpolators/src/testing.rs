@@ -1,8 +1,14 @@
+use crate::method::Method;
 use crate::path::Path;
+use crate::request::Request;
 use crate::shape::Shape;
 use glam::DVec2;
 use seamwright_geometry::Curve;
 use std::f64::consts::TAU;
+
+pub(crate) fn pulses(method: Method, shape: Shape, pulse_mm: f64) -> Request {
+    Request { shape, method, speed_mm_s: 0.1, period_s: 0.1, pulse_mm }
+}
 
 /// A small seeded generator (Knuth's 64-bit linear congruence), so that tests repeat.
 pub(crate) struct Random(u64);

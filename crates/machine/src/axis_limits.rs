@@ -17,31 +17,23 @@ impl AxisLimits {
     pub const NONE: Self = Self { speed: f64::INFINITY, acceleration: f64::INFINITY, jerk: f64::INFINITY };
 
     /// All limits times `factor`.
-    #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
         let Self { speed, acceleration, jerk } = self;
         Self { speed: factor * speed, acceleration: factor * acceleration, jerk: factor * jerk }
     }
 
     /// All limits divided by `divisor`.
-    #[must_use]
     pub fn divided(self, divisor: f64) -> Self {
         let Self { speed, acceleration, jerk } = self;
         Self { speed: speed / divisor, acceleration: acceleration / divisor, jerk: jerk / divisor }
     }
 
     /// The lower one of each limit.
-    #[must_use]
     pub fn min(self, other: Self) -> Self {
         Self {
             speed: self.speed.min(other.speed),
             acceleration: self.acceleration.min(other.acceleration),
             jerk: self.jerk.min(other.jerk),
         }
-    }
-
-    /// Speed, acceleration and jerk.
-    pub fn to_array(self) -> [f64; 3] {
-        [self.speed, self.acceleration, self.jerk]
     }
 }

@@ -59,7 +59,6 @@ impl FromIterator<usize> for AxisSet {
 /// The motion of one axis, seen in the work frame with all axes at zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Screw {
-    /// Index of the axis in the machine file.
     pub(crate) axis: usize,
     pub(crate) kind: AxisKind,
     /// Unit direction of positive motion or turn of the torch relative to the work.
@@ -89,7 +88,6 @@ pub(crate) struct Turn {
 impl Turn {
     pub(crate) const NONE: Self = Self { sin: 0.0, cos: 1.0 };
 
-    /// The turn by `angle`, rad.
     pub(crate) fn by(angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self { sin, cos }
@@ -106,7 +104,6 @@ impl Turn {
         self.sin.atan2(self.cos)
     }
 
-    /// The inverse turn.
     pub(crate) fn back(self) -> Self {
         Self { sin: -self.sin, ..self }
     }
@@ -131,7 +128,6 @@ impl Turn {
 pub(crate) type Turns = [Turn; MAX_AXES];
 
 impl Screw {
-    /// A point turned about a rotary axis.
     pub(crate) fn turn_point(&self, turn: Turn, p: DVec3) -> DVec3 {
         self.at + turn.of(self.direction, p - self.at)
     }

@@ -22,7 +22,6 @@ pub struct CollisionMonitor<'a> {
     frames: Vec<DAffine3>,
 }
 
-/// State of one watch.
 #[derive(Debug)]
 struct Watched {
     least_mm: f64,

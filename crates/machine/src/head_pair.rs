@@ -22,7 +22,6 @@ impl Pair {
         Some(Self { carrier: FrameInverse::new(&first.chain, shared)?, shared })
     }
 
-    /// Adds every branch.
     pub(crate) fn solve(
         &self,
         heads: &[Head],

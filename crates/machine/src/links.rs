@@ -46,7 +46,6 @@ pub struct LinkJoint {
 pub struct Links {
     pub(crate) links: Vec<Link>,
     pub(crate) frames: Vec<NamedFrame>,
-    /// Index of the link that is the machine's base.
     pub(crate) base: usize,
     /// The base frame in the work frame with all axes at zero.
     pub(crate) base_zero: DAffine3,
@@ -79,7 +78,6 @@ impl Links {
         self.links[i].parent.map(joint)
     }
 
-    /// The next link towards the work from link `i`.
     pub(crate) fn parent(&self, i: usize) -> Option<usize> {
         self.links[i].parent.map(|(parent, _)| parent)
     }

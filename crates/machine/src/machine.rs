@@ -5,8 +5,9 @@ use crate::cell::{InterlockFile, Source};
 use crate::chain::{AxisSet, Joints, MAX_AXES};
 use crate::devices::MachineDevices;
 use crate::file::{ControlsFile, Io, MachineFile};
+use crate::inverse;
 use crate::head_pair::Pair;
-use crate::inverse::{self, Branches, Inverse, PairFault, Solution, Unreachable, Which};
+use crate::inverse::{Branches, Inverse, PairFault, Query, Solution, Unreachable, Which};
 use crate::lever::{Lever, PITCH, travel};
 use crate::links::{LinkFrames, Links};
 use crate::sensor::Sensor;
@@ -109,7 +110,6 @@ impl Machine {
     }
 
     /// The same machine with head `head` as the first, to which poses refer.
-    #[must_use]
     pub fn with_first_head(mut self, head: usize) -> Self {
         self.heads.swap(0, head);
         self
@@ -117,7 +117,6 @@ impl Machine {
 
     /// The same machine with every axis' speed, acceleration and jerk reduced by the fraction `reserve`, which planning
     /// leaves to corrections.
-    #[must_use]
     pub fn with_reserve(&self, reserve: f64) -> Self {
         let mut machine = self.clone();
         for axis in &mut machine.axes {
@@ -279,18 +278,10 @@ impl Machine {
         near: &Joints,
         starts: &[Joints],
     ) -> Result<Branches, Unreachable> {
-        let target = target.into();
-        let head = &self.heads[0];
-        if target.second.is_some() || !head.is_numeric() {
-            return self.inverse(target, near);
-        }
         let mut branches = Branches::default();
         let truly: ArrayVec<Joints, MAX_STARTS> =
             starts.iter().take(MAX_STARTS).map(|start| self.true_positions(start)).collect();
-        let true_near = self.true_positions(near);
-        head.inverse.solve_from(&head.chain, &target.first, &true_near, &truly, &mut branches)?;
-        self.let_idle(&mut branches, &true_near);
-        self.as_indicated(&mut branches, near);
+        self.inverse_into(&target.into(), near, Which::From(&truly), &mut branches)?;
         Ok(branches)
     }
 
@@ -314,12 +305,12 @@ impl Machine {
     /// The reason why no branch exists.
     pub fn inverse(&self, target: impl Into<Target>, near: &Joints) -> Result<Branches, Unreachable> {
         let mut branches = Branches::default();
-        self.inverse_into(&target.into(), &self.true_positions(near), Which::All, &mut branches)?;
-        self.as_indicated(&mut branches, near);
+        self.inverse_into(&target.into(), near, Which::All, &mut branches)?;
         Ok(branches)
     }
 
-    /// Solves at true positions.
+    /// Solves at true positions, and converts the solutions to indicated ones, each within half a true turn of `near`:
+    /// a pitch-error table need not be periodic.
     fn inverse_into(
         &self,
         target: &Target,
@@ -327,32 +318,24 @@ impl Machine {
         which: Which,
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
-        let Some(second) = &target.second else {
-            let head = &self.heads[0];
-            head.inverse.solve(&head.chain, &target.first, near, which, branches)?;
-            self.let_idle(branches, near);
-            return Ok(());
-        };
-        let pair = self.pair.as_ref().ok_or(Unreachable::Pair(PairFault::Axes))?;
-        pair.solve(&self.heads, [&target.first, second], near, branches)
-    }
-
-    /// Keeps axes that do not carry the first head at their positions of `near`.
-    fn let_idle(&self, branches: &mut Branches, near: &Joints) {
-        let idle = (0..self.axes.len()).filter(|&axis| !self.heads[0].chain.axes().has(axis));
-        idle.for_each(|axis| branches.iter_mut().for_each(|s| s.joints[axis] = near[axis]));
-    }
-
-    /// Converts true to indicated positions, each within half a true turn of `near`: a pitch-error table need not be
-    /// periodic.
-    fn as_indicated(&self, branches: &mut Branches, near: &Joints) {
-        let near = self.true_positions(near);
+        let near = &self.true_positions(near);
+        if let Some(second) = &target.second {
+            let pair = self.pair.as_ref().ok_or(Unreachable::Pair(PairFault::Axes))?;
+            pair.solve(&self.heads, [&target.first, second], near, branches)?;
+        } else {
+            let Head { chain, inverse, .. } = &self.heads[0];
+            inverse.solve(Query { chain, pose: &target.first, near, which }, branches)?;
+            // Axes that do not carry the first head keep their positions.
+            let idle = (0..self.axes.len()).filter(|&axis| !chain.axes().has(axis));
+            idle.for_each(|axis| branches.iter_mut().for_each(|s| s.joints[axis] = near[axis]));
+        }
         for solution in branches.iter_mut() {
-            for (axis, (value, near)) in self.axes.iter().zip(solution.joints.iter_mut().zip(&near)) {
+            for (axis, (value, near)) in self.axes.iter().zip(solution.joints.iter_mut().zip(near)) {
                 *value = axis.turn_near(*value, *near);
             }
             self.indicated(&mut solution.joints);
         }
+        Ok(())
     }
 
     /// The branch nearest to `near`, by the angles of the rotary axes if these decide it.
@@ -361,23 +344,13 @@ impl Machine {
     /// As [`Machine::inverse`].
     pub fn inverse_near(&self, target: impl Into<Target>, near: &Joints) -> Result<Solution, Unreachable> {
         let mut branches = Branches::default();
-        self.inverse_into(&target.into(), &self.true_positions(near), Which::Nearest, &mut branches)?;
-        self.as_indicated(&mut branches, near);
-        if branches.len() == 1 {
-            return Ok(branches[0]);
-        }
+        self.inverse_into(&target.into(), near, Which::Nearest, &mut branches)?;
         let distance = |s: &Solution| -> f64 {
             let steps = self.axes.iter().zip(s.joints.iter().zip(near));
             steps.map(|(axis, (a, b))| ((a - b) / axis.max_speed).powi(2)).sum()
         };
-        let (mut best, mut least) = (0, f64::INFINITY);
-        for (i, solution) in branches.iter().enumerate() {
-            let distance = distance(solution);
-            if distance < least {
-                (best, least) = (i, distance);
-            }
-        }
-        Ok(branches[best])
+        let nearest = branches.iter().map(|s| (distance(s), s)).min_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(nearest.map_or(branches[0], |(_, solution)| *solution))
     }
 
     /// The branches within all ranges, nearest to `near` first, rotary axes turned by whole turns as needed. If no

@@ -29,20 +29,15 @@ pub struct Surroundings<'a> {
     scene: Scene,
     /// The link of each group of the scene.
     links: Vec<usize>,
-    /// The kind of each group of the scene.
     kinds: Vec<Kind>,
     /// A sphere around each group's solids: centre in the work frame with all axes at zero, and radius.
     spheres: Vec<(DVec3, f64)>,
 }
 
-/// Kind of a group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// A link of the machine.
     Link,
-    /// The part.
     Part,
-    /// The fixtures.
     Fixtures,
     /// A forbidden zone, by its index.
     Forbidden(usize),
@@ -239,13 +234,8 @@ impl<'a> Surroundings<'a> {
         let (from, to) = (self.links[a], self.links[b]);
         let different = links.links[from].axes.different(links.links[to].axes);
         let up = links.up(from).filter(move |axis| different.has(*axis));
-        let mut down: [usize; crate::chain::MAX_AXES] = [0; crate::chain::MAX_AXES];
-        let mut count = 0;
-        for axis in links.up(to).filter(|axis| different.has(*axis)) {
-            down[count] = axis;
-            count += 1;
-        }
-        up.chain((0..count).rev().map(move |i| down[i]))
+        let down: ArrayVec<usize, MAX_AXES> = links.up(to).filter(|axis| different.has(*axis)).collect();
+        up.chain(down.into_iter().rev())
     }
 }
 
@@ -277,7 +267,6 @@ fn around(solids: &[Solid]) -> (DVec3, f64) {
     (centre, spheres.iter().map(|s| s.0.distance(centre) + s.1).fold(0.0, f64::max))
 }
 
-/// Builder of the scene.
 struct Build<'a> {
     machine: &'a Machine,
     groups: Vec<Group>,

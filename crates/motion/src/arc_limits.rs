@@ -5,6 +5,7 @@ use crate::planned::Planned;
 use crate::speed_findings::Binding;
 use crate::speed_profile::{Bound, Interval};
 use crate::stretch::Stretch;
+use seamwright_geometry::numeric::bisect;
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{AtCorner, Finding, Pass, PathRange};
@@ -12,7 +13,6 @@ use seamwright_program::{AtCorner, Finding, Pass, PathRange};
 /// Relative tolerance of the comparison with the procedure's minimum speed.
 const ROUNDING: f64 = 1e-9;
 
-/// A stretch of the path on which the tip is too slow.
 struct Slow {
     from: f64,
     to: f64,
@@ -104,15 +104,9 @@ fn slow_between(planned: Planned, between: Stretch, least: f64) -> Vec<Slow> {
 
 /// Path length at which the speed crosses `least` between `slow`, where it is lower, and `fast`; `fast` if it is lower
 /// there too.
-fn crossing(planned: Planned, mut slow: f64, mut fast: f64, least: f64) -> f64 {
-    if too_slow(planned.tip_speed_at(fast), least) {
-        return fast;
-    }
-    for _ in 0..60 {
-        let middle = 0.5 * (slow + fast);
-        if too_slow(planned.tip_speed_at(middle), least) { slow = middle } else { fast = middle }
-    }
-    slow
+fn crossing(planned: Planned, slow: f64, fast: f64, least: f64) -> f64 {
+    let is_slow = |s: f64| too_slow(planned.tip_speed_at(s), least);
+    if is_slow(fast) { fast } else { bisect(slow, fast, 60, is_slow).0 }
 }
 
 /// Finding for a stretch below the procedure's `least` speed, with the limit that binds there.
@@ -139,7 +133,6 @@ fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Findin
     Finding::error("least_speed", message, pass, Stretch { from: slow.from, to: slow.to }, cure)
 }
 
-/// Note `code` for the start or end of the weld, where the torch is too slow.
 fn slow_end(code: &'static str, slow: Stretch, least: f64, pass: usize) -> Finding {
     let Stretch { from: from_mm, to: to_mm } = slow;
     let over = to_mm - from_mm;

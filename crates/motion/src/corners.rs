@@ -41,7 +41,6 @@ const MIN_TIP_RATE: f64 = 0.1;
 /// A corner without a blend.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Left {
-    /// Path length, mm.
     pub(crate) s: f64,
     /// An axis whose speed or acceleration would jump there.
     pub(crate) axis: usize,
@@ -55,7 +54,6 @@ struct Fitting {
     away: Away,
 }
 
-/// Deviation of the torch from the seam's pose.
 #[derive(Debug, Clone, Copy, Default)]
 struct Away {
     /// Distance of the tip from the seam, mm.
@@ -64,11 +62,9 @@ struct Away {
     direction: f64,
 }
 
-/// Reason why a blend is rejected.
 enum Unfit {
     /// The tip would (nearly) stand still: the path turns back.
     TurnsBack,
-    /// Too far from the seam.
     TooFar,
 }
 
@@ -81,7 +77,7 @@ pub(crate) fn rounded(
 ) -> (JointPath, Vec<Left>, Vec<Finding>) {
     let machine = follower.machine;
     let channels = PassChannels::new(machine, &joints, pass, 1.0);
-    let corners = channels.corners().to_vec();
+    let corners = channels.corners.clone();
     let AtCorner::BlendMm(distance) = pass.corner else {
         let left = corners.into_iter().map(|(s, axis)| Left { s, axis, why: None });
         return (joints, left.collect(), Vec::new());
@@ -104,7 +100,6 @@ pub(crate) fn rounded(
     if blends.is_empty() { (joints, left, notes) } else { (joints.blended(&blends), left, notes) }
 }
 
-/// Note of the blend of the corner at `s`, if its deviation is relevant.
 fn note(blend: &Fitting, s: f64, pass: usize) -> Option<Finding> {
     let Fitting { piece, away } = blend;
     let turned = away.direction.to_degrees();
@@ -178,7 +173,7 @@ impl Corner<'_> {
         for i in 1..PLACES {
             let d = piece.derivatives(at(f64::from(i)));
             // On a path by time the axes move evenly at any tip speed.
-            if !self.joints.is_timed() && self.follower.machine.tip_derivatives(&d)[0].length() < MIN_TIP_RATE {
+            if !self.joints.timed && self.follower.machine.tip_derivatives(&d)[0].length() < MIN_TIP_RATE {
                 return Err(Unfit::TurnsBack);
             }
             let here = self.away(&d[0], half);
@@ -209,7 +204,7 @@ impl Corner<'_> {
             let d = blend.derivatives(u);
             let [r1, r2, r3] = channel_derivatives(self.follower.machine, &d, &mut rows);
             let (square, mixed) = (r1.length_squared(), r1.dot(r2));
-            let [b, b1, b2] = if self.joints.is_timed() {
+            let [b, b1, b2] = if self.joints.timed {
                 [asked * asked, 0.0, 0.0]
             } else {
                 let b = asked * asked / square;

@@ -8,7 +8,7 @@ use crate::effort::SearchStage;
 use crate::follower::Follower;
 use crate::joint_path::JointPath;
 use crate::pass_clearance::pass_clearance;
-use crate::pass_motion::{Before, PassMotion, along_axes};
+use crate::pass_motion::{PassMotion, Request, along_axes};
 use crate::redundancy::holding;
 use crate::survey::{Lack, Survey, range_between, range_on_path};
 use glam::{DQuat, DVec3};
@@ -27,19 +27,14 @@ const ROOM: f64 = 0.1;
 const SURVEY_WORK: u64 = 1440;
 const PLAN_WORK: u64 = 6000;
 
-/// Inputs for planning a pass.
 #[derive(Clone, Copy)]
 pub(crate) struct Trial<'a> {
     pub(crate) machine: &'a Machine,
     /// The machine with the axes free that the pass holds.
     pub(crate) held: &'a Machine,
-    pub(crate) path: &'a dyn TorchPath,
-    pub(crate) pass: &'a Pass,
-    pub(crate) number: usize,
-    pub(crate) before: Before<'a>,
+    pub(crate) request: Request<'a>,
 }
 
-/// A change of the job.
 #[derive(Clone, Copy, PartialEq)]
 enum Change {
     /// The work is moved, mm in the work frame.
@@ -49,19 +44,17 @@ enum Change {
 }
 
 impl Change {
-    /// Describes the change to a job with `pass`.
     fn message(self, pass: &Pass) -> Message {
         match self {
-            Self::Move(by) => Message::new("motion-change-move").number("x", by.x, 1).number("y", by.y, 1).quantity(
-                "z",
-                by.z,
-                Unit::Mm,
-                1,
-            ),
-            Self::Lean(by) if pass.torch.at.is_empty() => {
-                Message::new("motion-change-work-angle").quantity("by", by, Unit::Deg, 1)
+            Self::Move(by) => {
+                let message = Message::new("motion-change-move").number("x", by.x, 1).number("y", by.y, 1);
+                message.quantity("z", by.z, Unit::Mm, 1)
             }
-            Self::Lean(by) => Message::new("motion-change-work-angles").quantity("by", by, Unit::Deg, 1),
+            Self::Lean(by) => {
+                let is_one = pass.torch.at.is_empty();
+                let code = if is_one { "motion-change-work-angle" } else { "motion-change-work-angles" };
+                Message::new(code).quantity("by", by, Unit::Deg, 1)
+            }
         }
     }
 }
@@ -75,7 +68,6 @@ enum Scope {
     Pass,
 }
 
-/// Result of trying changes one after the other.
 enum Outcome {
     Cured(Change, Scope),
     /// None of them cures.
@@ -88,7 +80,7 @@ impl Trial<'_> {
     /// Replaces the cures of findings of kind `range` and `reach` by a change that removes all of them, or by the
     /// reason why the search failed.
     pub(crate) fn cure_ranges(&self, findings: &mut [Finding]) {
-        if !findings.iter().any(is_of_range) || self.path.axes(0.0).is_some() {
+        if !findings.iter().any(is_of_range) || self.request.path.axes(0.0).is_some() {
             return;
         }
         let cure = self.range_cure(count_against(findings));
@@ -97,19 +89,17 @@ impl Trial<'_> {
 
     /// Returns a change with which the pass has fewer findings than `count`, or the reason why the search failed.
     fn range_cure(&self, count: usize) -> Message {
-        self.before.effort.begin(SearchStage::Cure);
+        self.request.effort.begin(SearchStage::Cure);
         if self.is_redundant() {
             // Each trial would take a search.
             return Message::new("motion-cure-redundant");
         }
-        let lacks = self.survey(self.path).map_or_else(|_| Vec::new(), |survey| survey.lacks);
+        let lacks = self.survey(self.request.path).map_or_else(|_| Vec::new(), |survey| survey.lacks);
         let changes = self.changes(&lacks);
         match self.first_cure(&changes, |change| self.cures_range(change, count)) {
-            Outcome::Cured(change, Scope::Weld) => {
-                Message::new("motion-cure-range-weld").message("change", change.message(self.pass))
-            }
-            Outcome::Cured(change, Scope::Pass) => {
-                Message::new("motion-cure-range-pass").message("change", change.message(self.pass))
+            Outcome::Cured(change, scope) => {
+                let code = if scope == Scope::Weld { "motion-cure-range-weld" } else { "motion-cure-range-pass" };
+                Message::new(code).message("change", change.message(self.request.pass))
             }
             Outcome::Stopped(0) => Message::new("motion-cure-range-no-time"),
             Outcome::Stopped(tried) => {
@@ -119,7 +109,6 @@ impl Trial<'_> {
         }
     }
 
-    /// Describes the kinds of changes that were tried without success.
     fn no_cure(&self, changes: &[Change], lacks: &[Lack]) -> Message {
         let moved = changes.iter().any(|change| matches!(change, Change::Move(_)));
         let leant = changes.iter().any(|change| matches!(change, Change::Lean(_)));
@@ -137,12 +126,12 @@ impl Trial<'_> {
 
     /// True if axes are chosen along the whole path.
     fn is_redundant(&self) -> bool {
-        !self.held.free().is_empty() && self.path.second(0.0).is_none()
+        !self.held.free().is_empty() && self.request.path.second(0.0).is_none()
     }
 
     /// The first of `changes` that `cures`.
     fn first_cure(&self, changes: &[Change], cures: impl Fn(Change) -> Option<Scope>) -> Outcome {
-        let effort = self.before.effort;
+        let effort = self.request.effort;
         for (tried, &change) in changes.iter().enumerate() {
             effort.resume(SearchStage::Cure);
             let cured = effort.spend(SURVEY_WORK, tried as f64 / changes.len() as f64).then(|| cures(change)).flatten();
@@ -160,7 +149,7 @@ impl Trial<'_> {
     /// Tries `change`: this pass must have fewer findings than `count`, none of them about a range, and no other pass
     /// more about ranges.
     fn cures_range(&self, change: Change, count: usize) -> Option<Scope> {
-        let (beyond, _) = self.beyond(&Changed::new(self.path, change))?;
+        let (beyond, _) = self.beyond(&Changed::new(self.request.path, change))?;
         if beyond > 0 {
             return None;
         }
@@ -169,11 +158,10 @@ impl Trial<'_> {
         (count_against(&left) < count && !left.iter().any(is_of_range)).then_some(scope)
     }
 
-    /// Plans this pass with `change`.
     fn planned_with(&self, change: Change) -> Result<PassMotion, Vec<Finding>> {
-        let effort = self.before.effort;
-        let changed = Changed::new(self.path, change);
-        let planned = PassMotion::plan_once(self.machine, &changed, self.pass, self.number, self.before);
+        let effort = self.request.effort;
+        let changed = Changed::new(self.request.path, change);
+        let planned = PassMotion::plan_once(self.machine, Request { path: &changed, ..self.request });
         effort.resume(SearchStage::Cure);
         effort.spend(PLAN_WORK, effort.progress().part);
         planned
@@ -182,16 +170,16 @@ impl Trial<'_> {
     /// Tries `change` on all passes in order, since each starts on the turn on which the previous one ends. None if a
     /// pass has more range findings with it than without it, or if this pass has any.
     fn spares_others(&self, change: Change) -> Option<Scope> {
-        if self.before.weld.is_empty() {
+        if self.request.weld.is_empty() {
             return Some(Scope::Pass);
         }
         let mut scope = Scope::Weld;
         let mut last: Option<Joints> = None;
-        for (number, &(path, pass)) in (1..).zip(self.before.weld) {
+        for (number, &(path, pass)) in (1..).zip(self.request.weld) {
             let Ok(held) = holding(self.machine, &pass.spare_axes) else { return Some(Scope::Pass) };
-            let before = Before { last: last.as_ref(), ..self.before };
-            let other = Trial { held: &held, path, pass, number, before, ..*self };
-            if !self.before.effort.spend(SURVEY_WORK, self.before.effort.progress().part) {
+            let request = Request { path, pass, number, last: last.as_ref(), ..self.request };
+            let other = Trial { held: &held, request, ..*self };
+            if !self.request.effort.spend(SURVEY_WORK, self.request.effort.progress().part) {
                 return None;
             }
             if other.is_redundant() && path.axes(0.0).is_none() {
@@ -201,7 +189,7 @@ impl Trial<'_> {
             let count = |found: Option<(usize, Joints)>| found.map_or(usize::MAX, |(beyond, _)| beyond);
             let found = other.beyond(&Changed::new(path, change));
             if count(found) > 0 {
-                if number == self.number || count(found) > count(other.beyond(path)) {
+                if number == self.request.number || count(found) > count(other.beyond(path)) {
                     return None;
                 }
                 scope = Scope::Pass;
@@ -214,20 +202,18 @@ impl Trial<'_> {
     /// Number of range findings along `path`, and the positions at its end; none if the axes cannot follow it.
     fn beyond(&self, path: &dyn TorchPath) -> Option<(usize, Joints)> {
         let joints = self.joints(path)?;
-        let on_path = range_on_path(self.held, &joints, self.number).len();
-        Some((on_path + range_between(self.held, &joints, self.number).len(), joints.at(joints.length())))
+        let on_path = range_on_path(self.held, &joints, self.request.number).len();
+        Some((on_path + range_between(self.held, &joints, self.request.number).len(), joints.at(joints.length())))
     }
 
     fn survey(&self, path: &dyn TorchPath) -> Result<Survey, Vec<Finding>> {
-        along_axes(self.held, path, self.pass, self.number, self.before).map(|(_, survey)| survey)
+        along_axes(self.held, Request { path, ..self.request }).map(|(_, survey)| survey)
     }
 
-    /// True if another work angle can be tried.
     fn can_lean(&self) -> bool {
-        self.path.groove(0.0).is_some() && self.path.second(0.0).is_none()
+        self.request.path.groove(0.0).is_some() && self.request.path.second(0.0).is_none()
     }
 
-    /// Changes worth trying, smallest first.
     fn changes(&self, lacks: &[Lack]) -> Vec<Change> {
         let shifts: Vec<DVec3> = lacks.iter().filter_map(|lack| self.shift_against(lack)).collect();
         let mut changes: Vec<Change> = shifts.iter().copied().map(Change::Move).collect();
@@ -251,7 +237,7 @@ impl Trial<'_> {
         }
         const STEP_MM: f64 = 0.01;
         let at = |step: DVec3| {
-            let moved = Changed::new(self.path, Change::Move(step));
+            let moved = Changed::new(self.request.path, Change::Move(step));
             let target = Target { first: moved.pose(lack.s), second: moved.second(lack.s) };
             self.held.inverse_next(target, &lack.q).ok().map(|s| s.joints[lack.axis])
         };
@@ -267,18 +253,17 @@ impl Trial<'_> {
 
     /// Replaces the cures of clearance findings by a work angle that keeps every clearance, if one is found.
     pub(crate) fn cure_clearance(&self, around: &Surroundings, findings: &mut [Finding]) {
-        self.before.effort.begin(SearchStage::Cure);
+        self.request.effort.begin(SearchStage::Cure);
         let leans: Vec<Change> = match self.can_lean() && !self.is_redundant() {
             true => CLEARING_LEANS_DEG.into_iter().flat_map(|by| [Change::Lean(by), Change::Lean(-by)]).collect(),
             false => Vec::new(),
         };
         let cure = match self.first_cure(&leans, |change| self.clears(change, around)) {
             _ if leans.is_empty() => Message::new("motion-cure-clearance-move"),
-            Outcome::Cured(change, Scope::Weld) => {
-                Message::new("motion-cure-clearance-weld").message("change", change.message(self.pass))
-            }
-            Outcome::Cured(change, Scope::Pass) => {
-                Message::new("motion-cure-clearance-pass").message("change", change.message(self.pass))
+            Outcome::Cured(change, scope) => {
+                let is_of_weld = scope == Scope::Weld;
+                let code = if is_of_weld { "motion-cure-clearance-weld" } else { "motion-cure-clearance-pass" };
+                Message::new(code).message("change", change.message(self.request.pass))
             }
             Outcome::Exhausted => {
                 let tried = CLEARING_LEANS_DEG[CLEARING_LEANS_DEG.len() - 1];
@@ -294,24 +279,24 @@ impl Trial<'_> {
     /// Tries `change`: this pass must have no findings and keep every clearance, and no other pass may exceed more
     /// ranges.
     fn clears(&self, change: Change, around: &Surroundings) -> Option<Scope> {
-        let is_clear = |path: &JointPath| pass_clearance(around, path, self.number).1.is_empty();
-        let joints = self.joints(&Changed::new(self.path, change))?;
-        let leaves = !range_on_path(self.held, &joints, self.number).is_empty();
+        let is_clear = |path: &JointPath| pass_clearance(around, path, self.request.number).1.is_empty();
+        let joints = self.joints(&Changed::new(self.request.path, change))?;
+        let leaves = !range_on_path(self.held, &joints, self.request.number).is_empty();
         if leaves || !is_clear(&joints) {
             return None;
         }
         let scope = self.spares_others(change)?;
         self.planned_with(change).ok().filter(|motion| is_clear(&motion.path))?;
         // Clearance of other passes is not checked.
-        Some(if self.before.weld.len() == 1 { scope } else { Scope::Pass })
+        Some(if self.request.weld.len() == 1 { scope } else { Scope::Pass })
     }
 
     /// The axes along a path, turned as the pass before asks for, if they can follow it.
     fn joints(&self, path: &dyn TorchPath) -> Option<JointPath> {
-        let (free, survey) = along_axes(self.held, path, self.pass, self.number, self.before).ok()?;
+        let (free, survey) = along_axes(self.held, Request { path, ..self.request }).ok()?;
         let follower = Follower { machine: self.held, path, free: &free };
         let mut joints = JointPath::new(follower, &survey.start).ok()?;
-        if let Some(last) = self.before.last.filter(|_| !follower.is_given()) {
+        if let Some(last) = self.request.last.filter(|_| !follower.is_given()) {
             joints.turn_towards(self.held, last);
         }
         // Ranges are checked along the path.
@@ -324,7 +309,6 @@ fn is_of_range(finding: &Finding) -> bool {
     !finding.allowed && ["range", "reach"].contains(&finding.kind)
 }
 
-/// Number of findings against the weld.
 fn count_against(findings: &[Finding]) -> usize {
     findings.iter().filter(|finding| !finding.allowed).count()
 }
@@ -345,13 +329,11 @@ fn both_ends(machine: &Machine, lacks: &[Lack]) -> Option<Message> {
     })
 }
 
-/// A path with a change.
 struct Changed<'a> {
     path: Source<'a>,
     change: Change,
 }
 
-/// The path that is changed.
 enum Source<'a> {
     Lent(&'a dyn TorchPath),
     Own(Box<dyn TorchPath + 'a>),

@@ -105,7 +105,6 @@ impl<'a> Effort<'a> {
         Self { watch, progress: Cell::default(), unseen: Cell::new(0), stop: Cell::new(None) }
     }
 
-    /// Begins with pass `pass` of `passes`.
     pub(crate) fn begin_pass(&self, pass: usize, passes: usize) {
         self.progress.set(SearchProgress { pass, passes, ..self.progress.get() });
     }
@@ -135,20 +134,15 @@ impl<'a> Effort<'a> {
         self.unseen.get() < STRIDE || self.look()
     }
 
-    /// True if planning is stopped.
     pub(crate) fn is_stopped(&self) -> bool {
         self.stop.get().is_some()
     }
 
-    /// Progress of planning.
     pub(crate) fn progress(&self) -> SearchProgress {
         self.progress.get()
     }
 
     /// Checks that planning of pass `pass`, `length` mm long, was not stopped.
-    ///
-    /// # Errors
-    /// The finding that reports the progress of the stopped search.
     pub(crate) fn check(&self, pass: usize, length: f64) -> Result<(), Vec<Finding>> {
         self.stop.get().map_or(Ok(()), |stop| Err(vec![self.finding(stop, pass, length)]))
     }
@@ -184,7 +178,6 @@ mod tests {
     use super::*;
     use std::cell::RefCell;
 
-    /// Stops at the `n`-th look.
     struct StopsAt(u32, Cell<u32>, RefCell<Vec<SearchProgress>>);
 
     impl Watch for StopsAt {

@@ -17,7 +17,6 @@ impl Follower<'_> {
         self.path.axes(0.0).is_some()
     }
 
-    /// Target poses of the torches at `s`.
     pub(crate) fn target(&self, s: f64) -> Target {
         Target { first: self.path.pose(s), second: self.path.second(s) }
     }

@@ -1,9 +1,3 @@
-//! Axis positions by path length, with derivatives.
-//!
-//! The inverse kinematics is evaluated at Chebyshev nodes. Panels are halved until the series agree with it to 1e-10 mm
-//! between the nodes. The derivatives by path length come from the series. The survey (`survey.rs`) has chosen branch
-//! and turn of the axes before.
-
 mod blended;
 
 use crate::follower::Follower;
@@ -57,15 +51,14 @@ pub struct JointPath {
     length: f64,
     axes: usize,
     /// Inner path lengths at which the first or second derivative may jump, mm.
-    bends: Vec<f64>,
+    pub(crate) bends: Vec<f64>,
     /// Path lengths at which the path requests a stop, mm.
-    stops: Vec<f64>,
+    pub(crate) stops: Vec<f64>,
     /// True if path lengths count planned time, not the tip's travel.
-    timed: bool,
-    /// Blends at corners, in order.
+    pub(crate) timed: bool,
     blends: Vec<(f64, f64)>,
     /// True if the tip's travel by path length is not 1, as beside a seam.
-    beside: bool,
+    pub(crate) beside: bool,
     /// With a weave, the travel of its centre line by path length, panel by panel: the requested speed applies to it.
     line: Option<Vec<Series>>,
 }
@@ -76,10 +69,8 @@ struct Panel {
     end: f64,
 }
 
-/// Error: the axes cannot follow the path smoothly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct NotSmooth {
-    /// Path length, mm.
     pub(crate) s: f64,
 }
 
@@ -140,21 +131,6 @@ impl JointPath {
         self.panels.iter().map(|p| p.start).chain(std::iter::once(self.length)).collect()
     }
 
-    /// Path lengths at which the path requests a stop, mm.
-    pub(crate) fn stops(&self) -> &[f64] {
-        &self.stops
-    }
-
-    /// True if path lengths count planned time, not the tip's travel.
-    pub(crate) fn is_timed(&self) -> bool {
-        self.timed
-    }
-
-    /// Inner path lengths at which the first or second derivative may jump, mm.
-    pub(crate) fn bends(&self) -> &[f64] {
-        &self.bends
-    }
-
     /// The panel at `s`: the later one where two meet, unless `before`.
     pub(crate) fn panel(&self, s: f64, before: bool) -> usize {
         let after = |p: &Panel| if before { p.start < s } else { p.start <= s };
@@ -184,7 +160,6 @@ impl JointPath {
         q
     }
 
-    /// The series of an axis on panel `i`.
     fn series(&self, i: usize, axis: usize) -> Series {
         let block = &self.blocks[i * self.blocks_a_panel + axis / LANES];
         Series { c: std::array::from_fn(|k| block[k][axis % LANES]) }
@@ -334,7 +309,6 @@ fn fit(follower: Follower, a: f64, b: f64, near: &Joints, count: usize) -> Optio
     Some((blocks(series.into_iter(), count), end))
 }
 
-/// Maximum deviation of a panel's series from an axis' exact position.
 fn tolerance(axis: &Axis) -> f64 {
     match axis.kind {
         AxisKind::Linear => TOLERANCE_MM,

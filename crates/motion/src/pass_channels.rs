@@ -28,7 +28,7 @@ pub(crate) struct PassChannels<'a> {
     borders: Vec<f64>,
     breaks: Vec<f64>,
     /// Path lengths at which the torch must stop, and an axis that would jump there otherwise.
-    corners: Vec<(f64, usize)>,
+    pub(crate) corners: Vec<(f64, usize)>,
 }
 
 impl<'a> PassChannels<'a> {
@@ -48,8 +48,8 @@ impl<'a> PassChannels<'a> {
         let mut built = Self { machine, path, pass, times, limits, borders, breaks, corners: Vec::new() };
         // A bend next to a break counts as at the break.
         let bend = |s: &f64| {
-            let i = path.bends().partition_point(|bend| *bend < s - SAME * length);
-            path.bends().get(i).is_some_and(|bend| *bend <= s + SAME * length)
+            let i = path.bends.partition_point(|bend| *bend < s - SAME * length);
+            path.bends.get(i).is_some_and(|bend| *bend <= s + SAME * length)
         };
         let bends = built.breaks.iter().filter(|s| bend(s));
         let corners = bends.filter_map(|s| Some((*s, built.corner(*s)?)));
@@ -57,14 +57,8 @@ impl<'a> PassChannels<'a> {
         built
     }
 
-    /// Path lengths at which the torch must stop, and an axis that would jump there otherwise.
-    pub(crate) fn corners(&self) -> &[(f64, usize)] {
-        &self.corners
-    }
-
-    /// True if the path asks for a stop at `s`.
     fn is_asked_stop(&self, s: f64) -> bool {
-        self.path.stops().iter().any(|stop| (stop - s).abs() <= SAME * self.path.length())
+        self.path.stops.iter().any(|stop| (stop - s).abs() <= SAME * self.path.length())
     }
 
     /// An axis whose speed or acceleration would jump at `s` at the requested speed.

@@ -21,9 +21,7 @@ pub struct PassClearance {
     pub cutoff_mm: f64,
 }
 
-/// Number of stretches of a pass.
 const STATIONS: usize = 400;
-/// Maximum distance that is reported, mm.
 const CUTOFF_MM: f64 = 60.0;
 
 /// Computes distances along the path of pass `pass`, and findings for stretches below a minimum clearance. None if

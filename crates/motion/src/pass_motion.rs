@@ -41,10 +41,13 @@ pub struct PassMotion {
     pub findings: Vec<Finding>,
 }
 
-/// Context of a pass in planning.
+/// A pass to be planned, with what is known of its weld.
 #[derive(Clone, Copy)]
-pub(crate) struct Before<'a> {
-    /// Effort of its searches.
+pub(crate) struct Request<'a> {
+    pub(crate) path: &'a dyn TorchPath,
+    pub(crate) pass: &'a Pass,
+    /// From 1.
+    pub(crate) number: usize,
     pub(crate) effort: &'a Effort<'a>,
     /// Procedure whose welding positions take precedence over the preferred ones.
     pub(crate) procedure: Option<&'a Procedure>,
@@ -54,7 +57,6 @@ pub(crate) struct Before<'a> {
     pub(crate) explains: bool,
     /// All passes of the weld in order, including this one; empty if no others are known.
     pub(crate) weld: &'a [(&'a dyn TorchPath, &'a Pass)],
-    /// Obstacles that redundant axes keep clear of.
     pub(crate) clearance: Option<Clearance<'a>>,
 }
 
@@ -72,55 +74,46 @@ impl PassMotion {
     /// - not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(None);
-        let before =
-            Before { effort: &effort, procedure: None, last: None, explains: true, weld: &[], clearance: None };
-        Self::plan_after(machine, path, pass, number, before)
+        let known = Request {
+            path,
+            pass,
+            number,
+            effort: &effort,
+            procedure: None,
+            last: None,
+            explains: true,
+            weld: &[],
+            clearance: None,
+        };
+        Self::of(machine, known)
     }
 
     /// Plans a pass as [`PassMotion::plan`], after another pass or with obstacles.
-    ///
-    /// # Errors
-    /// As [`PassMotion::plan`].
-    pub(crate) fn plan_after(
-        machine: &Machine,
-        path: &dyn TorchPath,
-        pass: &Pass,
-        number: usize,
-        before: Before,
-    ) -> Result<Self, Vec<Finding>> {
-        let long = too_long(pass, number);
+    pub(crate) fn of(machine: &Machine, request: Request) -> Result<Self, Vec<Finding>> {
+        let long = too_long(request.pass, request.number);
         if !long.is_empty() {
             return Err(long);
         }
-        let mut all = match Self::plan_once(machine, path, pass, number, before) {
+        let mut all = match Self::plan_once(machine, request) {
             Err(all) => all,
             planned => return planned,
         };
-        before.effort.check(number, path.length())?;
-        if let Ok(held) = holding(machine, &pass.spare_axes) {
-            Trial { machine, held: &held, path, pass, number, before }.cure_ranges(&mut all);
+        request.effort.check(request.number, request.path.length())?;
+        if let Ok(held) = holding(machine, &request.pass.spare_axes) {
+            Trial { machine, held: &held, request }.cure_ranges(&mut all);
         }
         Err(all)
     }
 
     /// Plans it without trying cures.
-    ///
-    /// # Errors
-    /// As [`PassMotion::plan`].
-    pub(crate) fn plan_once(
-        machine: &Machine,
-        path: &dyn TorchPath,
-        pass: &Pass,
-        number: usize,
-        before: Before,
-    ) -> Result<Self, Vec<Finding>> {
+    pub(crate) fn plan_once(machine: &Machine, request: Request) -> Result<Self, Vec<Finding>> {
+        let Request { path, pass, number, effort, .. } = request;
         let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(e, path.length(), number)])?;
         let jumps = if path.axes(0.0).is_some() { Vec::new() } else { torch_jumps(path, number) };
         if !jumps.is_empty() && !held.free().is_empty() {
             return Err(jumps);
         }
-        let Chosen { machine, free, survey } =
-            with_best_freedom(held, path, pass, number, before).map_err(|found| with(&jumps, found))?;
+        let Chosen { machine, free, survey } = with_best_freedom(held, request).map_err(|found| with(&jumps, found))?;
         let machine = &*machine;
         let (_, fastest) = pass.speeds();
         let follower = Follower { machine, path, free: &free };
@@ -129,8 +122,8 @@ impl PassMotion {
             // No axes follow a jump of the torch: other findings there would be its consequences.
             return Err(findings);
         }
-        before.effort.begin(SearchStage::Weave);
-        let woven = Woven::new(follower, &survey.start, pass, before.effort);
+        effort.begin(SearchStage::Weave);
+        let woven = Woven::new(follower, &survey.start, pass, effort);
         if let Some(too_fast) = woven.as_ref().and_then(|woven| woven.too_fast(number)) {
             findings.push(too_fast);
             return Err(findings);
@@ -142,14 +135,14 @@ impl PassMotion {
                 return Err(findings);
             }
         };
-        if let Some(last) = before.last.filter(|_| !follower.is_given()) {
+        if let Some(last) = request.last.filter(|_| !follower.is_given()) {
             joints.turn_towards(machine, last);
             // The survey checked the path before it was turned.
             findings.retain(|f| f.kind != "range");
             findings.extend(range_on_path(machine, &joints, number));
         }
-        before.effort.begin(SearchStage::Speed);
-        before.effort.check(number, path.length())?;
+        effort.begin(SearchStage::Speed);
+        effort.check(number, path.length())?;
         let (joints, left, notes) = rounded(follower, joints, pass, number);
         findings.extend(notes);
         let asked = |s: f64| pass.speed_at(s);
@@ -242,12 +235,10 @@ impl PassMotion {
     }
 }
 
-/// Joins the findings `first` and `others`.
 fn with(first: &[Finding], others: Vec<Finding>) -> Vec<Finding> {
     first.iter().cloned().chain(others).collect()
 }
 
-/// The free axes along a path and a survey of it, with the machine that has these axes free.
 struct Chosen<'m> {
     machine: Cow<'m, Machine>,
     free: FreeAxes,
@@ -258,15 +249,10 @@ struct Chosen<'m> {
 ///
 /// If the axes determined by the pose are singular at some path length of a six-axis arm, another choice of the free
 /// axis may be regular. Without a closed form each choice is tried until one leads along the path.
-fn with_best_freedom<'m>(
-    machine: Cow<'m, Machine>,
-    path: &dyn TorchPath,
-    pass: &Pass,
-    number: usize,
-    before: Before,
-) -> Result<Chosen<'m>, Vec<Finding>> {
+fn with_best_freedom<'m>(machine: Cow<'m, Machine>, request: Request) -> Result<Chosen<'m>, Vec<Finding>> {
+    let Request { path, pass, number, effort, .. } = request;
     let is_good = |found: &(FreeAxes, Survey)| found.1.findings.iter().all(|f| f.allowed);
-    let first = along_axes(&machine, path, pass, number, before);
+    let first = along_axes(&machine, request);
     let head = &machine.heads[0];
     let redundant = !machine.free().is_empty() && path.axes(0.0).is_none() && path.second(0.0).is_none();
     if first.as_ref().is_ok_and(is_good) || !head.is_numeric() || !redundant {
@@ -275,25 +261,17 @@ fn with_best_freedom<'m>(
     let held: AxisSet = pass.spare_axes.hold.keys().filter_map(|name| machine.axis(name)).collect();
     let others = head.chain.axes().iter().filter(|&axis| !machine.free().has(axis));
     for other in others.filter_map(|axis| machine.freeing(held.with(axis))) {
-        before.effort.check(number, path.length())?;
-        match along_axes(&other, path, pass, number, Before { explains: false, ..before }) {
-            Ok(found) if is_good(&found) => {
-                return Ok(Chosen { machine: Cow::Owned(other), free: found.0, survey: found.1 });
-            }
-            _ => {}
+        effort.check(number, path.length())?;
+        if let Some(found) = along_axes(&other, Request { explains: false, ..request }).ok().filter(is_good) {
+            return Ok(Chosen { machine: Cow::Owned(other), free: found.0, survey: found.1 });
         }
     }
     first.map(|(free, survey)| Chosen { machine, free, survey })
 }
 
 /// The free axes along `path`, and a survey of it; `machine` has the axes that `pass` holds free.
-pub(crate) fn along_axes(
-    machine: &Machine,
-    path: &dyn TorchPath,
-    pass: &Pass,
-    number: usize,
-    before: Before,
-) -> Result<(FreeAxes, Survey), Vec<Finding>> {
+pub(crate) fn along_axes(machine: &Machine, request: Request) -> Result<(FreeAxes, Survey), Vec<Finding>> {
+    let Request { path, pass, number, effort, .. } = request;
     let (_, fastest) = pass.speeds();
     // Redundant axes do not weave.
     let line = path.weave().map(|weave| weave.slower(0.0));
@@ -301,17 +279,16 @@ pub(crate) fn along_axes(
     let aim = Aim {
         speed: fastest / least_rate(line),
         wishes: &pass.spare_axes,
-        clearance: before.clearance,
-        positions: before.procedure.and_then(|p| AllowedPositions::of(p, line, pass, number)),
-        explains: before.explains,
+        clearance: request.clearance,
+        positions: request.procedure.and_then(|p| AllowedPositions::of(p, line, pass, number)),
+        explains: request.explains,
     };
-    let free = resolve_within(before.effort, machine, line, aim, number)?;
-    before.effort.begin(SearchStage::Reach);
-    let survey = survey(Follower { machine, path, free: &free }, &pass.tolerance, number, before.effort)?;
+    let free = resolve_within(effort, machine, line, aim, number)?;
+    effort.begin(SearchStage::Reach);
+    let survey = survey(Follower { machine, path, free: &free }, &pass.tolerance, number, effort)?;
     Ok((free, survey))
 }
 
-/// Approximate minimum travel of the tip by path length.
 fn least_rate(path: &dyn TorchPath) -> f64 {
     let places = (0..=RATES).map(|i| path.length() * f64::from(i) / f64::from(RATES));
     places.map(|s| path.rate(s)).fold(f64::INFINITY, f64::min)

@@ -9,7 +9,6 @@ use seamwright_program::{Finding, Pass, PathRange};
 /// exponent.
 pub(crate) const MAX_PASS_S: f64 = 2e5;
 
-/// Reports every time of `pass`, the `number`-th, above [`MAX_PASS_S`].
 pub(crate) fn too_long(pass: &Pass, number: usize) -> Vec<Finding> {
     let sequence = &pass.sequence;
     let times = [
@@ -45,7 +44,6 @@ pub(crate) fn travels_too_long(profile: &SpeedProfile, length: f64, pass: usize)
     })
 }
 
-/// Adds the maximum time to a message.
 pub(crate) fn at_most(message: Message) -> Message {
     message.value("limit", MAX_PASS_S, Unit::S)
 }

@@ -19,7 +19,6 @@ impl Planned<'_> {
         p.v * self.joints.speed_rate(self.machine, p.s)
     }
 
-    /// Speed of the tip at path length `s`, mm/s.
     pub(crate) fn tip_speed_at(&self, s: f64) -> f64 {
         self.profile.speed(s) * self.joints.speed_rate(self.machine, s)
     }
@@ -54,12 +53,10 @@ fn first_where(count: usize, good: impl Fn(usize) -> bool) -> usize {
     low
 }
 
-/// Range of the tip speed on a stretch.
 #[derive(Clone, Copy)]
 pub(crate) struct Band {
     /// Minimum speed, mm/s, and its path length.
     pub(crate) least: (f64, f64),
-    /// Maximum speed, mm/s.
     pub(crate) greatest: f64,
     /// Minimum ratio of reached to requested speed, and its path length.
     pub(crate) reached: (f64, f64),

@@ -56,7 +56,6 @@ impl Binding {
         Some(Self { axis: Some(axis.name.clone()), kind, value, unit: kind.unit(axis.kind) })
     }
 
-    /// Reports the difference between the requested and the reached tip speed, mm/s.
     pub(crate) fn cannot_keep(&self, asked: f64, reached: f64) -> Message {
         let message = self.message("motion-speed-axis", "motion-speed-tip").quantity("asked", asked, Unit::MmPerS, 3);
         message.quantity("reached", reached, Unit::MmPerS, 3)
@@ -89,7 +88,6 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
     slow.iter().map(|run| speed_finding(planned, run, pass, number, keepable)).collect()
 }
 
-/// True if the tip keeps the speed that `pass` asks for.
 pub(crate) fn keeps_speed(planned: Planned, pass: &Pass) -> bool {
     slow_runs(planned, pass, 1.0).is_empty()
 }
@@ -117,7 +115,7 @@ fn slow_runs(planned: Planned, pass: &Pass, times: f64) -> Vec<SlowRun> {
             _ => runs.push(Vec::new()),
         }
     }
-    let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
+    let changes = planned.joints.beside || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
     let slowest = |run: &[Interval]| run.iter().copied().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0));
     runs.retain(|run| {
         let reached = slowest(run).map_or(1.0, |interval| interval.reached.0);
@@ -181,26 +179,21 @@ fn speed_finding(planned: Planned, run: &SlowRun, pass: &Pass, number: usize, ke
 
 /// Operator action at a limit: a lower speed, if one helps, or to slow down at the limit; in a blend also a wider one.
 fn slower_cure(keepable: Option<Keepable>, in_blend: bool) -> Message {
-    match (keepable, in_blend) {
-        (Some(Keepable::Speed(v)), false) => Message::new("motion-cure-speed").quantity("speed", v, Unit::MmPerS, 3),
-        (Some(Keepable::Speed(v)), true) => {
-            Message::new("motion-cure-speed-or-blend").quantity("speed", v, Unit::MmPerS, 3)
+    let new = |outside, inside| Message::new(if in_blend { inside } else { outside });
+    match keepable {
+        Some(Keepable::Speed(v)) => {
+            new("motion-cure-speed", "motion-cure-speed-or-blend").quantity("speed", v, Unit::MmPerS, 3)
         }
-        (Some(Keepable::Part(part)), false) => {
-            Message::new("motion-cure-speed-part").quantity("part", 100.0 * part, Unit::Percent, 1)
+        Some(Keepable::Part(part)) => {
+            let cure = new("motion-cure-speed-part", "motion-cure-speed-part-or-blend");
+            cure.quantity("part", 100.0 * part, Unit::Percent, 1)
         }
-        (Some(Keepable::Part(part)), true) => {
-            Message::new("motion-cure-speed-part-or-blend").quantity("part", 100.0 * part, Unit::Percent, 1)
-        }
-        (None, false) => Message::new("motion-cure-slow"),
-        (None, true) => Message::new("motion-cure-slow-or-blend"),
+        None => new("motion-cure-slow", "motion-cure-slow-or-blend"),
     }
 }
 
-/// A lower speed that every axis can keep everywhere.
 #[derive(Clone, Copy)]
 enum Keepable {
-    /// The speed, mm/s.
     Speed(f64),
     /// Fraction of the requested speeds.
     Part(f64),
@@ -251,7 +244,6 @@ fn between(planned: Planned, asked: &dyn Fn(f64) -> f64) -> Vec<Interval> {
     all
 }
 
-/// Reports legs too short to reach the requested speed.
 pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pass: usize) -> Vec<Finding> {
     let finding = |leg: &Leg| {
         let reached = planned.tip_speed_at(leg.run_up_end);
@@ -280,7 +272,6 @@ pub(crate) struct Runs {
     open: bool,
 }
 
-/// A stretch of the path with one complaint.
 pub(crate) struct Run {
     pub(crate) from: f64,
     pub(crate) to: f64,
@@ -314,7 +305,6 @@ impl Runs {
         self.open = true;
     }
 
-    /// True if the last station added had a complaint.
     pub(crate) fn is_open(&self) -> bool {
         self.open
     }

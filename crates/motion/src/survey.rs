@@ -5,6 +5,7 @@ use crate::follower::Follower;
 use crate::joint_path::{JointPath, PLACES};
 use crate::speed_findings::Runs;
 use crate::stretch::Stretch;
+use seamwright_geometry::numeric::bisect;
 use seamwright_machine::{Axis, AxisKind, Joints, Machine};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, PathRange, Tolerance};
@@ -23,13 +24,11 @@ const ATTITUDE_WORTH_SAYING: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// The start of the path, as a stretch without length.
 const START: Stretch = Stretch { from: 0.0, to: 0.0 };
 
-/// Result of a walk along the path.
 pub(crate) struct Survey {
     /// Positions at the start of the path, on the chosen branch and turn.
     pub(crate) start: Joints,
     /// Maximum angle between the requested direction and the reached one, rad, and its path length.
     pub(crate) attitude_error: (f64, f64),
-    /// Findings and notes on the path.
     pub(crate) findings: Vec<Finding>,
     /// Maximum excess of each axis at each end of its range.
     pub(crate) lacks: Vec<Lack>,
@@ -39,11 +38,9 @@ pub(crate) struct Survey {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lack {
     pub(crate) axis: usize,
-    /// Path length, mm.
     pub(crate) s: f64,
     /// Excess, mm or rad; negative below the range.
     pub(crate) by: f64,
-    /// Positions of all axes there.
     pub(crate) q: Joints,
 }
 
@@ -129,13 +126,11 @@ fn unreachable(follower: Follower, places: &[f64], pass: usize, effort: &Effort)
     })
 }
 
-/// Finding for a stretch that no axis positions reach.
 fn reach_finding(machine: &Machine, reason: Message, stretch: Stretch, pass: usize) -> Finding {
     let message = Message::new("motion-unreachable").text("machine", machine.name.as_str()).message("reason", reason);
     Finding::error("reach", message, pass, stretch, Message::new("motion-cure-unreachable"))
 }
 
-/// Follows one branch.
 fn walk(follower: Follower, places: &[f64], start: Joints, pass: usize) -> Survey {
     let machine = follower.machine;
     let mut rows: Vec<Joints> = Vec::with_capacity(places.len());
@@ -159,7 +154,6 @@ fn walk(follower: Follower, places: &[f64], start: Joints, pass: usize) -> Surve
     Survey { start: rows[0], attitude_error, findings, lacks: lacks(machine, places, &rows) }
 }
 
-/// Finding for a machine with too few axes for the torch's direction.
 fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pass: usize) -> Option<Finding> {
     let (error, at) = walk.attitude_error;
     let allowed = error.to_degrees() <= tolerance.attitude_deg.get();
@@ -245,25 +239,20 @@ pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) ->
             if start.d1[k] * end.d1[k] >= 0.0 {
                 continue;
             }
-            let (mut low, mut high) = (a, b);
-            for _ in 0..50 {
-                let middle = 0.5 * (low + high);
-                if path.point(middle, false).d1[k] * start.d1[k] > 0.0 { low = middle } else { high = middle }
-            }
-            let value = path.at(low)[k];
+            let (s, _) = bisect(a, b, 50, |s| path.point(s, false).d1[k] * start.d1[k] > 0.0);
+            let value = path.at(s)[k];
             // The survey has already reported samples outside the range.
             if let Some(limit) = axis.outside(value)
                 && axis.outside(start.q[k]).is_none()
                 && axis.outside(end.q[k]).is_none()
             {
-                findings.push(range_finding(axis, value, limit, Stretch { from: low, to: low }, pass));
+                findings.push(range_finding(axis, value, limit, Stretch { from: s, to: s }, pass));
             }
         }
     }
     findings
 }
 
-/// Finding for an axis beyond its range.
 fn range_finding(axis: &Axis, value: f64, limit: f64, stretch: Stretch, pass: usize) -> Finding {
     let (value, limit, unit) = (axis.to_file(value), axis.to_file(limit), axis.position_unit());
     let message = Message::new("motion-beyond-range")

@@ -7,7 +7,6 @@ use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
 /// Number of directions in the plane of curvature of the tip's path; one more is across it.
 const IN_PLANE: usize = 4;
-/// Number of channels.
 pub(crate) const COUNT: usize = IN_PLANE + 1;
 /// Maximum number of channels with limits: axes, then directions with limits of the tip.
 pub const CHANNELS: usize = MAX_AXES + COUNT;

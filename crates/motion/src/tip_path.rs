@@ -26,7 +26,6 @@ impl TipPath<'_> {
         if self.joints.is_woven() { self.tip(s).1.length() } else { 1.0 }
     }
 
-    /// Tip and its derivative by `s`.
     fn tip(&self, s: f64) -> (DVec3, DVec3) {
         let JointPoint { q, d1, .. } = self.joints.point(s, false);
         let rest = Joints::default();

@@ -43,12 +43,10 @@ const PLANNED: [f64; 3] = [1.0, 0.97, 0.9];
 /// A pass that weaves, as a machine follows it.
 pub(crate) struct Woven<'a> {
     follower: Follower<'a>,
-    /// Positions at the start of the pass.
     start: &'a Joints,
     pass: &'a Pass,
     windows: Vec<Window>,
     effort: &'a Effort<'a>,
-    /// Units of effort spent.
     spent: Cell<u64>,
 }
 
@@ -56,14 +54,12 @@ pub(crate) struct Woven<'a> {
 struct Window {
     /// Path length of its middle, mm.
     middle: f64,
-    /// Positions of the axes near it.
     near: Joints,
 }
 
 /// A station with a steady speed of the centre line there.
 #[derive(Clone, Copy)]
 struct Station {
-    /// Path length, mm.
     at: f64,
     /// Speed by path length, mm/s.
     speed: f64,
@@ -75,7 +71,6 @@ struct Used {
     /// Used fraction of the limit at the requested speed of the centre line.
     part: f64,
     bound: Bound,
-    /// Path length, mm.
     at: f64,
     /// Fraction of the requested speed at which the limit would be just used up.
     holds: f64,

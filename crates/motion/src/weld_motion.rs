@@ -1,7 +1,7 @@
 use crate::cures::Trial;
 use crate::effort::{Effort, Watch};
 use crate::pass_clearance::{PassClearance, pass_clearance};
-use crate::pass_motion::{Before, PassMotion};
+use crate::pass_motion::{PassMotion, Request};
 use crate::pass_time::{MAX_PASS_S, at_most};
 use crate::procedure::{PassProcedure, PlannedPass};
 use crate::redundancy::{Clearance, holding};
@@ -75,7 +75,10 @@ impl WeldMotion {
         for (i, &(path, pass)) in passes.iter().enumerate() {
             effort.begin_pass(i + 1, passes.len());
             let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
-            let before = Before {
+            let request = Request {
+                path,
+                pass,
+                number: i + 1,
                 effort: &effort,
                 procedure: terms.procedure,
                 last: last.as_ref(),
@@ -83,7 +86,7 @@ impl WeldMotion {
                 weld: passes,
                 clearance: None,
             };
-            let (motion, clearance) = one(machine, around, path, pass, i + 1, before).map_err(|mut f| {
+            let (motion, clearance) = one(machine, around, request).map_err(|mut f| {
                 f.extend(planned.findings.clone());
                 f
             })?;
@@ -292,39 +295,32 @@ impl Stage<'_> {
 fn one(
     machine: &Machine,
     around: &Surroundings,
-    path: &dyn TorchPath,
-    pass: &Pass,
-    number: usize,
-    before: Before,
+    request: Request,
 ) -> Result<(PassMotion, Option<PassClearance>), Vec<Finding>> {
-    let plan = |clearance| {
-        let Before { effort, procedure, last, explains, weld, .. } = before;
-        let before = Before { effort, procedure, last, explains, weld, clearance };
-        PassMotion::plan_after(machine, path, pass, number, before)
-    };
-    let motion = plan(None)?;
-    let (clearance, findings) = pass_clearance(around, &motion.path, number);
+    let number = request.number;
+    let motion = PassMotion::of(machine, request)?;
+    let (clearance, mut findings) = pass_clearance(around, &motion.path, number);
     if findings.is_empty() {
         return Ok((motion, clearance));
     }
-    if !machine.free().is_empty() && path.second(0.0).is_none() {
+    if !machine.free().is_empty() && request.path.second(0.0).is_none() {
         let room = |q: &Joints| {
             let nearest = around.nearest(q, WANTED_MM + around.greatest_least_mm());
             nearest.map_or(f64::INFINITY, |(watch, e)| e.distance - around.scene().watches()[watch].least_mm())
         };
-        if let Ok(motion) = plan(Some(Clearance { distance: &room, wanted_mm: WANTED_MM })) {
+        let clearance = Some(Clearance { distance: &room, wanted_mm: WANTED_MM });
+        if let Ok(motion) = PassMotion::of(machine, Request { clearance, ..request }) {
             let (clearance, findings) = pass_clearance(around, &motion.path, number);
             if findings.is_empty() {
                 return Ok((motion, clearance));
             }
         }
     }
-    let mut findings = findings;
     // A search that was cut off is a finding of its own: another motion may exist.
-    if let Err(stopped) = before.effort.check(number, path.length()) {
+    if let Err(stopped) = request.effort.check(number, request.path.length()) {
         findings.extend(stopped);
-    } else if let Ok(held) = holding(machine, &pass.spare_axes) {
-        Trial { machine, held: &held, path, pass, number, before }.cure_clearance(around, &mut findings);
+    } else if let Ok(held) = holding(machine, &request.pass.spare_axes) {
+        Trial { machine, held: &held, request }.cure_clearance(around, &mut findings);
     }
     let mut all = motion.findings;
     all.extend(findings);
@@ -359,7 +355,6 @@ impl Torches {
     }
 }
 
-/// Start or end of a pass.
 #[derive(Clone, Copy)]
 struct PassEnd<'a> {
     q: Joints,
@@ -368,7 +363,6 @@ struct PassEnd<'a> {
     machine: &'a Machine,
 }
 
-/// Inputs of the transfer moves.
 struct TransferSettings<'a> {
     machine: &'a Machine,
     around: &'a Surroundings<'a>,

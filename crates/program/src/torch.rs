@@ -73,10 +73,14 @@ pub trait TorchPath: Sync {
         1.0
     }
 
-    /// Point and unit tangent at path length `s` of the line on which the tip moves, or about which it weaves.
+    /// Point at path length `s` of the line on which the tip moves, or about which it weaves.
+    fn line_point(&self, s: f64) -> DVec3 {
+        self.pose(s).point - self.weave().map_or(DVec3::ZERO, |weave| weave.swing(s))
+    }
+
+    /// The same point, and the unit tangent of that line.
     fn line(&self, s: f64) -> (DVec3, DVec3) {
-        let swing = |s: f64| self.weave().map_or(DVec3::ZERO, |weave| weave.swing(s));
-        line_by_difference(|s| self.pose(s).point - swing(s), s, self.length())
+        line_by_difference(|s| self.line_point(s), s, self.length())
     }
 
     /// Path lengths inside the path where a derivative may jump, increasing.

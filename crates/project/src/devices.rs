@@ -57,7 +57,6 @@ fn simulated_drives(machine: &Machine, seed: u64) -> Result<Box<dyn Drives + Sen
     Ok(Box::new(SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(e.message()))?))
 }
 
-/// The drives that the machine file names.
 fn drives(machine: &Machine, folder: &Path) -> Result<Option<Box<dyn Drives + Send>>, Failure> {
     if let Some(device) = &machine.devices.linuxcnc {
         return linuxcnc_drives(machine, folder, device).map(Some);
@@ -66,13 +65,11 @@ fn drives(machine: &Machine, folder: &Path) -> Result<Option<Box<dyn Drives + Se
     Ok(Some(Box::new(StreamedSteps::start(machine, device, folder)?)))
 }
 
-/// Prints a note to standard error.
 fn note(text: &str) {
     // Errors are ignored: standard error may be closed.
     let _ = writeln!(std::io::stderr(), "{}", Message::new("project-note").text("note", text));
 }
 
-/// Drives by LinuxCNC's HAL.
 #[cfg(target_os = "linux")]
 fn linuxcnc_drives(machine: &Machine, folder: &Path, device: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
     let drives = LinuxCncDrives::start(machine, device, folder, |message| note(&message.to_string()));

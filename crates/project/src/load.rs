@@ -149,7 +149,6 @@ fn machine_meant(name: &str) -> Option<Message> {
     closest(stem, &known).map(|meant| Message::new("document-suggestion").key("name", meant))
 }
 
-/// Allowed names of machines.
 fn machine_names() -> Message {
     let names: Vec<&str> = SHIPPED.iter().map(|s| s.name).collect();
     Message::new("project-machine-names").text("names", names.join(", "))

@@ -232,7 +232,6 @@ mod tests {
         OwnMachine::of(&load_foreign("job.toml", text, jobs).unwrap(), jobs).unwrap()
     }
 
-    /// The next loading finds the new values; everything else of the file, comments too, is unchanged.
     #[test]
     fn what_is_kept_is_found_by_the_next_job() {
         let jobs = tempfile::tempdir().unwrap();

@@ -39,7 +39,6 @@ impl<'a> Clocked<'a> {
         Self { planning, spent: Cell::new(Duration::ZERO), last: Cell::new(Instant::now()) }
     }
 
-    /// True if the plan is no longer wanted.
     pub(crate) fn is_cancelled(&self) -> bool {
         self.planning.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed))
     }

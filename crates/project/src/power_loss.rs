@@ -209,7 +209,6 @@ mod tests {
         assert_eq!(data.journal().unwrap().last(), Some(position(7)));
     }
 
-    /// The end of a weld keeps the entry of one that has started meanwhile.
     #[test]
     fn the_end_of_a_weld_clears_its_own_place_only() {
         let folder = tempfile::tempdir().unwrap();

@@ -2,7 +2,6 @@
 
 use crate::drive::{Disturbance, Drive};
 use crate::error::Error;
-use crate::notch::Notch;
 use crate::parameters::DriveParameters;
 use crate::position_loop::{Gains, PositionLoop, SetPoint};
 
@@ -32,27 +31,7 @@ pub struct AxisState {
 ///
 /// The set-point for `t_k` is compared with the measurement at `t_k`; the command acts from `t_k` to `t_k+1`, without a
 /// dead time for its computation. At constant speed with `kvff = 1` only the encoder's error of half a count remains.
-///
-/// ```
-/// use seamwright_servo::{DriveParameters, DriveTuning, Gains, LinearLoad, ServoAxis, SetPoint};
-/// # fn main() -> Result<(), seamwright_servo::Error> {
-/// let load = LinearLoad { mass_kg: 60.0, peak_force_n: 500.0, coulomb_n: 25.0, viscous_n_s_per_m: 60.0 };
-/// let tuning = DriveTuning {
-///     velocity_bandwidth_hz: 80.0,
-///     current_time_constant_s: 3e-4,
-///     current_delay_s: 0.0,
-///     encoder_counts_per_unit: 1000.0,
-/// };
-/// let parameters = DriveParameters::linear(load, tuning)?;
-/// let mut axis = ServoAxis::new(Gains::suggested(80.0, 1e-3), 200.0, parameters, 1e-3)?;
-/// axis.settle_at(5.0);
-/// for _ in 0..500 {
-///     axis.step(SetPoint { position: 5.1, ..SetPoint::default() }, 0.0);
-/// }
-/// assert!((axis.drive().position() - 5.1).abs() < 0.002);
-/// # Ok(())
-/// # }
-/// ```
+/// The [crate](crate#examples) has an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ServoAxis {
     position_loop: PositionLoop,
@@ -77,14 +56,6 @@ impl ServoAxis {
         Ok(Self { position_loop, drive: Drive::new(parameters, position_loop.period_s())? })
     }
 
-    /// Sends the speed command through `notch`.
-    ///
-    /// # Errors
-    /// That of [`PositionLoop::with_notch`].
-    pub fn with_notch(self, notch: Notch) -> Result<Self, Error> {
-        Ok(Self { position_loop: self.position_loop.with_notch(notch)?, ..self })
-    }
-
     /// Runs one servo period, from the set-point's instant to the next, under constant outside forces `disturbance`. A
     /// number is a force on the load (N or N m, positive towards positive positions).
     ///
@@ -105,26 +76,20 @@ impl ServoAxis {
         }
     }
 
-    /// Puts the axis at rest with its encoder at `position` (u), without disturbance and with cleared state.
-    pub fn settle_at(&mut self, position: f64) {
-        self.settle_loaded_at(position, 0.0);
-    }
-
-    /// Does the same as [`ServoAxis::settle_at`], with the drive already holding against `disturbance` (N or N m), such
-    /// as the weight of a vertical axis. The axis does not sag when it is stepped with the same disturbance.
-    pub fn settle_loaded_at(&mut self, position: f64, disturbance: f64) {
+    /// Puts the axis at rest with its encoder at `position` (u) and with cleared state, the drive already holding
+    /// against `disturbance` (N or N m), such as the weight of a vertical axis: stepped with the same disturbance it
+    /// does not sag.
+    pub fn settle_at(&mut self, position: f64, disturbance: f64) {
         self.position_loop.reset();
         self.drive.settle_at(position, disturbance);
     }
 
     /// Returns the drive with its load, after the last step.
-    #[must_use]
     pub fn drive(&self) -> &Drive {
         &self.drive
     }
 
     /// Returns the position loop.
-    #[must_use]
     pub fn position_loop(&self) -> &PositionLoop {
         &self.position_loop
     }

@@ -55,11 +55,9 @@ impl BacklashCompensation {
     }
 }
 
-/// Present offset.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BacklashOffset {
     settings: BacklashCompensation,
-    /// Target of the offset (u).
     target: f64,
     offset: f64,
 }

@@ -189,49 +189,41 @@ impl Drive {
     }
 
     /// Returns the true position of the load (u).
-    #[must_use]
     pub fn position(&self) -> f64 {
         self.mechanism.load().position
     }
 
     /// Returns the true speed of the load (u/s).
-    #[must_use]
     pub fn velocity(&self) -> f64 {
         self.mechanism.load().velocity
     }
 
     /// Returns the true speed of the motor, referred to the axis (u/s).
-    #[must_use]
     pub fn motor_velocity(&self) -> f64 {
         self.mechanism.motor().velocity
     }
 
     /// Returns the encoder's reading (u).
-    #[must_use]
     pub fn measured(&self) -> f64 {
         self.parameters.encoder.read(self.mechanism.measured().position)
     }
 
     /// Returns the current as a fraction of peak current, -1 to 1.
-    #[must_use]
     pub fn current(&self) -> f64 {
         self.current / self.parameters.peak
     }
 
     /// Returns the mean current over the last period, as a fraction of peak current.
-    #[must_use]
     pub fn mean_current(&self) -> f64 {
         self.mean / self.parameters.peak
     }
 
     /// Returns true if the current demand was limited in the last period.
-    #[must_use]
     pub fn limited(&self) -> bool {
         self.limited
     }
 
     /// Returns the parameters of the drive.
-    #[must_use]
     pub fn parameters(&self) -> &DriveParameters {
         &self.parameters
     }

@@ -20,13 +20,11 @@ impl Encoder {
     }
 
     /// Returns the reading (u) for a true `position` (u).
-    #[must_use]
     pub fn read(&self, position: f64) -> f64 {
         (position * self.counts_per_unit).round() / self.counts_per_unit
     }
 
     /// Returns the length or angle of one count (u).
-    #[must_use]
     pub fn count(&self) -> f64 {
         1.0 / self.counts_per_unit
     }

@@ -9,57 +9,24 @@ use std::ops::RangeInclusive;
 /// Only constructors, measurements and the tuning return it; a servo cycle always succeeds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum Error {
-    /// A number is outside its range, or NaN.
-    OutOfRange {
-        /// Name of the parameter, with its unit as suffix.
-        name: &'static str,
-        /// Given value.
-        value: f64,
-        /// Allowed values, in words.
-        allowed: &'static str,
-    },
-    /// Coulomb friction is at or above the peak force, so the axis could never move.
-    FrictionBeyondPeak {
-        /// Coulomb friction (N or N m).
-        coulomb: f64,
-        /// Peak force (N) or torque (N m).
-        peak: f64,
-    },
+    /// The number of this name, which ends in its unit, is outside the allowed range, or NaN.
+    OutOfRange { name: &'static str, value: f64, allowed: &'static str },
+    /// Coulomb friction is at or above the peak force (N or N m), so the axis could never move.
+    FrictionBeyondPeak { coulomb: f64, peak: f64 },
     /// More notches than the loop supports.
-    TooManyNotches {
-        /// Number of notches that the loop supports.
-        places: usize,
-    },
-    /// The velocity loop does not settle at any bandwidth tried, so no position loop can be tuned on it.
-    VelocityLoopSwings {
-        /// Lowest bandwidth tried (Hz).
-        bandwidth_hz: f64,
-    },
-    /// No frequency response can be measured, because limits or standstills occur with every sine.
-    NotMeasurable {
-        /// Speed of the measurement (u/s).
-        speed: f64,
-    },
+    TooManyNotches { places: usize },
+    /// The velocity loop does not settle down to this bandwidth, so no position loop can be tuned on it.
+    VelocityLoopSwings { bandwidth_hz: f64 },
+    /// No frequency response can be measured at this speed (u/s): limits or standstills occur with every sine.
+    NotMeasurable { speed: f64 },
     /// The best loop does not reach the required margins.
-    MarginsNotReached {
-        /// Gain margin (dB).
-        gain_db: f64,
-        /// Phase margin (degrees).
-        phase_deg: f64,
-    },
-    /// The tuned loop oscillates at constant speed.
-    Swings {
-        /// Maximum following error (encoder counts).
-        counts: f64,
-    },
+    MarginsNotReached { gain_db: f64, phase_deg: f64 },
+    /// The tuned loop oscillates at constant speed: the maximum following error, in encoder counts.
+    Swings { counts: f64 },
     /// The current loop is too slow for this velocity loop, which would ring.
-    VelocityLoopTooFast {
-        /// Given bandwidth (Hz).
-        bandwidth_hz: f64,
-        /// Maximum bandwidth with this current loop (Hz).
-        limit_hz: f64,
-    },
+    VelocityLoopTooFast { bandwidth_hz: f64, limit_hz: f64 },
 }
 
 impl fmt::Display for Error {

@@ -35,7 +35,7 @@
 //!     encoder_counts_per_unit: 1000.0,
 //! };
 //! let mut axis = ServoAxis::new(Gains::suggested(80.0, 1e-3), 200.0, DriveParameters::linear(load, tuning)?, 1e-3)?;
-//! axis.settle_at(5.0);
+//! axis.settle_at(5.0, 0.0);
 //! for _ in 0..500 {
 //!     axis.step(SetPoint { position: 5.1, ..SetPoint::default() }, 0.0);
 //! }

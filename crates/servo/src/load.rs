@@ -32,7 +32,6 @@ impl Load {
     /// Creates a load at rest at 0 with Coulomb friction `coulomb` (u/s^2) and viscous rate `viscous` (1/s).
     ///
     /// A negative value or NaN counts as no friction.
-    #[must_use]
     pub fn new(coulomb: f64, viscous: f64) -> Self {
         Self { position: 0.0, velocity: 0.0, coulomb: coulomb.max(0.0), viscous: viscous.max(0.0) }
     }

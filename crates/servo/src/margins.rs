@@ -28,13 +28,11 @@ pub struct Margins {
 }
 
 /// Converts a magnitude to decibels.
-#[must_use]
 pub fn decibels(magnitude: f64) -> f64 {
     20.0 * magnitude.log10()
 }
 
 /// Returns the phase of each line (rad), without jumps; the first is between -2 pi and 0.
-#[must_use]
 pub fn unwrapped(lines: &[Line]) -> Vec<f64> {
     let mut last = -PI;
     let phases = lines.iter().map(|line| {
@@ -79,7 +77,6 @@ fn gain_crossings(lines: &[Line]) -> impl Iterator<Item = (f64, f64)> {
 
 impl Margins {
     /// Computes the margins of the loop with the open-loop response `lines`, in order of frequency.
-    #[must_use]
     pub fn of(lines: &[Line]) -> Self {
         let never = (f64::NAN, f64::INFINITY);
         let least = |a: (f64, f64), b: (f64, f64)| if b.1 < a.1 { b } else { a };
@@ -100,7 +97,6 @@ impl Margins {
     }
 
     /// Returns true if both margins are at least these (dB, degrees); false if the magnitude never crosses 1.
-    #[must_use]
     pub fn reach(&self, gain_db: f64, phase_deg: f64) -> bool {
         self.gain_crossover_hz.is_finite() && self.gain_margin_db >= gain_db && self.phase_margin_deg >= phase_deg
     }

@@ -10,7 +10,6 @@ use crate::parameters::{EncoderSide, Transmission};
 pub(crate) struct Friction {
     /// Coulomb friction (u/s^2).
     pub(crate) coulomb: f64,
-    /// Viscous rate (1/s).
     pub(crate) viscous: f64,
 }
 
@@ -105,7 +104,6 @@ impl Mechanism {
         self.far.as_ref().map_or(&self.motor, |far| &far.load)
     }
 
-    /// Returns the side measured by the encoder.
     pub(crate) fn measured(&self) -> &Load {
         match &self.far {
             Some(far) if far.encoder_on == EncoderSide::Load => &far.load,

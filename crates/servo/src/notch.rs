@@ -61,20 +61,17 @@ impl Notch {
     }
 
     /// Returns the gain at `frequency_hz`: the analytic magnitude of the sampled filter.
-    #[must_use]
     pub fn gain(&self, frequency_hz: f64) -> f64 {
         self.response(Complex64::from_polar(1.0, TAU * frequency_hz * self.period_s)).norm()
     }
 
     /// Returns the complex response at `z`, the sampled filter's variable: `e^(j w T)` for a frequency `w` (rad/s).
-    #[must_use]
     pub fn response(&self, z: Complex64) -> Complex64 {
         let of = |c: [f64; 3]| (c[0] * z + c[1]) * z + c[2];
         of(self.b) / of([1.0, self.a[0], self.a[1]])
     }
 
     /// Returns the sampling period (s).
-    #[must_use]
     pub fn period_s(&self) -> f64 {
         self.period_s
     }
@@ -82,7 +79,6 @@ impl Notch {
     /// Returns the delay of a slow signal by the filter (s).
     ///
     /// Add it to the acceleration feed-forward `kaff`, which compensates lags.
-    #[must_use]
     pub fn delay_s(&self) -> f64 {
         let sum = 1.0 + self.a[0] + self.a[1];
         let late = |one: f64, two: f64| (one + 2.0 * two) / sum;
@@ -96,7 +92,6 @@ mod tests {
 
     const PERIOD: f64 = 1e-3;
 
-    /// Amplitude of the output for a unit sine, by projection over whole cycles after settling.
     fn simulated_gain(mut notch: Notch, frequency_hz: f64) -> f64 {
         let angle = TAU * frequency_hz * PERIOD;
         let (settle, count) = (20_000, 20_000);

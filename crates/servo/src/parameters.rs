@@ -87,9 +87,13 @@ pub struct Transmission {
 /// is fast enough for the velocity loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DriveParameters {
+    /// Acceleration at peak current without friction (u/s^2).
     pub(crate) peak: f64,
+    /// Deceleration by Coulomb friction alone (u/s^2).
     pub(crate) coulomb: f64,
+    /// Viscous friction over inertia (1/s): the decay rate of a coasting speed.
     pub(crate) viscous: f64,
+    /// Acceleration (u/s^2) per N or N m of disturbance.
     pub(crate) per_force: f64,
     pub(crate) bandwidth: f64,
     pub(crate) current_time_constant: f64,
@@ -210,44 +214,17 @@ impl DriveParameters {
         Friction { coulomb: self.coulomb, viscous: self.viscous }
     }
 
-    /// Returns the acceleration at peak current without friction (u/s^2).
-    #[must_use]
-    pub fn peak_acceleration(&self) -> f64 {
-        self.peak
-    }
-
-    /// Returns the deceleration by Coulomb friction alone (u/s^2).
-    #[must_use]
-    pub fn coulomb_deceleration(&self) -> f64 {
-        self.coulomb
-    }
-
-    /// Returns viscous friction over inertia (1/s): the decay rate of a coasting speed.
-    #[must_use]
-    pub fn viscous_rate(&self) -> f64 {
-        self.viscous
-    }
-
-    /// Returns the acceleration (u/s^2) per N or N m of disturbance.
-    #[must_use]
-    pub fn acceleration_per_force(&self) -> f64 {
-        self.per_force
-    }
-
     /// Returns the bandwidth of the velocity loop (Hz).
-    #[must_use]
     pub fn velocity_bandwidth_hz(&self) -> f64 {
         self.bandwidth / TAU
     }
 
     /// Returns the transmission; `None` if motor and load are one rigid mass.
-    #[must_use]
     pub fn transmission(&self) -> Option<Transmission> {
         self.transmission
     }
 
     /// Returns the encoder.
-    #[must_use]
     pub fn encoder(&self) -> Encoder {
         self.encoder
     }
@@ -269,16 +246,16 @@ mod tests {
     #[test]
     fn physical_units_become_accelerations() {
         let linear = DriveParameters::linear(LINEAR, TUNING).unwrap();
-        assert!((linear.peak_acceleration() - 10_000.0).abs() < 1e-9); // 10 m/s^2 in mm/s^2
-        assert!((linear.coulomb_deceleration() - 500.0).abs() < 1e-9);
-        assert!((linear.viscous_rate() - 2.0).abs() < 1e-12);
-        assert!((linear.acceleration_per_force() - 25.0).abs() < 1e-12);
+        assert!((linear.peak - 10_000.0).abs() < 1e-9); // 10 m/s^2 in mm/s^2
+        assert!((linear.coulomb - 500.0).abs() < 1e-9);
+        assert!((linear.viscous - 2.0).abs() < 1e-12);
+        assert!((linear.per_force - 25.0).abs() < 1e-12);
         let load = RotaryLoad { inertia_kg_m2: 0.5, peak_torque_nm: 20.0, coulomb_nm: 1.0, viscous_nm_s_per_rad: 0.25 };
         let rotary = DriveParameters::rotary(load, TUNING).unwrap();
-        assert!((rotary.peak_acceleration() - 40.0).abs() < 1e-12);
-        assert!((rotary.coulomb_deceleration() - 2.0).abs() < 1e-12);
-        assert!((rotary.viscous_rate() - 0.5).abs() < 1e-12);
-        assert!((rotary.acceleration_per_force() - 2.0).abs() < 1e-12);
+        assert!((rotary.peak - 40.0).abs() < 1e-12);
+        assert!((rotary.coulomb - 2.0).abs() < 1e-12);
+        assert!((rotary.viscous - 0.5).abs() < 1e-12);
+        assert!((rotary.per_force - 2.0).abs() < 1e-12);
     }
 
     #[test]

@@ -53,7 +53,6 @@ impl Gains {
     /// - `ki = 0`, `kd = 0`: a velocity loop with integral action already removes the error of
     ///   a constant force. A second integrator makes every step overshoot and helps only where
     ///   the drive lacks the first or its speed command is offset.
-    #[must_use]
     pub fn suggested(velocity_bandwidth_hz: f64, period_s: f64) -> Self {
         let lag = 1.0 / (TAU * velocity_bandwidth_hz) + 0.5 * period_s;
         Self { kp: 0.25 / lag, ki: 0.0, kd: 0.0, kvff: 1.0, kaff: lag }
@@ -175,14 +174,12 @@ impl PositionLoop {
 
     /// Returns the following error (u) of the last update: set position, with the offset for backlash, less
     /// measurement.
-    #[must_use]
     pub fn error(&self) -> f64 {
         self.error
     }
 
     /// Returns the force (N or N m) that the drive must add to its demand until the next update: the friction
     /// feed-forward.
-    #[must_use]
     pub fn force(&self) -> f64 {
         self.force
     }
@@ -208,13 +205,11 @@ impl PositionLoop {
     }
 
     /// Returns true if the last command was clamped to the speed limit, or its inputs were not finite.
-    #[must_use]
     pub fn limited(&self) -> bool {
         self.limited
     }
 
     /// Returns the gains.
-    #[must_use]
     pub fn gains(&self) -> &Gains {
         &self.gains
     }
@@ -225,7 +220,6 @@ impl PositionLoop {
     }
 
     /// Returns the servo period (s).
-    #[must_use]
     pub fn period_s(&self) -> f64 {
         self.period_s
     }

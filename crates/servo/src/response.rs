@@ -57,9 +57,6 @@ fn range(drive: &DriveParameters, kp: f64, period_s: f64) -> Range {
 }
 
 /// Measures the drive alone: from the speed command to the encoder, and from its current to the encoder.
-///
-/// # Errors
-/// Those of [`Drive::new`]; [`Error::NotMeasurable`] if the drive always meets its limits.
 pub(crate) fn drive_response(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<Vec<Measured>, Error> {
     check_run_up(parameters, speed)?;
     let mut drive = Drive::new(*parameters, period_s)?;

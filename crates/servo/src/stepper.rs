@@ -130,26 +130,22 @@ impl StepperMotor {
     }
 
     /// Returns the angle of the rotor, rad.
-    #[must_use]
     pub fn angle(&self) -> f64 {
         self.angle
     }
 
     /// Returns the speed of the rotor, rad/s.
-    #[must_use]
     pub fn speed(&self) -> f64 {
         self.speed
     }
 
     /// Returns the angle commanded by the pulses, rad.
-    #[must_use]
     pub fn field_angle(&self) -> f64 {
         self.pulses as f64 / self.microsteps_per_turn * TAU
     }
 
     /// Returns the full steps that the rotor has lost against the pulses: a multiple of 4, positive if its angle is too
     /// low.
-    #[must_use]
     pub fn lost_full_steps(&self) -> i64 {
         let periods = self.teeth * (self.field_angle() - self.angle) / (2.0 * PI);
         PERIOD * periods.round() as i64
@@ -178,7 +174,6 @@ mod tests {
         StepperMotor::new(&p).unwrap()
     }
 
-    /// Applies pulses at `speed(t)` (rad/s of the shaft) for `duration`, under a torque.
     fn run(m: &mut StepperMotor, duration: f64, outside: f64, speed: impl Fn(f64) -> f64) {
         let (tick, step) = (5e-6, TAU / m.microsteps_per_turn);
         let (mut way, mut made) = (0.0, 0i64);

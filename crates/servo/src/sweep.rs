@@ -48,9 +48,7 @@ pub(crate) struct Range {
     pub(crate) high: f64,
     /// Lines per decade, before refinement.
     pub(crate) per_decade: f64,
-    /// Time between samples (s).
     pub(crate) period_s: f64,
-    /// Resolution of the output.
     pub(crate) resolution: f64,
     /// Negligible differences of the ratio.
     pub(crate) floor: f64,

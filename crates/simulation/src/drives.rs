@@ -34,7 +34,7 @@ impl DriveSet {
     /// Puts every axis at rest at its position in `q`.
     pub(crate) fn settle_at(&mut self, q: &[f64]) {
         for ((servo, _), position) in self.axes.iter_mut().zip(q) {
-            servo.settle_at(*position);
+            servo.settle_at(*position, 0.0);
         }
     }
 

@@ -43,11 +43,7 @@ pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<V
     }
     let curve = |value: fn(&(f64, f64, f64, f64, usize)) -> f64| {
         let rows: Vec<(f64, f64)> = off.iter().map(|o| (o.0, value(o))).collect();
-        let curve = match nominal.is_closed() {
-            true => MonotoneCurve::periodic(&rows, nominal.length()),
-            false => MonotoneCurve::level(&rows),
-        };
-        curve.map_err(|e| e.message())
+        MonotoneCurve::new(&rows, nominal.is_closed().then(|| nominal.length())).map_err(|e| e.message())
     };
     let (across, above) = (curve(|o| o.1)?, curve(|o| o.2)?);
     let count = (nominal.length() / every).ceil().clamp(1.0, 1e7);

@@ -14,7 +14,6 @@ use std::ops::Mul;
 ///
 /// # Panics
 /// If SEAMWRIGHT_SOAK is not a number.
-#[must_use]
 pub fn cases<N: Mul<Output = N> + From<u16>>(usual: N) -> N {
     usual * N::from(soak().unwrap_or(1))
 }
@@ -23,7 +22,6 @@ pub fn cases<N: Mul<Output = N> + From<u16>>(usual: N) -> N {
 ///
 /// # Panics
 /// If it is not a number.
-#[must_use]
 pub fn soak() -> Option<u16> {
     let times = std::env::var("SEAMWRIGHT_SOAK").ok()?;
     Some(times.parse().unwrap_or_else(|_| panic!("SEAMWRIGHT_SOAK={times}: not a number up to 65535")))

@@ -8,13 +8,11 @@ pub struct Random(ChaCha20Rng);
 
 impl Random {
     /// Creates the numbers of a test.
-    #[must_use]
     pub fn new(seed: u8) -> Self {
         Self(ChaCha20Rng::from_seed([seed; 32]))
     }
 
     /// Creates the numbers of a case, which are independent of those of other cases.
-    #[must_use]
     pub fn of_case(case: u32) -> Self {
         let mut seed = [7; 32];
         seed[..4].copy_from_slice(&case.to_le_bytes());

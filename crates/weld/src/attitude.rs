@@ -50,11 +50,8 @@ impl Attitude {
         }
         let curve_of = |value: fn(&(f64, f64, f64)) -> f64| {
             let points: Vec<_> = rows.iter().map(|r| (r.0, value(r).to_radians())).collect();
-            let curve = match seam.all_round() {
-                true => MonotoneCurve::periodic(&points, seam.length()),
-                false => MonotoneCurve::level(&points),
-            };
-            curve.map_err(|e| file.error_at(path, e.message(), Message::new("weld-allowed-positions-increasing")))
+            MonotoneCurve::new(&points, seam.all_round().then(|| seam.length()))
+                .map_err(|e| file.error_at(path, e.message(), Message::new("weld-allowed-positions-increasing")))
         };
         Ok(Self { work: curve_of(|r| r.1)?, travel: curve_of(|r| r.2)? })
     }

@@ -83,10 +83,14 @@ impl TorchPath for PassPath<'_> {
     }
 
     /// Without the attitude, which it does not depend on.
+    fn line_point(&self, s: f64) -> DVec3 {
+        let p = self.seam_point(s);
+        self.placement.transform_point3(self.bead.map_or(p.point, |bead| bead.tip(&p)))
+    }
+
     fn line(&self, s: f64) -> (DVec3, DVec3) {
-        if let Some(bead) = self.bead {
-            let tip = |s: f64| self.placement.transform_point3(bead.tip(&self.seam_point(s)));
-            return line_by_difference(tip, s, self.length());
+        if self.bead.is_some() {
+            return line_by_difference(|s| self.line_point(s), s, self.length());
         }
         let p = self.seam_point(s);
         (self.placement.transform_point3(p.point), self.placement.transform_vector3(self.stretch.sense * p.tangent))

@@ -14,7 +14,7 @@ const TILTED: f64 = 1e-6;
 pub(crate) fn faces(joint: FilletOrButt, wall: WallFaces, normal: DVec3) -> FaceRule {
     match joint {
         FilletOrButt::Fillet => FaceRule::WallOnPlate { plate: normal, left: wall == WallFaces::Left },
-        FilletOrButt::Butt => FaceRule::Flat { normal },
+        FilletOrButt::Butt => FaceRule::Fixed { n1: normal, n2: normal },
     }
 }
 

@@ -44,6 +44,10 @@ impl TorchPath for WeldPath<'_> {
         self.path().rate(s)
     }
 
+    fn line_point(&self, s: f64) -> DVec3 {
+        self.path().line_point(s)
+    }
+
     fn line(&self, s: f64) -> (DVec3, DVec3) {
         self.path().line(s)
     }

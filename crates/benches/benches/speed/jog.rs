@@ -14,29 +14,20 @@ pub(crate) fn benches(c: &mut Criterion) {
     let speeds =
         |share: f64| -> Joints { std::array::from_fn(|i| machine.axes.get(i).map_or(0.0, |a| share * a.max_speed)) };
     for (what, watched) in [("nothing watched", None), ("all shapes watched", Some(&around))] {
-        let jog = || Jog::new(&machine, watched, &home, JogSettings::default()).unwrap();
-        let mut there = jog();
-        let mut i = 0u32;
-        // To and fro, so that it keeps moving.
-        c.bench_function(&format!("jog step, 10 axes, {what}"), |b| {
-            b.iter(|| {
-                let way = if (i / 300).is_multiple_of(2) { 0.1 } else { -0.1 };
-                i += 1;
-                there.command(&Command::Speeds(speeds(way))).ok();
-                black_box(there.step(&on))
+        for (how, change) in [("", 0.0), (" with a new command", 1e-6)] {
+            let mut there = Jog::new(&machine, watched, &home, JogSettings::default()).unwrap();
+            let mut i = 0u32;
+            // To and fro, so that it keeps moving.
+            c.bench_function(&format!("jog step{how}, 10 axes, {what}"), |b| {
+                b.iter(|| {
+                    let way = if (i / 300).is_multiple_of(2) { 0.1 } else { -0.1 } + change * f64::from(i % 100);
+                    i += 1;
+                    there.command(&Command::Speeds(speeds(way))).ok();
+                    black_box(there.step(&on))
+                });
             });
-        });
-        assert!(there.halt().is_none());
-        let mut there = jog();
-        c.bench_function(&format!("jog step with a new command, 10 axes, {what}"), |b| {
-            b.iter(|| {
-                let way = if (i / 300).is_multiple_of(2) { 0.1 } else { -0.1 } + 1e-6 * f64::from(i % 100);
-                i += 1;
-                there.command(&Command::Speeds(speeds(way))).ok();
-                black_box(there.step(&on))
-            });
-        });
-        assert!(there.halt().is_none());
+            assert!(there.halt().is_none());
+        }
     }
     let mut plan = PointToPoint::new(&machine);
     let mut state = State::at_rest(&home);

@@ -3,42 +3,26 @@
 use criterion::Criterion;
 use glam::DVec3;
 use seamwright_geometry::reduce::{Method, Tolerances, reduce};
+use seamwright_testkit::Random;
 use std::hint::black_box;
 
 const POINTS: usize = 1_000_000;
 const TOLERANCE: f64 = 0.01;
 
-/// Numbers in (-1, 1) by Weyl's sequence, mixed.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    fn vector(&mut self) -> DVec3 {
-        DVec3::new(self.next(), self.next(), self.next())
-    }
-}
-
 /// Lines and arcs of a thousand points each, noise a fifth of the tolerance.
 fn mixed(count: usize) -> Vec<DVec3> {
-    let mut numbers = Numbers(1);
+    let mut random = Random::new(1);
     let (mut at, mut points) = (DVec3::ZERO, Vec::new());
     while points.len() < count {
-        let (tangent, other) = (numbers.vector().normalize(), numbers.vector());
+        let (tangent, other) = (random.direction(), random.vector(1.0));
         let inward = tangent.cross(other).normalize();
-        let radius = if numbers.next() > 0.0 { 1e9 } else { 40.0 + 20.0 * numbers.next() };
+        let radius = if random.yes() { 1e9 } else { random.within(20.0, 60.0) };
         let from = at;
         for i in 1..=1000 {
             let way = 0.1 * f64::from(i);
             let half = 0.5 * way / radius;
             at = from + 2.0 * radius * half.sin() * (half.cos() * tangent + half.sin() * inward);
-            points.push(at + 0.2 * TOLERANCE / 3f64.sqrt() * numbers.vector());
+            points.push(at + random.vector(0.2 * TOLERANCE / 3f64.sqrt()));
         }
     }
     points.truncate(count);
@@ -46,16 +30,15 @@ fn mixed(count: usize) -> Vec<DVec3> {
 }
 
 fn line(count: usize) -> Vec<DVec3> {
-    let mut numbers = Numbers(2);
-    (0..count).map(|i| DVec3::new(0.01 * i as f64, 0.0, 0.0) + 0.4 * TOLERANCE * numbers.vector()).collect()
+    let mut random = Random::new(2);
+    (0..count).map(|i| DVec3::new(0.01 * i as f64, 0.0, 0.0) + random.vector(0.4 * TOLERANCE)).collect()
 }
 
 fn circle(count: usize) -> Vec<DVec3> {
-    let mut numbers = Numbers(3);
+    let mut random = Random::new(3);
     let angle = |i: usize| std::f64::consts::TAU * i as f64 / (count - 1) as f64;
-    (0..count)
-        .map(|i| 500.0 * DVec3::new(angle(i).cos(), angle(i).sin(), 0.0) + 0.2 * TOLERANCE * numbers.vector())
-        .collect()
+    let point = |i| 500.0 * DVec3::new(angle(i).cos(), angle(i).sin(), 0.0) + random.vector(0.2 * TOLERANCE);
+    (0..count).map(point).collect()
 }
 
 /// A spiral that opens by 5 mm a turn, of exact points.
@@ -70,9 +53,9 @@ fn spiral(count: usize) -> Vec<DVec3> {
 }
 
 fn walk(count: usize) -> Vec<DVec3> {
-    let (mut numbers, mut at) = (Numbers(5), DVec3::ZERO);
+    let (mut random, mut at) = (Random::new(5), DVec3::ZERO);
     let step = |_| {
-        at += numbers.vector();
+        at += random.vector(1.0);
         at
     };
     (0..count).map(step).collect()

@@ -7,7 +7,6 @@ use seamwright_testkit::{Random, cases};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-/// A random number from values that are difficult for floating-point arithmetic.
 fn hard(random: &mut Random) -> f64 {
     let all = [0.0, -0.0, 5e-324, 1e-308, 1e-200, 1e-160, 1e-100, 1e-30, 1e-16, 1e-9, 1e-3, 1.0, 10.0, 800.0, 1e6, 9e6];
     let value = all[random.below(all.len())];
@@ -44,7 +43,6 @@ fn shape(random: &mut Random) -> Shape {
     }
 }
 
-/// A mesh of four triangles, thin or tiny; a ball if they form no valid mesh.
 fn tetrahedron(random: &mut Random) -> Shape {
     let p = [0; 4].map(|_| DVec3::from_array([0; 3].map(|_| hard(random).clamp(-1e6, 1e6))));
     let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map(|f| f.map(|i| p[i]));

@@ -5,7 +5,6 @@ use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Group, Scene, Shape, Solid, Watch};
 use seamwright_testkit::{Random, cases};
 
-/// Points of the body, including its extreme ones.
 fn points(shape: &Shape, random: &mut Random) -> Vec<DVec3> {
     let round = |radius: f64, z: f64| {
         (0..400).map(move |i| {

@@ -47,7 +47,7 @@ impl Seam {
         let frame = |i: u32| {
             let s = length_mm * f64::from(i) / count;
             // At a corner the mean of both directions.
-            let (point, along) = line_by_difference(|s| path.line(s).0, s, length_mm);
+            let (point, along) = line_by_difference(|s| path.line_point(s), s, length_mm);
             let up = -path.pose(s).direction;
             let height = (up - up.dot(along) * along).normalize_or(along.any_orthonormal_vector());
             SeamFrame { point, along, lateral: height.cross(along), height }

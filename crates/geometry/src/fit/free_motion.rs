@@ -7,15 +7,9 @@ use std::fmt;
 pub enum Motion {
     /// Moving along a unit vector.
     Along(DVec3),
-    /// Turning about an axis, and moving along it at the same time if `pitch` is not 0.
-    About {
-        /// A point on the axis, mm.
-        point: DVec3,
-        /// Unit direction of the axis.
-        direction: DVec3,
-        /// Distance along the axis per turn, mm.
-        pitch: f64,
-    },
+    /// Turning about the axis through a point, and moving along it by `pitch` mm a turn.
+    #[allow(missing_docs, reason = "the fields say what they are")]
+    About { point: DVec3, direction: DVec3, pitch: f64 },
 }
 
 impl Motion {

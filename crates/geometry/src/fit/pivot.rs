@@ -1,9 +1,3 @@
-//! Tool tip from touches of one fixed point.
-//!
-//! For all touches `frame * tip = point`. This is linear in tip and point, and subtracting the means eliminates the
-//! point. The eigenvalues of the remaining matrix give the amplification of a touch's error along each direction.
-//! Directions with an amplification above four are undetermined, and the tip keeps its value there.
-
 use super::twist::axes_first;
 use crate::error::Error;
 use glam::{DAffine3, DMat3, DVec3};
@@ -35,7 +29,7 @@ pub struct PivotFit {
 
 /// Finds a point of a body (the tip of a tool) in its frame, from poses with that point at one fixed point: `frame *
 /// tip = point` for all of them, by least squares. It is linear in both; subtracting the means over all frames
-/// eliminates the fixed point.
+/// eliminates the fixed point. The eigenvalues of the remaining matrix give the amplification of a touch's error.
 ///
 /// # Errors
 /// [`Error::TooFewPoints`] with fewer than three frames; [`Error::Alike`] if their attitudes are too similar.

@@ -30,7 +30,6 @@ pub(crate) struct Twists {
 }
 
 impl Twists {
-    /// Twists about the mean of `points`.
     pub(crate) fn about(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> Self {
         let n = points.len().max(1) as f64;
         let at = points.clone().sum::<DVec3>() / n;
@@ -44,7 +43,6 @@ impl Twists {
         [gradient.x, gradient.y, gradient.z, turn.x, turn.y, turn.z]
     }
 
-    /// The motion of six numbers.
     pub(crate) fn motion(&self, numbers: &[f64]) -> DAffine3 {
         let shift = DVec3::from_slice(numbers);
         let turn = DQuat::from_scaled_axis(DVec3::from_slice(&numbers[3..]) / self.reach);
@@ -68,7 +66,6 @@ impl Seen {
         Self { svd, least }
     }
 
-    /// Number of determined directions.
     pub(crate) fn rank(&self) -> usize {
         self.svd.singular_values.iter().filter(|s| **s > self.least).count()
     }

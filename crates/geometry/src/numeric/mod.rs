@@ -1,5 +1,5 @@
-//! Direct solvers for matrices with few diagonals, in time proportional to the number of unknowns. All other linear
-//! algebra is nalgebra's.
+//! Bisection, and direct solvers for matrices with few diagonals, in time proportional to the number of unknowns. All
+//! other linear algebra is nalgebra's.
 //!
 //! | matrix | solver |
 //! |---|---|
@@ -21,13 +21,21 @@ use std::ops::{Add, Mul, Sub};
 pub trait Value: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Value for T {}
 
+/// Halves the interval from `good`, where `is_good` holds, to `bad`, where it does not, so many times. Returns its ends.
+pub fn bisect(mut good: f64, mut bad: f64, halvings: u32, is_good: impl Fn(f64) -> bool) -> (f64, f64) {
+    for _ in 0..halvings {
+        let middle = 0.5 * (good + bad);
+        if is_good(middle) { good = middle } else { bad = middle }
+    }
+    (good, bad)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use nalgebra::{DMatrix, DVector};
     use proptest::prelude::*;
 
-    /// Asserts that `x` solves the system as nalgebra does.
     fn assert_solved(matrix: DMatrix<f64>, right: &[f64], x: &[f64]) {
         let expected = matrix.lu().solve(&DVector::from_column_slice(right)).unwrap();
         let off = (DVector::from_column_slice(x) - &expected).amax();

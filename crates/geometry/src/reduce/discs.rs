@@ -2,7 +2,6 @@
 
 use glam::{DVec2, DVec3};
 
-/// A disc in the plane of a [`Chart`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Disc {
     centre: DVec2,
@@ -18,7 +17,6 @@ pub(super) struct Chart {
 }
 
 impl Chart {
-    /// The chart about a unit vector.
     pub(super) fn new(pole: DVec3) -> Self {
         let (right, up) = pole.any_orthonormal_pair();
         Self { pole, right, up }
@@ -42,7 +40,6 @@ impl Chart {
 }
 
 impl Disc {
-    /// True if the disc contains the position, to rounding.
     fn has(&self, at: DVec2) -> bool {
         at.distance_squared(self.centre) <= (self.radius * (1.0 + 1e-9) + 1e-15).powi(2)
     }

@@ -21,7 +21,6 @@ pub(super) struct Memory {
 /// Known start of the runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ends {
-    /// They start exactly here.
     FixedStart,
     /// They start here or before.
     Free,

@@ -65,7 +65,6 @@ impl Course {
         }
     }
 
-    /// The foot of the point `x` from the origin.
     fn foot(&self, run: &Run, x: DVec3) -> Foot {
         match self {
             Self::Line => {

@@ -62,7 +62,6 @@ pub fn reduce(points: &[DVec3], axes: &[Vec<f64>], tolerances: Tolerances, metho
     Ok(Reduction { spans: found.spans, at_least: found.at_least })
 }
 
-/// Checks that the tolerances and all values are valid.
 fn check(points: &[DVec3], axes: &[Vec<f64>], tolerances: Tolerances) -> Result<(), Error> {
     let in_range = |p: DVec3| p.is_finite() && p.abs().max_element() <= MAX_COORDINATE_MM;
     positive("geometry-tolerance", tolerances.path_mm)?;

@@ -18,15 +18,9 @@ pub struct Span {
 pub enum Shape {
     /// The straight line between its ends.
     Line,
-    /// The arc between its ends that goes counter-clockwise about `normal`.
-    Arc {
-        /// Centre, mm.
-        centre: DVec3,
-        /// Radius, mm.
-        radius: f64,
-        /// Unit normal of its plane.
-        normal: DVec3,
-    },
+    /// The arc between its ends (centre and radius in mm) that goes counter-clockwise about the unit `normal`.
+    #[allow(missing_docs, reason = "the fields say what they are")]
+    Arc { centre: DVec3, radius: f64, normal: DVec3 },
 }
 
 /// Method of cutting a polyline into runs.

@@ -47,7 +47,6 @@ impl Near {
 /// Up to three positions, by number, that no line or arc satisfies together.
 pub(super) type Witness = [usize; 3];
 
-/// Result of a search.
 pub(super) enum Found {
     /// The direction of an arc within tolerance of all points.
     Direction(DVec3),

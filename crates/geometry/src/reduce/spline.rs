@@ -125,7 +125,6 @@ mod tests {
     use super::*;
     use seamwright_testkit::Random;
 
-    /// Distance of a point from a spline by brute force.
     fn distance(spline: &Spline, p: DVec3) -> f64 {
         let (from, to) = spline.domain();
         let at = |k: u32| spline.point(from + (to - from) * f64::from(k) / 4000.0);

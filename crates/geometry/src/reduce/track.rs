@@ -13,7 +13,6 @@ pub(super) struct Allowance {
 /// The points to reduce with their further columns, and the tolerances of a span.
 pub(super) struct Track<'a> {
     pub(super) points: &'a [DVec3],
-    /// Further columns.
     pub(super) axes: &'a [Vec<f64>],
     /// Maximum distance of a point from its span, mm.
     pub(super) near: f64,

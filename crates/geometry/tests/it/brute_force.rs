@@ -1,6 +1,7 @@
 //! Independent values by brute force.
 
 use glam::DVec3;
+use seamwright_geometry::numeric::bisect;
 use std::f64::consts::TAU;
 
 /// Heights along a line at which it is searched for a body.
@@ -16,12 +17,7 @@ pub(crate) fn first_inside(level: impl Fn(DVec3) -> f64, foot: DVec3, d: DVec3, 
     let at = |i: i32| heights.from + (heights.to - heights.from) * f64::from(i) / f64::from(heights.steps);
     let is_inside = |h: f64| level(foot + h * d) < 0.0;
     let first = (0..=heights.steps).find(|i| is_inside(at(*i))).filter(|i| *i > 0)?;
-    let (mut inside, mut outside) = (at(first), at(first - 1));
-    for _ in 0..80 {
-        let h = 0.5 * (inside + outside);
-        if is_inside(h) { inside = h } else { outside = h }
-    }
-    Some(foot + inside * d)
+    Some(foot + bisect(at(first), at(first - 1), 80, is_inside).0 * d)
 }
 
 /// Length of a closed curve over a turn: by chords, extrapolated to chords of no length; and the last correction.

@@ -70,7 +70,6 @@ fn bodies(random: &mut Random) -> Vec<Body> {
     ]
 }
 
-/// Minimum distance over the surface: from a coarse grid, with the best few cells refined.
 fn searched(body: &Body, p: DVec3) -> f64 {
     let n = 40;
     let mut starts = Vec::new();

@@ -135,7 +135,6 @@ fn pairs_with_noise_are_at_the_least_sum_and_their_errors_shrink() {
     }
 }
 
-/// Checks by differences that `sum` of squares (mm^2) does not fall in any direction from `at`.
 fn at_the_bottom(at: &DAffine3, reach: f64, sum: impl Fn(&DAffine3) -> f64) {
     let least = sum(at);
     let middle = at.translation;
@@ -333,7 +332,6 @@ fn a_turned_tube_s_axis_comes_back() {
     }
 }
 
-/// Descriptions of the free motions, sorted.
 fn words(free: &[Motion]) -> Vec<String> {
     let mut words: Vec<String> = free.iter().map(ToString::to_string).collect();
     words.sort();
@@ -378,7 +376,6 @@ fn what_the_points_do_not_see_is_told_and_left_alone() {
     same(&lifted.transform, &DAffine3::from_translation(3.0 * DVec3::Z), "a lifted plate");
 }
 
-/// Moves axis points to the axis' foot from the origin, so that descriptions compare equal.
 fn near_axis(motion: Motion) -> Motion {
     match motion {
         Motion::About { point, direction, pitch } => {

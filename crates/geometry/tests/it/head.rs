@@ -54,7 +54,6 @@ impl Case {
         .unwrap()
     }
 
-    /// Distance from the axis, height.
     fn meridional(&self, p: DVec3) -> (f64, f64) {
         let z = (p - self.centre).dot(self.axis);
         ((p - self.centre).cross(self.axis).length(), z)
@@ -95,13 +94,11 @@ impl Case {
         }
     }
 
-    /// The last point of a line inside the head, searched from outside in small steps, then by bisection.
     fn brute(&self, foot: DVec3, d: DVec3) -> Option<DVec3> {
         let (middle, far) = ((self.centre - foot).dot(d), 6.0 * self.radius);
         first_inside(|p| self.level(p), foot, d, &Heights { from: middle + far, to: middle - far, steps: 2400 })
     }
 
-    /// A tube somewhere on the head.
     fn tube(&self, random: &mut Random) -> Tube {
         let rho = self.radius * random.within(0.3, 1.0);
         let across = self.axis.cross(random.direction()).normalize();

@@ -247,7 +247,6 @@ fn fits_keep_the_tolerance_with_few_knots() {
         let through = fit_spline(&points, ends[case as usize % 3], 0.0).unwrap();
         assert_eq!(through, Spline::through(&points, ends[case as usize % 3]).unwrap());
     }
-    println!("{points_in} points, {knots_out} knots");
     assert!(3 * knots_out < points_in, "{points_in} {knots_out}");
 }
 

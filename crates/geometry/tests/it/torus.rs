@@ -27,7 +27,6 @@ impl Bend {
         Torus::new(self.centre, self.axis, self.ring, self.pipe).unwrap()
     }
 
-    /// Distance from the ring less the pipe's radius: negative inside.
     fn level(&self, p: DVec3) -> f64 {
         let q = p - self.centre;
         (q.cross(self.axis).length() - self.ring).hypot(q.dot(self.axis)) - self.pipe

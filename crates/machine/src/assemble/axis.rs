@@ -3,45 +3,36 @@ use crate::file::{File, StepFile};
 use seamwright_document::{DocumentError, Finite, Positive, RESERVED_COLUMNS};
 use seamwright_message::Message;
 
-/// The axis of a step, or none if the step is fixed.
 pub(super) fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Axis>, DocumentError> {
     let at = |key: &str| format!("{path}.{key}");
     let Some(name) = &step.axis else {
         let has_axis_keys = StepFile { fixed: None, ..step.clone() } != StepFile::default();
         if step.fixed.is_none() || has_axis_keys {
-            return Err(file.error_at(path, Message::new("machine-step-neither"), Message::new("machine-step-kinds")));
+            return Err(file.fault_at(path, "machine-step-neither", "machine-step-kinds"));
         }
         return Ok(None);
     };
     if step.fixed.is_some() {
-        return Err(file.error_at(
-            &at("fixed"),
-            Message::new("machine-step-fixed-axis"),
-            Message::new("machine-step-fixed-apart"),
-        ));
+        return Err(file.fault_at(&at("fixed"), "machine-step-fixed-axis", "machine-step-fixed-apart"));
     }
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
     if name.is_empty() || !name.chars().all(plain) {
-        let message = Message::new("machine-axis-name-invalid");
-        return Err(file.error_at(&at("axis"), message, Message::new("machine-plain-letters")));
+        return Err(file.fault_at(&at("axis"), "machine-axis-name-invalid", "machine-plain-letters"));
     }
     if RESERVED_COLUMNS.contains(&name.as_str()) {
-        let message = Message::new("machine-axis-name-reserved");
-        return Err(file.error_at(&at("axis"), message, Message::new("document-own-name")));
+        return Err(file.fault_at(&at("axis"), "machine-axis-name-reserved", "document-own-name"));
     }
     let kind = match (&step.turn, &step.direction) {
         (Some(_), None) => AxisKind::Rotary,
         (None, Some(_)) => AxisKind::Linear,
         _ => {
-            let message = Message::new("machine-axis-turn-or-move");
-            return Err(file.error_at(path, message, Message::new("machine-turn-or-move")));
+            return Err(file.fault_at(path, "machine-axis-turn-or-move", "machine-turn-or-move"));
         }
     };
     if kind == AxisKind::Linear {
         for (key, given) in [("at_mm", step.at_mm.is_some()), ("continuous", step.continuous)] {
             if given {
-                let message = Message::new("machine-axis-key-of-rotary");
-                return Err(file.error_at(&at(key), message, Message::new("machine-only-with-turn")));
+                return Err(file.fault_at(&at(key), "machine-axis-key-of-rotary", "machine-only-with-turn"));
             }
         }
     }
@@ -123,7 +114,6 @@ struct Key<'a> {
 }
 
 impl Key<'_> {
-    /// The key of an axis of this kind.
     fn of(self, kind: AxisKind) -> String {
         let Self { what, power } = self;
         format!("{what}_{}{power}", if kind == AxisKind::Linear { "mm" } else { "deg" })
@@ -154,10 +144,7 @@ fn range(file: &File, path: &str, step: &StepFile, kind: AxisKind) -> Result<Opt
     let range = unit_value(file, path, kind, Key { what: "range", power: "" }, step.range_mm, step.range_deg)?;
     let key = if kind == AxisKind::Linear { "range_mm" } else { "range_deg" };
     match (range, step.continuous) {
-        (Some(_), true) => {
-            let message = Message::new("machine-range-of-continuous");
-            Err(file.error_at(path, message, Message::new("machine-continuous-or-range")))
-        }
+        (Some(_), true) => Err(file.fault_at(path, "machine-range-of-continuous", "machine-continuous-or-range")),
         (None, true) => Ok(None),
         (None, false) => {
             let allowed = Message::new(match kind {

@@ -6,7 +6,6 @@ use seamwright_message::Message;
 /// Events with a meaning of their own.
 const EVENTS: &str = "arc_on, arc_off, gas_on, gas_off, wire_on, wire_off, exact_stop, continuous_path";
 
-/// Checks the controls of the file: existing axes, unique and valid addresses, valid codes.
 pub(super) fn check(file: &File, axes: &[Axis]) -> Result<(), DocumentError> {
     let controls = &file.value.controls;
     let all = [
@@ -31,20 +30,17 @@ fn check_one(file: &File, name: &str, control: &ControlFile, axes: &[Axis]) -> R
         let good = chars.next().is_some_and(|c| c.is_ascii_uppercase())
             && chars.all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_');
         if !good || ["G", "N"].contains(&address.as_str()) {
-            let message = Message::new("machine-address-invalid");
-            return Err(file.error_at(&at(table, key), message, Message::new("machine-address-form")));
+            return Err(file.fault_at(&at(table, key), "machine-address-invalid", "machine-address-form"));
         }
         if taken.contains(&address.as_str()) {
-            let message = Message::new("machine-address-taken");
-            return Err(file.error_at(&at(table, key), message, Message::new("machine-own-address")));
+            return Err(file.fault_at(&at(table, key), "machine-address-taken", "machine-own-address"));
         }
         taken.push(address);
     }
     for (code, does) in &control.codes {
         let number = code.strip_prefix(['G', 'M']).and_then(|rest| rest.parse::<f64>().ok());
         if number.is_none_or(|n| !(0.0..1e4).contains(&n)) {
-            let message = Message::new("machine-code-invalid");
-            return Err(file.error_at(&at("codes", code), message, Message::new("machine-code-form")));
+            return Err(file.fault_at(&at("codes", code), "machine-code-invalid", "machine-code-form"));
         }
         if does.is_empty() || !does.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_') {
             let message = Message::new("machine-event-invalid");

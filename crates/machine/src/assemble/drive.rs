@@ -4,13 +4,12 @@ use seamwright_document::{DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
 use seamwright_servo::{self as servo, BacklashCompensation, FrictionCompensation, Gains, NotchSettings, Transmission};
 
-/// Maximum number of notches of a position loop.
 const NOTCHES: usize = 2;
 /// Default damping of a resonance: a steel structure with guides.
 const DAMPING: f64 = 0.02;
 
 /// The keys of one kind of axis, in mm or degrees; those of the other kind must be missing.
-#[derive(PartialEq)]
+#[derive(PartialEq, Default)]
 struct Keys {
     inertia: Option<Positive>,
     peak: Option<Positive>,
@@ -23,20 +22,6 @@ struct Keys {
     smoothing: Option<Positive>,
     backlash_compensation: Option<NonNegative>,
 }
-
-/// All keys missing.
-const NO_KEYS: Keys = Keys {
-    inertia: None,
-    peak: None,
-    limit: None,
-    friction: None,
-    viscous: None,
-    counts: None,
-    backlash: None,
-    friction_compensation: None,
-    smoothing: None,
-    backlash_compensation: None,
-};
 
 fn keys(d: &DriveFile, kind: AxisKind) -> Keys {
     match kind {
@@ -67,7 +52,6 @@ fn keys(d: &DriveFile, kind: AxisKind) -> Keys {
     }
 }
 
-/// One `[drives.<axis>]` table.
 struct Table<'a> {
     file: &'a File,
     axis: &'a Axis,
@@ -85,7 +69,7 @@ pub(super) fn drive(file: &File, axis: &Axis, d: &DriveFile) -> Result<Drive, Do
             (AxisKind::Linear, "machine-drive-of-rotary", "inertia_kg_m2, peak_torque_n_m, encoder_counts_per_deg")
         }
     };
-    if keys(d, other) != NO_KEYS {
+    if keys(d, other) != Keys::default() {
         return Err(file.error_at(&path, Message::new(what), needed));
     }
     let keys = keys(d, axis.kind);
@@ -118,7 +102,6 @@ fn beside(key: &str) -> Message {
     Message::new("machine-together-with").key("key", key)
 }
 
-/// Allowed: a fraction.
 fn fraction() -> Message {
     Message::new("document-between").value("min", 0.0, Unit::One).value("max", 1.0, Unit::One)
 }
@@ -132,7 +115,6 @@ impl Table<'_> {
         self.file.error_at(&format!("drives.{}{key}", self.axis.name), message, allowed)
     }
 
-    /// The key's name on this kind of axis.
     fn named<'k>(&self, linear: &'k str, rotary: &'k str) -> &'k str {
         if self.axis.kind == AxisKind::Linear { linear } else { rotary }
     }

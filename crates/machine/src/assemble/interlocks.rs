@@ -2,10 +2,8 @@ use crate::file::File;
 use seamwright_document::DocumentError;
 use seamwright_message::{Message, Unit};
 
-/// Maximum number of interlocks of a machine, and of inputs.
 const MAX_INTERLOCKS: usize = 64;
 
-/// Checks that interlocks have unique names and inputs and do not contradict each other.
 pub(super) fn check(file: &File) -> Result<(), DocumentError> {
     let all = &file.value.interlocks;
     if all.len() > MAX_INTERLOCKS {
@@ -24,8 +22,7 @@ pub(super) fn check(file: &File) -> Result<(), DocumentError> {
             }
         }
         if all[..i].iter().any(|other| other.name == one.name) {
-            let message = Message::new("machine-interlock-name-taken");
-            return Err(file.error_at(&at("name"), message, Message::new("document-own-name")));
+            return Err(file.fault_at(&at("name"), "machine-interlock-name-taken", "document-own-name"));
         }
         if let Some(other) = all[..i].iter().find(|other| other.input == one.input && other.is != one.is) {
             let message = Message::new("machine-interlocks-contradict")

@@ -20,10 +20,8 @@ use seamwright_document::{Direction, DocumentError};
 use seamwright_message::{Message, Unit};
 use std::collections::BTreeMap;
 
-/// Maximum number of heads of a machine.
 const MAX_HEADS: usize = 2;
 
-/// Builds the machine.
 pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError> {
     let m = &file.value;
     check_heads(file)?;
@@ -78,11 +76,10 @@ fn check_heads(file: &File) -> Result<(), DocumentError> {
     match (m.torch.is_some(), m.heads.len()) {
         (true, 0) | (false, 1..=MAX_HEADS) => {}
         (true, _) => {
-            let message = Message::new("machine-torch-and-heads");
-            return Err(file.error_at("torch", message, Message::new("machine-torch-or-heads")));
+            return Err(file.fault_at("torch", "machine-torch-and-heads", "machine-torch-or-heads"));
         }
         (false, 0) => {
-            return Err(file.error_at("", Message::new("machine-torch-missing"), Message::new("machine-torch-form")));
+            return Err(file.fault_at("", "machine-torch-missing", "machine-torch-form"));
         }
         (false, n) => {
             let path = format!("heads[{MAX_HEADS}]");
@@ -100,14 +97,12 @@ fn check_heads(file: &File) -> Result<(), DocumentError> {
         let twice = m.heads[..i].iter().any(|other| other.name == head.name);
         let steps = m.tool.iter().chain(&m.work).chain(m.heads.iter().flat_map(|h| &h.steps));
         if taken || twice || steps.into_iter().any(|s| s.axis.as_ref() == Some(&head.name)) {
-            let message = Message::new("machine-head-name-taken");
-            return Err(file.error_at(&format!("{path}.name"), message, Message::new("document-own-name")));
+            return Err(file.fault_at(&format!("{path}.name"), "machine-head-name-taken", "document-own-name"));
         }
     }
     Ok(())
 }
 
-/// Builds all axes in the order of the columns: tool, heads, work.
 fn axes(file: &File) -> Result<Vec<Axis>, DocumentError> {
     let m = &file.value;
     let mut branches: Vec<(String, &[StepFile])> = vec![("tool".to_owned(), &m.tool)];
@@ -119,13 +114,11 @@ fn axes(file: &File) -> Result<Vec<Axis>, DocumentError> {
             let Some(axis) = axis::axis(file, &format!("{branch}[{i}]"), step)? else { continue };
             if axes.iter().any(|a| a.name == axis.name) {
                 let path = format!("{branch}[{i}].axis");
-                let message = Message::new("machine-axis-name-taken");
-                return Err(file.error_at(&path, message, Message::new("document-own-name")));
+                return Err(file.fault_at(&path, "machine-axis-name-taken", "document-own-name"));
             }
             if axis.letter.is_some() && axes.iter().any(|a| a.letter == axis.letter) {
                 let path = format!("{branch}[{i}].letter");
-                let message = Message::new("machine-axis-letter-taken");
-                return Err(file.error_at(&path, message, Message::new("machine-own-letter")));
+                return Err(file.fault_at(&path, "machine-axis-letter-taken", "machine-own-letter"));
             }
             axes.push(axis);
         }
@@ -138,7 +131,6 @@ fn axes(file: &File) -> Result<Vec<Axis>, DocumentError> {
     Ok(axes)
 }
 
-/// Indices of the axes that move to their home positions, in order.
 fn home_order(file: &File, axes: &[Axis]) -> Result<Vec<usize>, DocumentError> {
     let mut order = Vec::new();
     for (i, name) in file.value.home_order.iter().enumerate() {
@@ -148,8 +140,7 @@ fn home_order(file: &File, axes: &[Axis]) -> Result<Vec<usize>, DocumentError> {
             return Err(file.unknown_name(&path, name, &known));
         };
         if order.contains(&axis) {
-            let message = Message::new("machine-home-order-twice");
-            return Err(file.error_at(&path, message, Message::new("machine-each-axis-once")));
+            return Err(file.fault_at(&path, "machine-home-order-twice", "machine-each-axis-once"));
         }
         order.push(axis);
     }

@@ -6,7 +6,6 @@ use seamwright_geometry::CubicSpline;
 use seamwright_message::{Message, Unit};
 use std::f64::consts::TAU;
 
-/// The table of `axis`.
 pub(super) fn pitch_error(file: &File, axis: &Axis, table: &PitchErrorFile) -> Result<PitchError, DocumentError> {
     let key = |k: &str| format!("pitch_error.{}.{k}", axis.name);
     let (at, error, unit, other) = match axis.kind {

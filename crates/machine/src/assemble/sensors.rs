@@ -8,16 +8,13 @@ use seamwright_document::{DocumentError, Finite, Positive};
 use seamwright_geometry::{HeightTable, Homography, MapParameters, PlaneMap};
 use seamwright_message::{Message, Unit};
 
-/// Maximum number of columns and rows of an image.
 const MAX_PX: u16 = 16384;
 
-/// Default time from frame to frame, s.
 const USUAL_PERIOD_S: f64 = 0.1;
 /// Default latency from an exposure to the result, s, and its noise, mm.
 const USUAL_LATENCY_S: f64 = 0.015;
 const USUAL_NOISE_MM: f64 = 0.02;
 
-/// All sensors of the file.
 pub(super) fn sensors(file: &File, links: &Links) -> Result<Vec<Sensor>, DocumentError> {
     file.value.sensors.iter().map(|(name, sensor)| build(file, links, name, sensor)).collect()
 }
@@ -52,7 +49,6 @@ fn build(file: &File, links: &Links, name: &str, sensor: &SensorFile) -> Result<
     })
 }
 
-/// Host and port of a camera's stream.
 fn frames(file: &File, path: &str, sensor: &SensorFile) -> Result<Option<String>, DocumentError> {
     let Some(source) = &sensor.frames else { return Ok(None) };
     let wrong = |code| {
@@ -73,8 +69,7 @@ fn frames(file: &File, path: &str, sensor: &SensorFile) -> Result<Option<String>
 
 fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, DocumentError> {
     let Some(map) = &sensor.map else {
-        let message = Message::new("machine-stripe-map-missing");
-        return Err(file.error_at(path, message, Message::new("machine-stripe-maps")));
+        return Err(file.fault_at(path, "machine-stripe-map-missing", "machine-stripe-maps"));
     };
     let [last_column, last_row] = sensor.size_px.map(|n| f64::from(n) - 1.0);
     let middle = DVec2::new(last_column, last_row) / 2.0;
@@ -97,14 +92,12 @@ fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, Docum
             ("scale", Homography::from_eight([y, 0.0, -y * origin.x, 0.0, -z, z * origin.y, 0.0, 0.0]))
         }
         PixelMapFile::Heights(_) => {
-            let message = Message::new("machine-map-of-camera");
-            return Err(file.error_at(&format!("{path}.map.heights"), message, Message::new("machine-stripe-maps")));
+            return Err(file.fault_at(&format!("{path}.map.heights"), "machine-map-of-camera", "machine-stripe-maps"));
         }
     };
     let key = format!("{path}.map.{key}");
     let Some(found) = found else {
-        let message = Message::new("machine-map-singular");
-        return Err(file.error_at(&key, message, Message::new("machine-map-invertible")));
+        return Err(file.fault_at(&key, "machine-map-singular", "machine-map-invertible"));
     };
     let corners = [(0.0, 0.0), (last_column, 0.0), (0.0, last_row), (last_column, last_row)];
     if let Some((column, row)) = corners.into_iter().find(|&(x, y)| found.map(DVec2::new(x, y)).is_none()) {
@@ -114,7 +107,6 @@ fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, Docum
     Ok(found)
 }
 
-/// The map of a camera.
 fn heights(file: &File, path: &str, sensor: &SensorFile) -> Result<HeightTable, DocumentError> {
     let Some(PixelMapFile::Heights(rows)) = &sensor.map else {
         let path = if sensor.map.is_some() { format!("{path}.map") } else { path.to_owned() };
@@ -143,8 +135,7 @@ fn heights(file: &File, path: &str, sensor: &SensorFile) -> Result<HeightTable, 
         return Ok(HeightTable::telecentric(*map));
     }
     if let Some(i) = (1..table.len()).find(|&i| table[i].0 >= table[i - 1].0) {
-        let message = Message::new("machine-heights-order");
-        return Err(file.error_at(&format!("{key}[{i}].z_mm"), message, Message::new("machine-more-than-before")));
+        return Err(file.fault_at(&format!("{key}[{i}].z_mm"), "machine-heights-order", "machine-more-than-before"));
     }
     table.reverse();
     HeightTable::new(table).map_err(|e| file.error_at(&key, &e, Message::new("machine-heights-rows")))

@@ -16,7 +16,6 @@ const MIN_LINK_DISTANCE_MM: f64 = 5.0;
 /// Default minimum distance from a zone's surface, mm.
 const MIN_ZONE_MARGIN_MM: f64 = 1.0;
 
-/// Solids and zones of the file.
 pub(super) fn solids(file: &File, links: &Links, load: Load) -> Result<LinkSolids, DocumentError> {
     let m = &file.value;
     let mut all = LinkSolids {
@@ -57,8 +56,7 @@ pub(super) fn solids(file: &File, links: &Links, load: Load) -> Result<LinkSolid
             }
         }
         if zone.solids.is_empty() {
-            let message = Message::new("machine-zone-empty");
-            return Err(file.error_at(&format!("{path}.solids"), message, Message::new("machine-zone-solids")));
+            return Err(file.fault_at(&format!("{path}.solids"), "machine-zone-empty", "machine-zone-solids"));
         }
         let mut placed = Vec::new();
         for (k, solid) in build(file, &format!("{path}.solids"), &zone.solids, load)?.into_iter().enumerate() {

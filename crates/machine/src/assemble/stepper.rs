@@ -6,19 +6,16 @@ use seamwright_document::{DocumentError, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
 use std::f64::consts::TAU;
 
-/// Maximum number of microsteps per full step.
 const MAX_MICROSTEPS: u32 = 4096;
 /// Full steps per electrical period of a two-phase motor.
 const PERIOD: u32 = 4;
 
-/// The stepper of `axis`.
 pub(super) fn stepper(file: &File, axis: &Axis, s: &StepperFile) -> Result<Stepper, DocumentError> {
     let key = |k: &str| format!("drives.{}.stepper.{k}", axis.name);
     let per_turn = of_kind(file, axis, s.mm_per_turn, s.deg_per_turn, ["mm_per_turn", "deg_per_turn"])?;
     let resolution = of_kind(file, axis, s.resolution_mm, s.resolution_deg, ["resolution_mm", "resolution_deg"])?;
     if s.full_steps_per_turn == 0 || !s.full_steps_per_turn.is_multiple_of(PERIOD) {
-        let message = Message::new("machine-full-steps");
-        return Err(file.error_at(&key("full_steps_per_turn"), message, Message::new("machine-multiple-of-4")));
+        return Err(file.fault_at(&key("full_steps_per_turn"), "machine-full-steps", "machine-multiple-of-4"));
     }
     let increasing = s.microsteps.windows(2).all(|w| w[0] < w[1]);
     if s.microsteps.is_empty() || !increasing || s.microsteps.iter().any(|m| !(1..=MAX_MICROSTEPS).contains(m)) {
@@ -67,15 +64,13 @@ fn of_kind(
     Ok(axis.from_file(value.get()))
 }
 
-/// The motor, if the file has its keys.
 fn motor(file: &File, axis: &Axis, s: &StepperFile) -> Result<Option<StepperMotor>, DocumentError> {
     let path = format!("drives.{}.stepper", axis.name);
     let (inertia, rpm, torque) = match (&s.rotor_inertia_kg_m2, &s.torque_rpm, &s.torque_n_m) {
         (None, None, None) if s.rotor_friction_n_m.is_none() => return Ok(None),
         (Some(inertia), Some(rpm), Some(torque)) => (inertia, rpm, torque),
         _ => {
-            let message = Message::new("machine-motor-key-missing");
-            return Err(file.error_at(&path, message, Message::new("machine-motor-keys")));
+            return Err(file.fault_at(&path, "machine-motor-key-missing", "machine-motor-keys"));
         }
     };
     if rpm.len() != torque.len() || rpm.len() < 2 {
@@ -89,8 +84,7 @@ fn motor(file: &File, axis: &Axis, s: &StepperFile) -> Result<Option<StepperMoto
         return Err(file.error_at(&format!("{path}.torque_rpm"), message, allowed));
     }
     if torque[0].get() <= 0.0 {
-        let message = Message::new("machine-torque-holding");
-        return Err(file.error_at(&format!("{path}.torque_n_m"), message, Message::new("machine-torque-first")));
+        return Err(file.fault_at(&format!("{path}.torque_n_m"), "machine-torque-holding", "machine-torque-first"));
     }
     let points = rpm.iter().zip(torque.iter().copied().map(NonNegative::get));
     let torque = points.map(|(rpm, torque)| (rpm.get() / 60.0 * TAU, torque)).collect();

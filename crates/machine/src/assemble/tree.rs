@@ -46,7 +46,6 @@ impl Tree<'_> {
         self.links.frames.push(NamedFrame { name: name.to_owned(), link: self.link, zero: self.frame });
     }
 
-    /// Adds one step away from the base.
     fn add(&mut self, step: &StepFile) {
         if let Some(fixed) = &step.fixed {
             self.frame *= fixed.affine();

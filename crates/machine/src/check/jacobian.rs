@@ -4,11 +4,9 @@ use crate::chain::Joints;
 use crate::machine::Machine;
 use serde::Serialize;
 
-/// Number of positions at which the Jacobian is compared.
 const POSES: u32 = 500;
 /// Steps of the differences, mm and rad: a compromise between their curvature and rounding.
 const STEP: (f64, f64) = (1e-2, 1e-4);
-/// Maximum relative error of a column.
 const LIMIT: f64 = 1e-6;
 
 /// Comparison of the Jacobian with central differences of the forward kinematics.

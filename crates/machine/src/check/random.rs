@@ -15,12 +15,10 @@ impl Random {
         Self(Pcg64Mcg::seed_from_u64(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(stream)))
     }
 
-    /// A number in [0, 1).
     pub(super) fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Positions anywhere in the ranges.
     pub(super) fn joints(&mut self, machine: &Machine) -> Joints {
         let mut q = Joints::default();
         for (value, (low, high)) in q.iter_mut().zip(ranges(machine)) {

@@ -7,7 +7,6 @@ use glam::DVec3;
 use seamwright_geometry::angle_between;
 use serde::Serialize;
 
-/// Number of random positions.
 pub(super) const LOOKED_AT: u32 = 20_000;
 
 /// Number of climbs to each side of a box, from the farthest samples.
@@ -26,7 +25,6 @@ pub struct Reach {
     pub tilt_deg: f64,
 }
 
-/// Samples the reach of the first head.
 pub(super) fn find(machine: &Machine, seed: u64, step: &mut dyn FnMut()) -> Reach {
     let mut random = Random::new(seed, 5);
     let home = machine.forward(&machine.home()).direction;
@@ -56,7 +54,6 @@ fn boxed(machine: &Machine, samples: &[(Joints, DVec3)], point: impl Fn(&Joints)
     })
 }
 
-/// Maximum height found by climbing from the highest samples.
 fn highest(machine: &Machine, samples: &[(Joints, DVec3)], height: impl Fn(&Joints) -> f64) -> f64 {
     let mut heights: Vec<(f64, usize)> = samples.iter().enumerate().map(|(i, s)| (height(&s.0), i)).collect();
     let starts = CLIMBS.min(heights.len() - 1);

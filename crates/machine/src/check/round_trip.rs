@@ -83,7 +83,6 @@ impl RoundTrip {
     }
 }
 
-/// Positions in file units.
 pub(super) fn file_units(machine: &Machine, q: &Joints) -> Vec<f64> {
     machine.axes.iter().zip(q).map(|(a, v)| a.to_file(*v)).collect()
 }
@@ -195,7 +194,6 @@ mod tests {
     use super::*;
     use crate::shipped::shipped;
 
-    /// A solution with any part beyond its limit fails.
     #[test]
     fn what_does_not_come_back_fails() {
         let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();

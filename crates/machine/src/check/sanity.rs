@@ -57,7 +57,6 @@ impl Remarks<'_> {
         self.all.push(Remark { key: key.to_owned(), line: place.line, value, why, cure });
     }
 
-    /// Adds a remark on a missing table.
     fn missing(&mut self, key: &str, why: Message, cure: Message) {
         self.all.push(Remark { key: key.to_owned(), line: 0, value: String::new(), why, cure });
     }

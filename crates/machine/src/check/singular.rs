@@ -5,13 +5,13 @@ use super::task::Task;
 use crate::axis::AxisKind;
 use crate::chain::Joints;
 use glam::DVec3;
+use seamwright_geometry::numeric::bisect;
 use seamwright_message::{Argument, Message, Quantity, Unit};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
 /// Maximum conditioning of a singular configuration, at which the search ends.
 const SINGULAR: f64 = 1e-7;
-/// Number of random positions.
 pub(super) const LOOKED_AT: u32 = 3000;
 /// Number of searches from the worst of them, and from any of them.
 const SEARCHES: (usize, usize) = (24, 16);
@@ -136,7 +136,6 @@ fn same(a: &SingularPlace, b: &SingularPlace) -> bool {
     is_one_kind(a, b) && (a.family || near)
 }
 
-/// True for the same singularity by the same axes.
 fn is_one_kind(a: &SingularPlace, b: &SingularPlace) -> bool {
     // The following linear axes depend on their positions.
     let axes = |p: &SingularPlace| p.at.iter().map(|x| x.0.clone()).collect::<Vec<_>>();
@@ -329,21 +328,18 @@ fn margin(task: &Task, q: &Joints, axis: usize) -> Option<(f64, String)> {
     };
     let (low, high) = ranges(task.machine)[axis];
     let linear = task.machine.axes[axis].kind == AxisKind::Linear;
+    const NEAR: f64 = 1e-9;
     let mut widest: Option<(f64, String)> = None;
     for (sense, room) in [(1.0, high - q[axis]), (-1.0, q[axis] - low)] {
         let far = if linear { room } else { room.min(FRAC_PI_2) };
         if far < 1e-6 {
             continue;
         }
-        let (mut near, mut clear) = (1e-9, far);
-        let (need, name) = at(sense * near);
+        let (need, name) = at(sense * NEAR);
         if need <= 1.0 || at(sense * far).0 > 1.0 {
             continue;
         }
-        for _ in 0..60 {
-            let middle = 0.5 * (near + clear);
-            if at(sense * middle).0 > 1.0 { near = middle } else { clear = middle }
-        }
+        let (_, clear) = bisect(NEAR, far, 60, |by| at(sense * by).0 > 1.0);
         if widest.as_ref().is_none_or(|w| clear > w.0) {
             widest = Some((clear, name));
         }

@@ -20,7 +20,6 @@ const FEW: f64 = 1e-3;
 pub(super) struct Task<'a> {
     /// The machine, with the task's head as the first.
     pub(super) machine: &'a Machine,
-    /// Axes that the pose decides.
     pub(super) axes: ArrayVec<usize, MAX_AXES>,
     /// Freedoms of the tip's point that the axes give in regular configurations.
     freedoms: usize,
@@ -32,7 +31,6 @@ pub(super) struct Task<'a> {
 const ARM_AXES: usize = 6;
 
 impl<'a> Task<'a> {
-    /// The task of the machine's first head.
     pub(super) fn new(machine: &'a Machine) -> Self {
         let head = &machine.heads[0];
         let axes = head.chain.axes().iter().filter(|&axis| !head.free().has(axis)).collect();
@@ -55,7 +53,6 @@ impl<'a> Task<'a> {
         is_arm.then_some(Self { machine, axes, freedoms: 3, with_roll: true })
     }
 
-    /// True if the axes are those of a six-axis arm.
     pub(super) fn is_arm(&self) -> bool {
         self.with_roll
     }
@@ -136,12 +133,10 @@ impl<'a> Task<'a> {
         (0..self.axes.len()).map(|i| TYPICAL_SPEED_MM_S * (length(i, 0) + weight * length(i, 3))).collect()
     }
 
-    /// True if axis `i` of the decided ones is rotary.
     pub(super) fn is_rotary(&self, i: usize) -> bool {
         self.machine.axes[self.axes[i]].kind == AxisKind::Rotary
     }
 
-    /// Name of decided axis `i`.
     pub(super) fn name(&self, i: usize) -> &str {
         &self.machine.axes[self.axes[i]].name
     }

@@ -19,7 +19,6 @@ const STORE: u32 = 10;
 /// Maximum length of an axis' name: HAL's names have up to 47 characters.
 const LONGEST_NAME: usize = 24;
 
-/// Checks one device.
 pub(super) fn linuxcnc(
     file: &Document<MachineFile>,
     name: &str,

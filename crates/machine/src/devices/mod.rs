@@ -37,7 +37,6 @@ impl MachineDevices {
     }
 }
 
-/// Assembles the devices of a machine file with these `axes`.
 pub(crate) fn devices(
     file: &Document<crate::file::MachineFile>,
     axes: &[Axis],

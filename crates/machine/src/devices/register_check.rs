@@ -14,7 +14,6 @@ const LAST: u16 = u16::MAX;
 /// Port of Modbus TCP.
 const PORT: u16 = 502;
 
-/// Checks one device.
 pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<ModbusDevice, DocumentError> {
     let at = format!("devices.{name}.modbus");
     let within = |key: &str, value: Option<Positive>, usual: f64, (low, high): (f64, f64), unit: Unit| {
@@ -26,8 +25,7 @@ pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<Mod
     };
     let unit = device.unit.unwrap_or(1);
     if (248..=254).contains(&unit) {
-        let message = Message::new("machine-unit-reserved");
-        return Err(file.error_at(&format!("{at}.unit"), message, Message::new("machine-unit-allowed")));
+        return Err(file.fault_at(&format!("{at}.unit"), "machine-unit-reserved", "machine-unit-allowed"));
     }
     let registers = registers(file, &at, device)?;
     if registers.is_empty() {
@@ -35,8 +33,7 @@ pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<Mod
         return Err(file.error_at(&at, message, "inputs, outputs, set, reports, actual"));
     }
     if registers.iter().all(|r| matches!(r.role, Role::Watchdog | Role::Heartbeat)) {
-        let message = Message::new("machine-device-without-role");
-        return Err(file.error_at(&at, message, Message::new("machine-device-roles")));
+        return Err(file.fault_at(&at, "machine-device-without-role", "machine-device-roles"));
     }
     overlaps(file, &at, &registers)?;
     let connections = device.connections.unwrap_or(2);
@@ -163,8 +160,7 @@ fn bit_register(file: &File, at: &str, name: String, role: Role, bit: &BitFile) 
         }
         (false, Some(bit @ 0..=15)) => Word::Bit(bit),
         (false, Some(_)) => {
-            let message = Message::new("machine-register-bits");
-            return Err(file.error_at(&key("bit"), message, Message::new("machine-bit-allowed")));
+            return Err(file.fault_at(&key("bit"), "machine-register-bits", "machine-bit-allowed"));
         }
         (false, None) if whole => Word::Number(COUNT),
         (false, None) => {
@@ -173,8 +169,7 @@ fn bit_register(file: &File, at: &str, name: String, role: Role, bit: &BitFile) 
         }
     };
     if bit.safe.is_some() && !(role.is_output() && role != Role::Watchdog) {
-        let message = Message::new("machine-safe-of-input");
-        return Err(file.error_at(&key("safe"), message, Message::new("machine-safe-with-outputs")));
+        return Err(file.fault_at(&key("safe"), "machine-safe-of-input", "machine-safe-with-outputs"));
     }
     if role == Role::On && bit.safe == Some(true) {
         return Err(file.error_at(&key("safe"), Message::new("machine-safe-state-on"), "false"));
@@ -198,8 +193,7 @@ fn number_register(
     let (table, cell) = table(file, &path, &given, &role)?;
     let key = |key: &str| format!("{path}.{key}");
     if number.words.is_some() && number.kind.registers() == 1 {
-        let message = Message::new("machine-words-of-16-bits");
-        return Err(file.error_at(&key("words"), message, Message::new("machine-words-with-32-bits")));
+        return Err(file.fault_at(&key("words"), "machine-words-of-16-bits", "machine-words-with-32-bits"));
     }
     if cell > LAST - (number.kind.registers() - 1) {
         let message = Message::new("machine-register-last");
@@ -208,12 +202,10 @@ fn number_register(
     }
     let scale = number.scale.map_or(1.0, Finite::get);
     if scale.abs() < f64::MIN_POSITIVE {
-        let message = Message::new("machine-scale-zero");
-        return Err(file.error_at(&key("scale"), message, Message::new("machine-not-zero")));
+        return Err(file.fault_at(&key("scale"), "machine-scale-zero", "machine-not-zero"));
     }
     if number.safe.is_some() && !role.is_output() {
-        let message = Message::new("machine-safe-of-input");
-        return Err(file.error_at(&key("safe"), message, Message::new("machine-safe-with-outputs")));
+        return Err(file.fault_at(&key("safe"), "machine-safe-of-input", "machine-safe-with-outputs"));
     }
     let scaled =
         Scaled { kind: number.kind, order: number.words.unwrap_or_default(), scale, offset: number.offset.get() };

@@ -28,7 +28,6 @@ const TICK_NS: u32 = 100;
 /// Fraction of the maximum frequency reserved for the rounding of positions.
 const RESERVE: f64 = 1e-6;
 
-/// Checks one device for machines with these axes.
 pub(super) fn steps(
     file: &Document<MachineFile>,
     axes: &[Axis],

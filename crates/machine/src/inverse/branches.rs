@@ -1,7 +1,8 @@
 //! Solutions of the inverse kinematics, and reasons for a missing one.
 
-use crate::chain::Joints;
+use crate::chain::{Chain, Joints};
 use arrayvec::ArrayVec;
+use seamwright_geometry::Pose;
 use seamwright_message::{Message, Unit, display_by_message};
 use std::ops::{Deref, DerefMut};
 
@@ -19,13 +20,23 @@ pub struct Solution {
 /// Maximum number of returned branches.
 pub const MAX_BRANCHES: usize = 16;
 
-/// Selection of branches.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Which {
-    /// All.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Which<'a> {
     All,
     /// The one with the rotary axes nearest to their current positions, and possibly others.
     Nearest,
+    /// Those that Newton's method finds from these positions; with a closed form, all.
+    From(&'a [Joints]),
+}
+
+/// A pose that a chain is to reach; held axes, and those that a singular pose leaves free, keep their positions of
+/// `near`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Query<'a> {
+    pub(crate) chain: &'a Chain,
+    pub(crate) pose: &'a Pose,
+    pub(crate) near: &'a Joints,
+    pub(crate) which: Which<'a>,
 }
 
 /// Branches of solutions, at least one.
@@ -45,9 +56,7 @@ impl Branches {
         self.0.push(Solution { joints: Joints::default(), attitude_error: 0.0, singular: false });
         &mut self.0[at]
     }
-}
 
-impl Branches {
     /// Removes the solution added last: its linear axes are flat.
     pub(super) fn take_back(&mut self) {
         self.0.pop();
@@ -74,45 +83,19 @@ impl DerefMut for Branches {
 
 /// Reason why no axis positions reach a pose; lengths in mm, angles in rad.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum Unreachable {
-    /// The two rotary axes cannot give the direction.
-    Direction {
-        /// Angle to the nearest direction, rad.
-        by: f64,
-    },
-    /// The axes cannot reach the point.
-    Point {
-        /// Distance to the nearest point, mm.
-        by: f64,
-    },
+    /// The two rotary axes cannot give the direction: the angle to the nearest one, rad.
+    Direction { by: f64 },
+    /// The axes cannot reach the point: the distance to the nearest one, mm.
+    Point { by: f64 },
     /// The linear axes do not span space at these rotary positions.
     Flat,
-    /// Every branch takes a linear axis beyond its range.
-    OutOfReach {
-        /// Distance of the point beyond the reach of the linear axes, mm.
-        by: f64,
-        /// Name of the axis with the largest excess.
-        axis: String,
-        /// Its required position, mm.
-        value: f64,
-        /// Its excess over the limit, mm.
-        beyond: f64,
-        /// Its limit, mm.
-        limit: f64,
-    },
-    /// Every branch puts an axis beyond its range.
-    Range {
-        /// Name of the axis.
-        axis: String,
-        /// Its required position, in the file's unit.
-        value: f64,
-        /// Its excess over the limit, in the file's unit.
-        by: f64,
-        /// The limit, in the file's unit.
-        limit: f64,
-        /// The file's unit: mm or degrees.
-        unit: Unit,
-    },
+    /// Every branch takes a linear axis beyond its range: the distance of the point beyond the reach, and the axis with
+    /// the largest excess, its required position, excess and limit, mm.
+    OutOfReach { by: f64, axis: String, value: f64, beyond: f64, limit: f64 },
+    /// Every branch puts an axis beyond its range: its required position, excess and limit in the unit of files.
+    Range { axis: String, value: f64, by: f64, limit: f64, unit: Unit },
     /// The machine's two heads cannot reach both points.
     Pair(PairFault),
 }

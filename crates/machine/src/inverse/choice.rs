@@ -178,7 +178,6 @@ fn subsets(of: &[usize], size: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// Home positions of the axes.
 pub(super) fn home(axes: &[Axis]) -> Joints {
     std::array::from_fn(|i| axes.get(i).map_or(0.0, |a| a.home))
 }

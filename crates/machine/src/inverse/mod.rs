@@ -18,20 +18,18 @@ mod two_linear;
 mod vectors;
 
 use crate::axis::{Axis, AxisKind};
-use crate::chain::{AxisSet, Chain, Joints};
-pub(crate) use branches::Which;
+use crate::chain::{AxisSet, Chain};
 pub use branches::{Branches, MAX_BRANCHES, PairFault, Solution, Unreachable};
+pub(crate) use branches::{Query, Which};
 use choice::home;
 pub(crate) use choice::spread;
 pub(crate) use frame::{Frame, FrameInverse};
 use numeric::Numeric;
 use plane_on_rotary::PlaneOnRotary;
-use seamwright_geometry::Pose;
 use three_linear::ThreeLinear;
 use two_linear::TwoLinear;
 pub(crate) use vectors::in_plane;
 
-/// Inverse kinematics of a chain.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Inverse {
     /// Redundant axes, which keep their positions of `near`: a pose has five freedoms, and the chain more axes.
@@ -63,7 +61,6 @@ impl Inverse {
         Some(Self { held, form: Form::of(&active, axes) })
     }
 
-    /// True for Newton's method.
     pub(crate) fn is_numeric(&self) -> bool {
         matches!(self.form, Form::Numeric(_))
     }
@@ -78,41 +75,14 @@ impl Inverse {
         }
     }
 
-    /// Adds every branch, or the one nearest to `near`, to `branches`; held axes keep their positions of `near`.
-    pub(crate) fn solve(
-        &self,
-        chain: &Chain,
-        pose: &Pose,
-        near: &Joints,
-        which: Which,
-        branches: &mut Branches,
-    ) -> Result<(), Unreachable> {
+    /// Adds the branches that are asked for to `branches`.
+    pub(crate) fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
         if self.held.is_empty() {
-            return self.form.solve(chain, pose, near, which, branches);
+            return self.form.solve(query, branches);
         }
-        self.form.solve(&chain.holding(self.held, near), pose, near, which, branches)?;
+        self.form.solve(Query { chain: &query.chain.holding(self.held, query.near), ..query }, branches)?;
         for solution in branches.iter_mut() {
-            self.held.iter().for_each(|axis| solution.joints[axis] = near[axis]);
-        }
-        Ok(())
-    }
-}
-
-impl Inverse {
-    /// Adds the branches that Newton's method finds from each of `starts`; with a closed form, every branch. Held axes
-    /// keep their positions of `near`.
-    pub(crate) fn solve_from(
-        &self,
-        chain: &Chain,
-        pose: &Pose,
-        near: &Joints,
-        starts: &[Joints],
-        branches: &mut Branches,
-    ) -> Result<(), Unreachable> {
-        let Form::Numeric(form) = &self.form else { return self.solve(chain, pose, near, Which::All, branches) };
-        form.solve_from(&chain.holding(self.held, near), pose, near, starts, branches)?;
-        for solution in branches.iter_mut() {
-            self.held.iter().for_each(|axis| solution.joints[axis] = near[axis]);
+            self.held.iter().for_each(|axis| solution.joints[axis] = query.near[axis]);
         }
         Ok(())
     }
@@ -135,22 +105,12 @@ impl Form {
         closed.unwrap_or_else(|| Self::Numeric(Numeric::new(axes)))
     }
 
-    fn solve(
-        &self,
-        chain: &Chain,
-        pose: &Pose,
-        near: &Joints,
-        which: Which,
-        branches: &mut Branches,
-    ) -> Result<(), Unreachable> {
+    fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
         match self {
-            Self::ThreeLinear(form) => form.solve(chain, pose, near, which, branches),
-            Self::PlaneOnRotary(form) => form.solve(chain, pose, near, which, branches),
-            Self::TwoLinear(form) => form.solve(chain, pose, branches),
-            Self::Numeric(form) => match which {
-                Which::Nearest if form.nearest(chain, pose, near, branches) => Ok(()),
-                _ => form.solve(chain, pose, near, branches),
-            },
+            Self::ThreeLinear(form) => form.solve(query, branches),
+            Self::PlaneOnRotary(form) => form.solve(query, branches),
+            Self::TwoLinear(form) => form.solve(query, branches),
+            Self::Numeric(form) => form.solve(query, branches),
         }
     }
 }

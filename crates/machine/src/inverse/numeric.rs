@@ -1,4 +1,4 @@
-use super::branches::{Branches, Solution, Unreachable};
+use super::branches::{Branches, Query, Solution, Unreachable, Which};
 use super::choice::spread;
 use crate::axis::{Axis, AxisKind};
 use crate::chain::{Chain, Joints, MAX_AXES};
@@ -35,7 +35,6 @@ const SAME: f64 = 1e-6;
 /// Columns of the Jacobian: three of the point, three of the direction as a turn.
 type Rows = [f64; 6];
 
-/// The chain's error against a pose at some positions.
 #[derive(Clone, Copy)]
 struct Error {
     point: DVec3,
@@ -59,35 +58,26 @@ impl Numeric {
         Self { axes: axes.to_vec() }
     }
 
-    /// Adds every branch found.
-    pub(crate) fn solve(
-        &self,
-        chain: &Chain,
-        pose: &Pose,
-        near: &Joints,
-        branches: &mut Branches,
-    ) -> Result<(), Unreachable> {
+    pub(crate) fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
+        let Query { chain, pose, near, which } = query;
+        if let Which::From(starts) = which {
+            return self.solve_each(query, starts.iter().copied(), branches);
+        }
+        if let Which::Nearest = which {
+            let (solution, error) = descend(chain, pose, near);
+            if accepted(chain, &error) {
+                *branches.add() = solution;
+                return Ok(());
+            }
+        }
         let starts = (0..=STARTS).map(|k| if k == 0 { *near } else { self.start(chain, near, k) });
-        self.solve_each(chain, pose, near, starts, branches)
+        self.solve_each(query, starts, branches)
     }
 
     /// Adds every branch that Newton's method finds from `starts`.
-    pub(crate) fn solve_from(
-        &self,
-        chain: &Chain,
-        pose: &Pose,
-        near: &Joints,
-        starts: &[Joints],
-        branches: &mut Branches,
-    ) -> Result<(), Unreachable> {
-        self.solve_each(chain, pose, near, starts.iter().copied(), branches)
-    }
-
     fn solve_each(
         &self,
-        chain: &Chain,
-        pose: &Pose,
-        near: &Joints,
+        Query { chain, pose, near, .. }: Query,
         starts: impl Iterator<Item = Joints>,
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
@@ -105,16 +95,6 @@ impl Numeric {
             true if least.point.length() > 1e-6 => Err(Unreachable::Point { by: least.point.length() }),
             true => Err(Unreachable::Direction { by: least.turn.length() }),
         }
-    }
-
-    /// Adds the branch next to `near`; false if Newton's method finds none from there.
-    pub(crate) fn nearest(&self, chain: &Chain, pose: &Pose, near: &Joints, branches: &mut Branches) -> bool {
-        let (solution, error) = descend(chain, pose, near);
-        let found = accepted(chain, &error);
-        if found {
-            *branches.add() = solution;
-        }
-        found
     }
 
     fn start(&self, chain: &Chain, near: &Joints, k: u32) -> Joints {

@@ -1,8 +1,8 @@
-use super::branches::{Branches, Solution, Unreachable, Which};
+use super::branches::{Branches, Query, Solution, Unreachable, Which};
 use super::rotaries;
 use super::vectors::in_plane;
-use crate::chain::{Chain, Joints, MAX_AXES, Turn};
-use seamwright_geometry::{Pose, angle_between};
+use crate::chain::{Chain, MAX_AXES, Turn};
+use seamwright_geometry::angle_between;
 
 /// Two linear axes, with or without a tilt across their plane, on a rotary axis next to the work (SADDLE-2020).
 ///
@@ -30,14 +30,8 @@ impl PlaneOnRotary {
         (first == 0 && across && turns_the_plane).then_some(Self { rotary: first, linear, tilt })
     }
 
-    pub(crate) fn solve(
-        &self,
-        chain: &Chain,
-        pose: &Pose,
-        near: &Joints,
-        which: Which,
-        branches: &mut Branches,
-    ) -> Result<(), Unreachable> {
+    pub(crate) fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
+        let Query { chain, pose, near, which } = query;
         let turn = &chain.screws[self.rotary];
         let [x, y] = self.linear.map(|l| chain.screws[l].direction);
         let n = x.cross(y).normalize();
@@ -62,14 +56,14 @@ impl PlaneOnRotary {
         };
         let second_is_nearer = turns[1].cosine_to(here) > turns[0].cosine_to(here);
         let turns = match which {
-            Which::All => &turns[..],
             Which::Nearest if second_is_nearer => &turns[1..],
             Which::Nearest => &turns[..1],
+            Which::All | Which::From(_) => &turns[..],
         };
         let mut flat = None;
         for &about in turns {
             let solution = branches.add();
-            if let Err(reason) = self.in_plane(chain, pose, near, about, solution) {
+            if let Err(reason) = self.in_plane(query, about, solution) {
                 branches.take_back();
                 flat = Some(reason);
                 continue;
@@ -81,14 +75,8 @@ impl PlaneOnRotary {
     }
 
     /// Solves with the rotary axis turned by `about`; the caller sets the rotary axis' own position.
-    fn in_plane(
-        &self,
-        chain: &Chain,
-        pose: &Pose,
-        near: &Joints,
-        about: Turn,
-        solution: &mut Solution,
-    ) -> Result<(), Unreachable> {
+    fn in_plane(&self, query: Query, about: Turn, solution: &mut Solution) -> Result<(), Unreachable> {
+        let Query { chain, pose, near, .. } = query;
         let rotary = &chain.screws[self.rotary];
         let joints = &mut solution.joints;
         let mut turns = [Turn::NONE; MAX_AXES];

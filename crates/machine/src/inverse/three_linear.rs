@@ -1,8 +1,8 @@
-use super::branches::{Branches, Unreachable, Which};
+use super::branches::{Branches, Query, Unreachable, Which};
 use super::rotaries::{self, Pair};
 use crate::chain::{Chain, Joints, MAX_AXES, Screw, Turn, Turns};
 use glam::DVec3;
-use seamwright_geometry::{Pose, angle_between};
+use seamwright_geometry::angle_between;
 
 /// Three linear axes and up to two rotary ones, in any order and on either side: the rotary axes follow from the
 /// direction, then the linear ones from a 3 x 3 system.
@@ -23,14 +23,8 @@ impl ThreeLinear {
         Some(Self { linear, rotary: rotary.to_vec() })
     }
 
-    pub(crate) fn solve(
-        &self,
-        chain: &Chain,
-        pose: &Pose,
-        near: &Joints,
-        which: Which,
-        branches: &mut Branches,
-    ) -> Result<(), Unreachable> {
+    pub(crate) fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
+        let Query { chain, pose, near, which } = query;
         let zero = chain.zero.direction;
         let axis = |i: usize| chain.screws[self.rotary[i]].direction;
         let pairs: [Option<Pair>; 2] = match self.rotary.len() {
@@ -55,7 +49,7 @@ impl ThreeLinear {
                 solution.joints[at] = turn.map_or(near[at], Turn::angle);
                 solution.singular |= turn.is_none();
             }
-            match self.solve_linear(chain, pose.point, &turns, &mut solution.joints) {
+            match self.solve_linear(query, &turns, &mut solution.joints) {
                 Ok(reached) if !exact => solution.attitude_error = angle_between(reached, pose.direction),
                 Ok(_) => {}
                 Err(reason) => {
@@ -77,18 +71,13 @@ impl ThreeLinear {
         if closeness(p) >= closeness(q) { p } else { q }
     }
 
-    /// Sets the linear positions that put the tip on `point` at the rotary axes' turns; returns the torch's direction
+    /// Sets the linear positions that put the tip on its point at the rotary axes' turns; returns the torch's direction
     /// there.
-    fn solve_linear(
-        &self,
-        chain: &Chain,
-        point: DVec3,
-        turns: &Turns,
-        joints: &mut Joints,
-    ) -> Result<DVec3, Unreachable> {
+    fn solve_linear(&self, query: Query, turns: &Turns, joints: &mut Joints) -> Result<DVec3, Unreachable> {
+        let Query { chain, pose, .. } = query;
         // The linear axes are still at zero in `joints`.
         let at_zero = chain.forward_turned(joints, turns);
-        move_linear(&chain.screws, self.linear, &self.rotary, turns, point - at_zero.point, joints)?;
+        move_linear(&chain.screws, self.linear, &self.rotary, turns, pose.point - at_zero.point, joints)?;
         Ok(at_zero.direction)
     }
 }

@@ -1,7 +1,7 @@
-use super::branches::{Branches, Unreachable};
+use super::branches::{Branches, Query, Unreachable};
 use super::vectors::in_plane;
 use crate::chain::Chain;
-use seamwright_geometry::{Pose, angle_between};
+use seamwright_geometry::angle_between;
 
 /// Maximum distance (mm) of a point from the plane of two linear axes that counts as in it.
 const IN_PLANE_MM: f64 = 1e-6;
@@ -18,7 +18,8 @@ impl TwoLinear {
         crate::inverse::vectors::independent(a, b).then_some(Self { linear })
     }
 
-    pub(crate) fn solve(&self, chain: &Chain, pose: &Pose, branches: &mut Branches) -> Result<(), Unreachable> {
+    pub(crate) fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
+        let Query { chain, pose, .. } = query;
         let [a, b] = self.linear.map(|l| &chain.screws[l]);
         let (x, y, rest) = in_plane(a.direction, b.direction, pose.point - chain.zero.point);
         if rest.length() > IN_PLANE_MM {

@@ -69,7 +69,6 @@ fn refine(
     (best, least)
 }
 
-/// All positions that reach the pose, with the redundant axes as in `near`.
 fn by_brute_force(machine: &Machine, pose: &Pose, near: &Joints, linear: &[usize], rotary: &[usize]) -> Vec<Joints> {
     const N: usize = 36;
     let angle = |i: usize| TAU * i as f64 / N as f64 - PI;
@@ -131,7 +130,6 @@ fn closed_forms_find_what_a_grid_finds() {
             }
             compared += 1;
         }
-        println!("{}: {compared} poses", machine.name);
         assert!(compared >= 8);
     }
 }

@@ -20,7 +20,6 @@ fn remarked(text: &str) -> Vec<Remark> {
     remarks(&Document::<MachineFile>::read("m.toml", text).unwrap(), &Machine::read("m.toml", text).unwrap())
 }
 
-/// A shipped file with one value changed.
 fn changed(name: &str, from: &str, to: &str) -> String {
     let text = shipped(name).unwrap().text;
     assert!(text.contains(from), "{from}");
@@ -48,7 +47,6 @@ fn the_same_seed_finds_the_same() {
     assert_eq!(checked(text, 200), checked(text, 200));
 }
 
-/// Each change is remarked upon, once, at its own key and line.
 #[test]
 fn planted_slips_are_found() {
     let torch = "torch-5axis";
@@ -247,7 +245,6 @@ fn tilt_is_the_greatest_over_the_ranges() {
     assert!((check.heads[0].reach.tilt_deg - expected).abs() < 1e-6, "{}", check.heads[0].reach.tilt_deg);
 }
 
-/// Five rotary axes: Newton's method, and its singular places.
 #[test]
 fn arrangements_without_a_closed_form_are_checked_too() {
     let turn = |branch: &str, name: &str, way: &str, at: &str| {

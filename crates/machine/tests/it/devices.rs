@@ -27,7 +27,6 @@ current_a = { input = 7, type = "i32", offset = -20, unit = "A" }
 fn read(map: &str) -> Result<Vec<ModbusDevice>, String> {
     let text = format!("{}{map}", shipped("ellipse-xy").unwrap().text);
     Machine::read("m.toml", &text).map(|m| m.devices.modbus).map_err(|e| {
-        println!("{e}");
         assert!(e.line > 0 || e.key.is_empty(), "{e}");
         e.to_string()
     })
@@ -60,7 +59,6 @@ fn a_map_is_read_as_it_is_written() {
     }
 }
 
-/// Every mistake is reported with file, line, key and the allowed values.
 #[test]
 fn what_cannot_be_is_refused_with_its_address() {
     let io = "devices.io.modbus.";
@@ -146,7 +144,6 @@ fn roles_are_there_once_over_all_devices() {
     assert!(error.contains("devices.io") && error.contains("none is given"), "{error}");
 }
 
-/// The map in the documentation is valid.
 #[test]
 fn the_documented_map_is_read() {
     let page = include_str!("../../../../docs/reference/machine.md");

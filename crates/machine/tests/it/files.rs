@@ -165,7 +165,6 @@ fn steppers_are_in_mm_and_rad() {
     assert!(Machine::read("m", saddle()).unwrap().axes.iter().all(|a| a.stepper.is_none()));
 }
 
-/// Replaces the left sensor of the dual-laser welder; returns the key of the error.
 fn sensor(text: &str) -> (String, String) {
     let dual = shipped("dual-laser-10axis").unwrap().text;
     let (_, rest) = dual.split_once("[sensors.left]").unwrap();

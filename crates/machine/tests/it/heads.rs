@@ -88,7 +88,6 @@ fn slide_moves_are_as_predicted() {
     }
 }
 
-/// Round trip of both heads over random poses.
 #[test]
 fn two_heads_come_back() {
     let machine = shipped_machine("dual-laser-10axis");

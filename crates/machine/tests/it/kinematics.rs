@@ -46,7 +46,6 @@ fn a_hundred_thousand_random_poses_a_machine_come_back() {
                 compared += 1;
             }
         }
-        println!("{}: point {point:e} mm, direction {direction:e} deg, axes {axes:e}", machine.name);
         assert!(point <= 1e-9 && direction <= 1e-9, "{}: {point:e} mm {direction:e} deg", machine.name);
         assert!(axes <= 1e-9 && compared > 99_900, "{}: {axes:e} of {compared}", machine.name);
     }

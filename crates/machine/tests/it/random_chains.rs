@@ -43,7 +43,6 @@ fn poses_come_back() {
             direction = direction.max((again.direction - pose.direction).length().to_degrees());
         }
     }
-    println!("{poses} poses: {point:e} mm, {direction:e} deg; Jacobian {jacobian:e}");
     assert!(point <= 1e-9 && direction <= 1e-9 && jacobian <= 1e-6 && poses > 10_000);
 }
 
@@ -98,6 +97,5 @@ fn the_branch_a_pose_was_made_with_is_found() {
             }
         }
     }
-    println!("{} of {asked} branches missing: {missing:?}", missing.len());
     assert!(asked > 800 && missing.is_empty(), "missing on chains {missing:?}");
 }

@@ -7,7 +7,6 @@ use super::limit_check::Shield;
 use super::timed_motion::{Pacing, Rates, Timed};
 use crate::tip_channels::ChannelLimits;
 
-/// Maximum override.
 const MAX_OVERRIDE: f64 = 1.5;
 /// Maximum use of the axes' limits by a course on its return to a steady override, since the speed profile may change
 /// meanwhile.
@@ -61,7 +60,6 @@ pub struct FeedOverride<'a, L: Timed + ?Sized> {
     pause: u32,
 }
 
-/// A stop on the path.
 #[derive(Debug, Clone, Copy)]
 struct Stop {
     s: f64,
@@ -181,7 +179,6 @@ impl<'a, L: Timed + ?Sized> FeedOverride<'a, L> {
         self.course.at(self.elapsed) != self.now()
     }
 
-    /// True if the profile ends in the direction of `sense`.
     fn at_end_of(&self, sense: f64) -> bool {
         let theta = self.now().theta;
         if sense > 0.0 { theta >= self.profile().duration() } else { theta <= 0.0 }
@@ -217,7 +214,6 @@ impl<'a, L: Timed + ?Sized> FeedOverride<'a, L> {
         if over { State { theta: state.theta.clamp(0.0, duration), feed_override: Pacing::default() } } else { state }
     }
 
-    /// The wanted override on the played profile.
     fn goal(&self) -> f64 {
         let scale = self.faster.filter(|_| self.on_faster).map_or(1.0, |(_, factor)| factor);
         // Rest at a requested stop counts as a hold.

@@ -1,7 +1,6 @@
 use super::timed_motion::Pacing;
 use arrayvec::ArrayVec;
 
-/// Profile time and its rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct State {
     /// Profile time, s.
@@ -10,7 +9,6 @@ pub(crate) struct State {
 }
 
 impl State {
-    /// The state after `dt` with constant `d2`.
     pub(crate) fn after(&self, dt: f64, d2: f64) -> Self {
         let Pacing { phi, d1, .. } = self.feed_override;
         Self {
@@ -27,7 +25,6 @@ pub(crate) struct Segment {
     pub(crate) duration: f64,
 }
 
-/// Return of the override to steady.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Return {
     /// Time before it, s.
@@ -48,14 +45,12 @@ const BRIEF: f64 = 1e-12;
 pub(crate) struct Course {
     pub(crate) start: State,
     pub(crate) segments: ArrayVec<Segment, SEGMENTS>,
-    /// The final steady override.
     pub(crate) steady: f64,
     /// Number of segments before its final stop, and the profile time of that stop, if any.
     pub(crate) stop: Option<(usize, f64)>,
 }
 
 impl Course {
-    /// Steady from now on.
     pub(crate) fn steady(theta: f64, phi: f64) -> Self {
         let feed_override = Pacing { phi, ..Default::default() };
         Self { start: State { theta, feed_override }, segments: ArrayVec::new(), steady: phi, stop: None }
@@ -109,7 +104,6 @@ impl Course {
         self.segments.iter().map(|s| s.duration).sum()
     }
 
-    /// The state at time `t` from its start.
     pub(crate) fn at(&self, t: f64) -> State {
         let mut state = self.start;
         let mut left = t;
@@ -129,7 +123,6 @@ impl Course {
         State { theta, feed_override: Pacing { phi: self.steady, ..Default::default() } }
     }
 
-    /// The state when it has become steady.
     pub(crate) fn end(&self) -> State {
         let mut state = self.start;
         for s in &self.segments {
@@ -154,7 +147,6 @@ impl Course {
         (!begun).then_some(left)
     }
 
-    /// Adds a steady stretch, if there is room.
     pub(crate) fn then_steady(mut self, duration: f64) -> Self {
         self.segments.try_push(Segment { d2: 0.0, duration }).ok();
         self

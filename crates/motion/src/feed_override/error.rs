@@ -1,48 +1,23 @@
 use seamwright_message::{Message, Unit};
 
-/// Error of a refused command or value. The state is then unchanged.
+/// Error of a refused command or value. The state is then unchanged. Path lengths are in mm.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum FeedOverrideError {
     /// The override is out of range.
-    Override {
-        /// The value given.
-        value: f64,
-        /// Maximum override of the given profiles.
-        greatest: f64,
-    },
-    /// The period of the set-points.
-    Period {
-        /// The value given, s.
-        value: f64,
-    },
+    Override { value: f64, greatest: f64 },
+    /// The period of the set-points, s, is out of range.
+    Period { value: f64 },
     /// A path length outside the path.
-    Place {
-        /// The value given, mm.
-        value: f64,
-        /// Length of the path, mm.
-        length: f64,
-    },
+    Place { value: f64, length: f64 },
     /// The factor of the faster profile is out of range.
-    Faster {
-        /// The value given.
-        value: f64,
-    },
-    /// A step to a path length that is welded already, or off the path.
-    StepTo {
-        /// The value given, mm.
-        value: f64,
-        /// Path length welded to, mm.
-        welded: f64,
-        /// Length of the path, mm.
-        length: f64,
-    },
+    Faster { value: f64 },
+    /// A step to a path length that is `welded` already, or off the path.
+    StepTo { value: f64, welded: f64, length: f64 },
     /// An order to move with an override of 0.
     Zero,
-    /// The motion is stuck: the profile's rates are not finite there, or exceed the limits.
-    Stuck {
-        /// Path length at which it is stuck, mm.
-        s: f64,
-    },
+    /// The motion is stuck at `s`: the profile's rates are not finite there, or exceed the limits.
+    Stuck { s: f64 },
 }
 
 impl FeedOverrideError {

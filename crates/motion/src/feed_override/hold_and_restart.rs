@@ -16,7 +16,6 @@ enum Then {
     End,
 }
 
-/// Goal of welding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Goal {
     End,
@@ -42,7 +41,6 @@ pub struct Run<'a, L: Timed + ?Sized> {
     goal: Goal,
     /// Periods left in a phase at rest.
     left: u64,
-    /// Path length welded to, mm.
     welded: f64,
     /// Requested override; moves with the process off are limited to [`MOVE`].
     asked: f64,
@@ -127,7 +125,6 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         self.feed_override.earlier(before)
     }
 
-    /// Travels with the process on, to `goal`.
     fn travel(&mut self, goal: Goal) -> Result<(), FeedOverrideError> {
         self.feed_override.command(Command::Override(self.asked))?;
         self.phase = RunPhase::Travel;
@@ -151,7 +148,6 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         self.feed_override.command(Command::Override(self.asked.min(feed_override))).ok();
     }
 
-    /// Begins a phase at rest.
     fn rest(&mut self, phase: RunPhase) {
         let s = &self.sequence;
         let seconds = match phase {
@@ -189,7 +185,6 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         Ok(self.now())
     }
 
-    /// Stops a stuck motion.
     fn watch(&mut self) -> Result<(), FeedOverrideError> {
         let moves = matches!(self.phase, RunPhase::Travel | RunPhase::RunOut | RunPhase::Move);
         self.still = if moves && self.last.phi.abs() <= 0.0 { self.still + 1 } else { 0 };
@@ -217,7 +212,6 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         Err(FeedOverrideError::Stuck { s: self.last.rates.tip.s })
     }
 
-    /// Holds, which is always allowed.
     fn halt(&mut self) {
         self.seeks = false;
         self.feed_override.command(Command::Hold).ok();
@@ -266,7 +260,6 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         }
     }
 
-    /// Advances past finished phases at rest.
     fn pass_over(&mut self) -> Result<(), FeedOverrideError> {
         while self.left == 0 {
             match self.phase {
@@ -290,7 +283,6 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         (self.welded - self.sequence.overlap_mm.get()).max(0.0)
     }
 
-    /// Takes the next action once the torch rests with the process off.
     fn off_at_rest(&mut self) {
         let s = self.last.rates.tip.s;
         match self.then {

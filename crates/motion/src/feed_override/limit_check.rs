@@ -16,7 +16,6 @@ const CROSSING_STEPS: usize = 3;
 /// Times closer than this are equal, s.
 const BRIEF: f64 = 1e-10;
 
-/// Accelerations and jerks of the axes as played at a time.
 #[derive(Debug, Clone, Copy, Default)]
 struct Seen {
     t: f64,
@@ -50,7 +49,6 @@ impl Piece {
 pub(crate) struct Breach {
     /// Time from the start of the course, s.
     pub(crate) t: f64,
-    /// Index of the segment with the violation.
     pub(crate) segment: usize,
     /// True for the jerk, false for speed or acceleration.
     pub(crate) jerk: bool,
@@ -66,7 +64,6 @@ pub(crate) struct Shield {
     most: (f64, f64),
 }
 
-/// Values that one quantity may have.
 pub(crate) type Interval = (f64, f64);
 
 impl Shield {

@@ -85,7 +85,6 @@ impl CoarseSpline {
         (std::array::from_fn(|i| at[i] - before[i]), std::array::from_fn(|i| after[i] - at[i]))
     }
 
-    /// Eliminates the speed before from the next row.
     fn eliminate(&mut self, last: bool) {
         self.eliminated += 1;
         let k = self.eliminated;
@@ -102,7 +101,6 @@ impl CoarseSpline {
         }
     }
 
-    /// The next knot, by substitution from the end of the window.
     fn give(&mut self) -> Knot {
         let k = self.given;
         self.given += 1;
@@ -128,7 +126,6 @@ impl CoarseSpline {
         Knot { q, v: m.map(|m| m / h), a: std::array::from_fn(|i| curve(i) / hh) }
     }
 
-    /// Displacement in the last period.
     fn mean(&self, end: usize) -> Joints {
         let [before, at] = [end - 1, end].map(|i| &self.rows[i % WINDOW].q);
         std::array::from_fn(|i| at[i] - before[i])

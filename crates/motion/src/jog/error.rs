@@ -6,54 +6,20 @@ pub type AxisName = ArrayString<32>;
 
 /// Error of a refused command; the axes are unchanged. Positions in the units of files.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum JogError {
     /// A target or start beyond the end of an axis.
-    Range {
-        /// Name of the axis.
-        axis: AxisName,
-        /// The requested position.
-        value: f64,
-        /// Lowest position.
-        low: f64,
-        /// Highest position.
-        high: f64,
-        /// mm or degrees.
-        unit: Unit,
-    },
+    Range { axis: AxisName, value: f64, low: f64, high: f64, unit: Unit },
     /// A value of an axis is NaN or infinite.
-    NotFinite {
-        /// The value.
-        what: AxisValue,
-        /// Name of the axis.
-        axis: AxisName,
-    },
+    NotFinite { what: AxisValue, axis: AxisName },
     /// The requested velocity of the tip is not finite.
     TipNotFinite,
     /// A period, time or override is invalid.
-    Setting {
-        /// The setting.
-        what: JogSetting,
-        /// Its value.
-        value: f64,
-    },
+    Setting { what: JogSetting, value: f64 },
     /// No such axis.
-    NoSuchAxis {
-        /// The requested index.
-        axis: usize,
-        /// Number of axes.
-        axes: usize,
-    },
-    /// The start position is not clear.
-    NotClear {
-        /// The one.
-        first: Message,
-        /// The other.
-        second: Message,
-        /// Their distance, mm.
-        distance_mm: f64,
-        /// Required minimum distance, mm.
-        least_mm: f64,
-    },
+    NoSuchAxis { axis: usize, axes: usize },
+    /// The start position is not clear: two solids, their distance and the required minimum.
+    NotClear { first: Message, second: Message, distance_mm: f64, least_mm: f64 },
     /// The jog has halted, and the halt has not been acknowledged by commanding rest.
     Halted,
     /// No motion was found from the present state to the target.
@@ -89,21 +55,19 @@ impl JogError {
                 .value("value", *value, *unit)
                 .value("min", *low, *unit)
                 .value("max", *high, *unit),
-            Self::NotFinite { what: AxisValue::Position, axis } => {
-                Message::new("motion-jog-position").axis("axis", axis.as_str())
-            }
-            Self::NotFinite { what: AxisValue::Speed, axis } => {
-                Message::new("motion-jog-speed").axis("axis", axis.as_str())
+            Self::NotFinite { what, axis } => {
+                let is_speed = *what == AxisValue::Speed;
+                Message::new(if is_speed { "motion-jog-speed" } else { "motion-jog-position" })
+                    .axis("axis", axis.as_str())
             }
             Self::TipNotFinite => Message::new("motion-jog-tip"),
-            Self::Setting { what: JogSetting::Period, value } => {
-                Message::new("motion-jog-period").value("value", *value, Unit::S)
-            }
-            Self::Setting { what: JogSetting::Silence, value } => {
-                Message::new("motion-jog-silence").value("value", *value, Unit::S)
-            }
-            Self::Setting { what: JogSetting::Override, value } => {
-                Message::new("motion-jog-override").value("value", *value, Unit::One)
+            Self::Setting { what, value } => {
+                let (code, unit) = match what {
+                    JogSetting::Period => ("motion-jog-period", Unit::S),
+                    JogSetting::Silence => ("motion-jog-silence", Unit::S),
+                    JogSetting::Override => ("motion-jog-override", Unit::One),
+                };
+                Message::new(code).value("value", *value, unit)
             }
             Self::NoSuchAxis { axis, axes } => {
                 Message::new("motion-jog-axis").number("axis", *axis as f64, 0).count("axes", *axes)

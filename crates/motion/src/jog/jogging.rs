@@ -9,27 +9,19 @@ use seamwright_machine::{CollisionMonitor, Joints, MAX_AXES, Machine, RangeViola
 
 /// Command of the operator; replaces the previous one.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum Command {
     /// Come to rest by the fastest stop. Acknowledges a halt.
     Rest,
     /// Every axis at its speed (mm or rad per s, of either sign) up to the end of its range: keys or a joystick.
     Speeds(Joints),
     /// One axis by a distance (mm or rad, of either sign) from its target, or from its position of rest.
-    Step {
-        /// Index of the axis.
-        axis: usize,
-        /// Distance of the step.
-        by: f64,
-    },
+    Step { axis: usize, by: f64 },
     /// Synchronised point-to-point move of all axes.
     To(Joints),
-    /// The tip of the first head's torch along a straight line at a velocity (mm/s), its direction kept.
-    Tip {
-        /// Frame of the velocity.
-        frame: TipFrame,
-        /// Velocity of the tip against the work.
-        velocity: DVec3,
-    },
+    /// The tip of the first head's torch along a straight line at a velocity (mm/s) against the work, its direction
+    /// kept.
+    Tip { frame: TipFrame, velocity: DVec3 },
 }
 
 /// Input signals of a period.
@@ -85,7 +77,6 @@ impl Default for JogSettings {
     }
 }
 
-/// Command that is being executed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mode {
     Rest,
@@ -178,9 +169,7 @@ impl<'a> Jog<'a> {
     /// Restarts at rest at positions `start`, without a command and with the full override. Returns false, with the jog
     /// unchanged, if they are out of range or not clear. No allocation, except on meshes.
     pub fn begin(&mut self, start: &Joints) -> bool {
-        let there = self.machine.axes.iter().zip(start).all(|(_, q)| q.is_finite());
-        let stands = there
-            && self.machine.outside(start).is_none()
+        let stands = check_positions(self.machine, start).is_ok()
             && self.monitor.as_mut().is_none_or(|monitor| monitor.holds_at(start));
         if stands {
             self.state = State::at_rest(start);
@@ -342,7 +331,7 @@ impl<'a> Jog<'a> {
             _ => Joints::default(),
         };
         let mut goals = [Goal::Speed(0.0); MAX_AXES];
-        for (i, (limits, range)) in self.plan.limits().iter().zip(self.plan.ranges()).enumerate() {
+        for (i, (limits, range)) in self.plan.limits().iter().zip(&self.plan.ranges).enumerate() {
             goals[i] = Goal::jog(limits, *range, self.state.q[i], self.override_share * speeds[i]);
         }
         self.plan.plan_goals(&self.state, &goals, Synchronization::None)
@@ -364,14 +353,13 @@ impl<'a> Jog<'a> {
         next.map(Some).ok_or(Halt::NoMotion)
     }
 
-    /// Verifies a set-point. Returns the stop from it.
     fn verified(&mut self, next: &State) -> Result<Stop, Halt> {
         let period = self.settings.period_s;
         let stop = Stop::new(self.plan.limits(), next);
-        for (i, (limits, range)) in self.plan.limits().iter().zip(self.plan.ranges()).enumerate() {
+        for (i, (limits, range)) in self.plan.limits().iter().zip(&self.plan.ranges).enumerate() {
             let fits = follows(self.state.axis(i), next.axis(i), limits.jerk, period)
                 && next.acceleration[i].abs() <= limits.acceleration * (1.0 + SLACK)
-                && stop.ramps()[i].greatest_speed(0.0, stop.duration()) <= limits.speed * (1.0 + SLACK);
+                && stop.ramps()[i].greatest_speed(0.0, stop.duration) <= limits.speed * (1.0 + SLACK);
             let (low, high) = stop.ramps()[i].reach();
             if !(fits && low >= range.0 && high <= range.1) {
                 return Err(Halt::Limit(i));
@@ -401,7 +389,6 @@ fn follows(now: AxisState, next: AxisState, jerk: f64, t: f64) -> bool {
         && near(next.q, q, jerk * t.powi(3) / 6.0, q)
 }
 
-/// Name of an axis, truncated to fit.
 fn short(name: &str) -> AxisName {
     let mut short = AxisName::new();
     // The first character that does not fit ends it.
@@ -409,7 +396,6 @@ fn short(name: &str) -> AxisName {
     short
 }
 
-/// Checks that positions are finite and within the ranges.
 fn check_positions(machine: &Machine, q: &Joints) -> Result<(), JogError> {
     if let Some(axis) = machine.axes.iter().zip(q).find(|(_, q)| !q.is_finite()).map(|(axis, _)| axis) {
         return Err(JogError::NotFinite { what: AxisValue::Position, axis: short(&axis.name) });

@@ -19,20 +19,20 @@ const LONGEST_S: f64 = 3000.0;
 pub struct PointToPoint {
     limits: Vec<AxisLimits>,
     /// Minimum and maximum position of each axis; infinite on a continuous one.
-    ranges: Vec<(f64, f64)>,
+    pub(super) ranges: Vec<(f64, f64)>,
     ruckig: Ruckig<0, IgnoreErrorHandler>,
     input: InputParameter<0>,
     trajectory: Trajectory<0>,
-    /// True if an axis continues at its speed after the end.
     goes_on: bool,
 }
 
-/// Goal of one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Goal {
     /// To rest at a position, no faster than a speed greater than 0.
-    Position { at: f64, speed: f64 },
-    /// To a speed.
+    Position {
+        at: f64,
+        speed: f64,
+    },
     Speed(f64),
 }
 
@@ -55,11 +55,6 @@ impl PointToPoint {
     /// Limits of the axes.
     pub fn limits(&self) -> &[AxisLimits] {
         &self.limits
-    }
-
-    /// Minimum and maximum positions of the axes.
-    pub(super) fn ranges(&self) -> &[(f64, f64)] {
-        &self.ranges
     }
 
     /// Plans from `from` to rest at `target`, at up to the fraction `override_share` (above 0, up to 1) of the axes'

@@ -46,12 +46,10 @@ impl Ramp {
         self.ends[2]
     }
 
-    /// Position at which the speed is reached.
     pub(super) fn end(&self) -> f64 {
         self.begins[3].q
     }
 
-    /// The state at time `t`, from 0 on.
     pub(super) fn at(&self, t: f64) -> AxisState {
         match self.ends.iter().position(|end| t < *end) {
             Some(i) => self.begins[i].after(t - if i == 0 { 0.0 } else { self.ends[i - 1] }, self.jerks[i]),
@@ -59,7 +57,6 @@ impl Ramp {
         }
     }
 
-    /// Minimum and maximum position during the change.
     pub(super) fn reach(&self) -> (f64, f64) {
         let mut reach = (self.begins[0].q, self.begins[0].q);
         let mut meets = |q: f64| reach = (reach.0.min(q), reach.1.max(q));

@@ -37,7 +37,6 @@ impl State {
         Self { q: *q, ..Self::default() }
     }
 
-    /// The state of one axis.
     pub(super) fn axis(&self, i: usize) -> AxisState {
         AxisState { q: self.q[i], speed: self.speed[i], acceleration: self.acceleration[i] }
     }

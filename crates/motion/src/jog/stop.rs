@@ -2,12 +2,11 @@ use super::ramp::Ramp;
 use super::state::State;
 use seamwright_machine::{AxisLimits, Course, Joints, MAX_AXES};
 
-/// Stop of every axis by its own fastest jerk-limited motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stop {
     ramps: [Ramp; MAX_AXES],
     axes: usize,
-    duration: f64,
+    pub(super) duration: f64,
 }
 
 impl Stop {
@@ -21,15 +20,10 @@ impl Stop {
     }
 
     /// Time until all rest, s.
-    pub(super) fn duration(&self) -> f64 {
-        self.duration
-    }
-
     pub(super) fn ramps(&self) -> &[Ramp] {
         &self.ramps[..self.axes]
     }
 
-    /// Positions of rest.
     pub(super) fn end(&self) -> Joints {
         let mut q = Joints::default();
         q.iter_mut().zip(self.ramps()).for_each(|(q, ramp)| *q = ramp.end());
@@ -56,7 +50,6 @@ pub(super) struct Commitment<'a> {
 }
 
 impl Commitment<'_> {
-    /// Minimum and maximum positions on it.
     pub(super) fn reach(&self) -> (Joints, Joints) {
         let (mut low, mut high) = (*self.before, *self.before);
         for (i, ramp) in self.stop.ramps().iter().enumerate() {
@@ -69,7 +62,7 @@ impl Commitment<'_> {
 
 impl Course for Commitment<'_> {
     fn range(&self) -> (f64, f64) {
-        (-self.period, self.stop.duration())
+        (-self.period, self.stop.duration)
     }
 
     fn at(&self, s: f64) -> Joints {

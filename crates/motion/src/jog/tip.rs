@@ -33,7 +33,6 @@ impl TipFrame {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TipLine {
     start: Pose,
-    /// Unit vector.
     along: DVec3,
     /// State along it: mm and s.
     at: AxisState,
@@ -44,7 +43,6 @@ pub(super) struct TipLine {
 const APART_MM: f64 = 0.02;
 
 impl TipLine {
-    /// Creates a line from rest at positions `q`.
     pub(super) fn new(machine: &Machine, q: &Joints, along: DVec3) -> Self {
         Self { start: machine.forward(q), along, at: AxisState::default() }
     }
@@ -79,7 +77,6 @@ impl TipLine {
         machine.inverse_near(pose, near).ok().map(|solution| solution.joints)
     }
 
-    /// First and second derivatives of the positions by length.
     fn derivatives(&self, machine: &Machine, near: &Joints, s: f64) -> Option<(Joints, Joints)> {
         let h = APART_MM;
         let [a, b, c] = [s - h, s, s + h].map(|s| self.inverse(machine, near, s));

@@ -55,15 +55,9 @@ impl JointPath {
         &self.blends
     }
 
-    /// True if `s` lies in a blend.
     pub(crate) fn in_blend(&self, s: f64) -> bool {
         let i = self.blends.partition_point(|b| b.1 < s);
         self.blends.get(i).is_some_and(|b| b.0 <= s)
-    }
-
-    /// True if the tip's travel by path length is not 1 even outside blends.
-    pub(crate) fn is_beside(&self) -> bool {
-        self.beside
     }
 
     /// True if speeds at `s` count the tip's travel and this may differ from path length: beside the seam and in

@@ -8,7 +8,6 @@ use seamwright_program::{Finding, Outside, Pass, PathRange, PositionStretch, Pro
 /// Temperatures are measured before welding, not planned.
 const MEASURED: [&str; 2] = ["preheat_c", "interpass_c"];
 
-/// The findings of a planned pass under `procedure`, compared with it in `held`.
 pub(super) fn findings(
     held: &PassProcedure,
     procedure: &Procedure,
@@ -81,7 +80,6 @@ fn unit(key: &str) -> Unit {
     }
 }
 
-/// Name of a quantity.
 fn name(key: &str) -> Argument {
     let code = match key {
         "speed_mm_s" => "motion-quantity-speed",
@@ -93,7 +91,6 @@ fn name(key: &str) -> Argument {
     Argument::Message(Box::new(Message::new(code)))
 }
 
-/// Rounds to four decimals.
 fn rounded(value: f64) -> f64 {
     (value * 1e4).round() / 1e4
 }

@@ -4,9 +4,7 @@ use super::planned_pass::PlannedPass;
 use crate::joint_path::PLACES;
 use seamwright_program::{Inclination, TorchPath};
 
-/// Weld and torch at one station.
 pub(super) struct Lie {
-    /// Path length, mm.
     pub(super) s: f64,
     pub(super) inclination: Inclination,
     /// Travel angle, and work angle if the faces are known, degrees.

@@ -30,7 +30,6 @@ fn steady(planned: PlannedPass<'_>) -> Vec<Piece<'_>> {
     pieces.collect()
 }
 
-/// Speed of the tip at path length `s`, mm/s.
 fn speed(planned: PlannedPass, s: f64) -> f64 {
     let PlannedPass { machine, motion, .. } = planned;
     motion.profile.speed(s) * motion.path.tip_rate(machine, s)
@@ -114,7 +113,6 @@ fn process_values(run: Option<&Run>, pass: &Pass) -> Vec<Quantity> {
         .collect()
 }
 
-/// Merges two quantities into one with the values of both.
 fn both(a: Quantity, b: Quantity) -> Quantity {
     let found = a.found.zip(b.found).map(|(a, b)| (a.0.min(b.0), a.1.max(b.1)));
     Quantity { found, outside: joined(a.outside.into_iter().chain(b.outside).collect()), ..a }

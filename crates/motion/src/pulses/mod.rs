@@ -37,29 +37,16 @@ pub use train::Train;
 
 /// Error of pulse generation. The generator is left unchanged.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum Error {
-    /// The period has more pulses than the driver accepts.
-    TooFast {
-        /// Steps of the period, fractions included.
-        asked: f64,
-        /// Maximum number of steps of a period.
-        most: f64,
-    },
+    /// The period has more steps, fractions included, than the driver accepts.
+    TooFast { asked: f64, most: f64 },
     /// The pulses do not fit beside the change of direction, or beside pulses that waited for one.
-    Crowded {
-        /// Pulses of the period.
-        pulses: u64,
-    },
+    Crowded { pulses: u64 },
     /// The position is NaN or too many steps from zero.
-    Position {
-        /// The position.
-        steps: f64,
-    },
+    Position { steps: f64 },
     /// The period has 0 ticks, or too many.
-    Period {
-        /// Ticks of the period.
-        ticks: u64,
-    },
+    Period { ticks: u64 },
 }
 
 impl Error {

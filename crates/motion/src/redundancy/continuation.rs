@@ -52,12 +52,10 @@ pub(super) fn branches(
 struct Lattice<'t, 'a> {
     task: &'t Task<'a>,
     cells: Vec<Vec<Vec<Joints>>>,
-    /// Solutions that are still to be continued.
     todo: VecDeque<(usize, usize, Joints)>,
 }
 
 impl Lattice<'_, '_> {
-    /// Searches all branches in a few cells, spread over stations and samples.
     fn seed(&mut self, places: &[Place], combinations: &[Joints]) {
         for i in 0..SEEDS {
             if !self.task.effort.spend(SEED_WORK, 0.2 * i as f64 / SEEDS as f64) {
@@ -73,7 +71,6 @@ impl Lattice<'_, '_> {
         }
     }
 
-    /// Adds a solution unless it is there already.
     fn add(&mut self, station: usize, sample: usize, q: Joints) {
         let cell = &self.cells[station][sample];
         if cell.len() < MAX_BRANCHES && !cell.iter().any(|other| self.apart(other, &q) < SAME) {
@@ -99,7 +96,6 @@ impl Lattice<'_, '_> {
     }
 }
 
-/// Neighbours of a cell along the path and along each free axis.
 fn neighbours(station: usize, sample: usize, stations: usize, grids: &[Vec<f64>]) -> Vec<(usize, usize)> {
     let mut all = Vec::new();
     all.extend(station.checked_sub(1).map(|before| (before, sample)));

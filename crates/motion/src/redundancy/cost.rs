@@ -33,7 +33,6 @@ const SINGULAR_NEAR: f64 = 0.342;
 const USABLE: f64 = 0.9;
 const EXCESS: f64 = 10.0;
 
-/// Welding positions that a procedure allows along a pass.
 #[derive(Clone, Copy)]
 pub(crate) struct AllowedPositions<'a> {
     pub(crate) limits: &'a PositionLimits,
@@ -113,7 +112,6 @@ impl<'a> Cost<'a> {
         }
     }
 
-    /// Residuals at one station.
     pub(crate) fn place(&self, q: &Joints, place: &Place) -> [f64; ROWS] {
         let w = &self.wishes.weights;
         let mut rows = [0.0; ROWS];
@@ -191,18 +189,14 @@ pub struct Clearance<'a> {
 /// Criteria for the choice of the free axes.
 #[derive(Clone, Copy)]
 pub(crate) struct Aim<'a> {
-    /// Maximum speed along the path, mm/s.
     pub(crate) speed: f64,
     pub(crate) wishes: &'a SpareAxes,
-    /// Obstacles to keep clear of.
     pub(crate) clearance: Option<Clearance<'a>>,
-    /// Welding positions that take precedence over the preferred ones.
     pub(crate) positions: Option<AllowedPositions<'a>>,
     /// False if the reason for a missing path is not needed: without a closed form it is slow to find.
     pub(crate) explains: bool,
 }
 
-/// A station of the path.
 pub(super) struct Place {
     pub(super) s: f64,
     pub(super) target: Target,

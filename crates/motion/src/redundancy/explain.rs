@@ -13,7 +13,6 @@ const NUMERIC_SAMPLES: usize = 4;
 /// `i + 1`.
 const NO_AXIS: usize = 0;
 
-/// Finding for an invalid hold of an axis.
 pub(crate) fn hold(error: HoldError, length: f64, pass: usize) -> Finding {
     let cure = Message::new("document-allowed").message("allowed", error.allowed);
     Finding::error("hold", error.message, pass, PathRange::up_to(length), cure)
@@ -42,7 +41,6 @@ pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
     unreachable
 }
 
-/// Finding for stations that can be joined only discontinuously.
 fn not_smooth(task: &Task, pass: usize) -> Finding {
     let message = Message::new("motion-not-smooth-redundant").text("machine", task.machine.name.as_str());
     let whole = PathRange::up_to(task.path.length());

@@ -58,7 +58,6 @@ impl FreeAxes {
         self.start
     }
 
-    /// True if `axis` is free.
     pub(crate) fn has(&self, axis: usize) -> bool {
         self.still.iter().any(|(a, _)| *a == axis) || self.moving.iter().any(|(a, _)| *a == axis)
     }

@@ -31,7 +31,6 @@ const WALKED: usize = 8;
 /// A branch of the inverse at one station and one sample of the free axes.
 pub(super) struct Node {
     pub(super) q: Joints,
-    /// Cost of the node itself.
     place: f64,
     /// Minimum cost from here to the end, and the next station's node on that path.
     onward: (f64, usize),
@@ -40,10 +39,8 @@ pub(super) struct Node {
     from: usize,
 }
 
-/// Edges: station, from, to.
 type Struck = HashSet<(usize, usize, usize)>;
 
-/// Nodes station by station.
 pub(super) struct Graph<'t, 'a> {
     task: &'t Task<'a>,
     pub(super) places: Vec<Place>,
@@ -149,7 +146,6 @@ impl<'t, 'a> Graph<'t, 'a> {
         rows
     }
 
-    /// The base positions with each combination of samples.
     pub(super) fn samples(&self) -> Vec<Joints> {
         combinations(self.task, &self.task.base, &self.grids)
     }
@@ -212,7 +208,6 @@ impl<'t, 'a> Graph<'t, 'a> {
         }
     }
 
-    /// Nodes of the best path, station by station.
     fn way(&self) -> Option<Vec<usize>> {
         let last = self.nodes.last()?;
         let end = (0..last.len()).min_by(|&a, &b| last[a].total.total_cmp(&last[b].total))?;
@@ -276,7 +271,6 @@ pub(super) fn finer(task: &Task, rough: &[Joints], steps: &[f64]) -> Option<Vec<
     Some(graph.positions(&way))
 }
 
-/// Samples of each free axis: about `samples` combinations in total.
 fn grids(task: &Task, samples: usize) -> Vec<Vec<f64>> {
     let range = |axis: usize| task.machine.axes[axis].range.filter(|_| !task.winds(axis));
     let wanted = |&axis: &usize| match (task.machine.axes[axis].kind, range(axis)) {

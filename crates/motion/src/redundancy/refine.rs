@@ -5,7 +5,6 @@ use super::task::Task;
 use crate::effort::SearchStage;
 use seamwright_machine::{AxisKind, Joints, MAX_AXES};
 
-/// Maximum number of steps of a stage.
 const STEPS: usize = 40;
 /// Minimum relative gain of a step; one with less is the last.
 const ENOUGH: f64 = 1e-5;
@@ -60,13 +59,11 @@ fn through(task: &Task, way: &[Joints], intervals: usize) -> Vec<f64> {
         .collect()
 }
 
-/// One station: positions, residuals, and their derivatives by the free axes.
 struct Row {
     q: Joints,
     residuals: [f64; ROWS],
 }
 
-/// Least squares with given stations and intervals.
 struct Stage<'t, 'a> {
     task: &'t Task<'a>,
     places: Vec<Place>,
@@ -119,7 +116,6 @@ impl<'t, 'a> Stage<'t, 'a> {
         }
     }
 
-    /// Takes the step if it lowers the cost.
     fn try_step(&mut self, mut step: Vec<f64>) -> bool {
         let count = self.task.free.len();
         let mut part: f64 = 1.0;
@@ -190,7 +186,6 @@ impl<'t, 'a> Stage<'t, 'a> {
         sum * part
     }
 
-    /// Derivatives of a station's positions and residuals by each free axis.
     fn derivatives(&self, k: usize) -> Vec<(Joints, [f64; ROWS])> {
         let row = &self.rows[k];
         let derivative = |&axis: &usize| {

@@ -4,12 +4,10 @@ use seamwright_machine::{AxisKind, AxisSet, Joints, Machine};
 use seamwright_program::TorchPath;
 use std::f64::consts::TAU;
 
-/// Problem of the search.
 pub(super) struct Task<'a> {
     pub(super) effort: &'a Effort<'a>,
     pub(super) machine: &'a Machine,
     pub(super) path: &'a dyn TorchPath,
-    /// The axes to resolve.
     pub(super) free: Vec<usize>,
     /// Home, with the held axes at their positions.
     pub(super) base: Joints,
@@ -45,7 +43,6 @@ impl<'a> Task<'a> {
         Self { effort, machine, path, free: looked_for.iter().collect(), base, winding, explains: aim.explains, cost }
     }
 
-    /// Rotary axes without a limited range.
     pub(super) fn endless(&self) -> AxisSet {
         let rotary = |axis: &usize| self.machine.axes[*axis].kind == AxisKind::Rotary;
         (0..self.machine.axes.len()).filter(rotary).filter(|&axis| self.machine.axes[axis].range.is_none()).collect()
@@ -67,7 +64,6 @@ impl<'a> Task<'a> {
         Place { s, target: self.path.pose(s).into(), face: self.path.face(s), tangent }
     }
 
-    /// True if positions of `axis` a whole turn apart are equivalent.
     pub(super) fn winds(&self, axis: usize) -> bool {
         self.winding.has(axis)
     }

@@ -38,9 +38,6 @@ pub(crate) struct Cells {
 impl Cells {
     /// The piece of `path` that `map` covers, with stations at `tau`, which must contain the map's borders and the
     /// path's breaks.
-    ///
-    /// # Errors
-    /// A derivative that is not finite, an invalid requested speed, or no moving channel.
     pub(crate) fn new(
         path: &dyn Channels,
         map: RestToRest,
@@ -65,25 +62,21 @@ impl Cells {
         let caps = derivatives.chunks_exact(channels).map(cap).collect();
         let built = Self { map, tau, limits, derivatives, asked, caps };
         let moves = built.derivatives.iter().any(|d| d[0] != 0.0) || built.asked.iter().any(|a| a.is_finite());
-        if moves { Ok(built) } else { Err(SpeedProfileError::Still { from: map.start(), to: map.end() }) }
+        if moves { Ok(built) } else { Err(SpeedProfileError::Still { from: map.from, to: map.to }) }
     }
 
-    /// Number of cells.
     pub(crate) fn count(&self) -> usize {
         self.tau.len() - 1
     }
 
-    /// The `tau` of cell `i`.
     pub(crate) fn stretch(&self, i: usize) -> Stretch {
         Stretch { from: self.tau[i], to: self.tau[i + 1] }
     }
 
-    /// Width of cell `i`, by `tau`.
     pub(crate) fn width(&self, i: usize) -> f64 {
         self.tau[i + 1] - self.tau[i]
     }
 
-    /// Derivatives of all channels by `tau` at [`PARTS`]`[part]` of `cell`.
     pub(crate) fn derivatives(&self, cell: usize, part: usize) -> &[[f64; 3]] {
         let n = self.limits.len();
         &self.derivatives[(cell * PARTS.len() + part) * n..][..n]

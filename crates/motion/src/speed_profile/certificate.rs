@@ -2,6 +2,7 @@ use super::cells::NEARLY;
 use super::channels::Channels;
 use super::jerk_limited::RESERVE;
 use super::profile::{ProfilePoint, SpeedProfile};
+use seamwright_geometry::numeric::bisect;
 
 /// Limit that bounds the speed of the tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -187,7 +188,6 @@ impl Certificate {
     }
 }
 
-/// The lesser of two values, with its parameter.
 fn lesser(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     if b.0 < a.0 { b } else { a }
 }
@@ -215,15 +215,7 @@ fn binding(cells: &[(Interval, f64)], i: usize) -> Bound {
 /// in a cell.
 fn turning(profile: &SpeedProfile, cell: usize) -> Option<f64> {
     let sign = |part: f64| profile.in_cell(cell, part).a;
-    let (mut low, mut high) = (0.0, 1.0);
-    let first = sign(low);
-    if first * sign(high) >= 0.0 {
-        return None;
-    }
-    // Bisection until the speed, nearly constant at the extremum, is exact to rounding.
-    for _ in 0..30 {
-        let middle = 0.5 * (low + high);
-        if first * sign(middle) > 0.0 { low = middle } else { high = middle }
-    }
-    Some(low)
+    let first = sign(0.0);
+    // Until the speed, nearly constant at the extremum, is exact to rounding.
+    (first * sign(1.0) < 0.0).then(|| bisect(0.0, 1.0, 30, |part| first * sign(part) > 0.0).0)
 }

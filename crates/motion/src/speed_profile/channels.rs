@@ -61,9 +61,6 @@ pub struct Bend {
 }
 
 /// Parameters of the start, stops and end of `path`.
-///
-/// # Errors
-/// An invalid range or invalid limits.
 pub(crate) fn ends(path: &dyn Channels) -> Result<Vec<f64>, SpeedProfileError> {
     let (from, to) = path.range();
     if !(from.is_finite() && to.is_finite() && to > from) {

@@ -1,46 +1,20 @@
 use crate::limit_kind::LimitKind;
 use seamwright_message::{Message, Unit};
 
-/// Error of a path without a speed profile.
+/// Error of a path without a speed profile. Channels count from 0; `at`, `from` and `to` are parameters of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs, reason = "the fields say what they are")]
 pub enum SpeedProfileError {
     /// A limit is not a positive number.
-    Limit {
-        /// The channel's number, from 0.
-        channel: usize,
-        /// Kind of the limit.
-        kind: LimitKind,
-        /// The limit.
-        value: f64,
-    },
-    /// The requested speed is not a positive number.
-    Asked {
-        /// The path's parameter.
-        at: f64,
-        /// The speed, mm/s.
-        value: f64,
-    },
+    Limit { channel: usize, kind: LimitKind, value: f64 },
+    /// The requested speed, mm/s, is not a positive number.
+    Asked { at: f64, value: f64 },
     /// The path has no length.
-    Range {
-        /// First parameter.
-        from: f64,
-        /// Last parameter.
-        to: f64,
-    },
+    Range { from: f64, to: f64 },
     /// A derivative is not a finite number.
-    NotSmooth {
-        /// The channel's number, from 0.
-        channel: usize,
-        /// The path's parameter.
-        at: f64,
-    },
+    NotSmooth { channel: usize, at: f64 },
     /// No channel moves between two stops.
-    Still {
-        /// First parameter of the piece.
-        from: f64,
-        /// Last parameter of the piece.
-        to: f64,
-    },
+    Still { from: f64, to: f64 },
 }
 
 impl SpeedProfileError {

@@ -46,7 +46,6 @@ pub(super) fn spread(path: &dyn Channels, piece: Stretch, count: usize) -> Vec<f
     stations
 }
 
-/// A measure of the path, from 0 to 1: linear in bins.
 struct Bins {
     edges: Vec<f64>,
     measure: Vec<f64>,
@@ -92,7 +91,6 @@ impl Bins {
         Self { edges, measure }
     }
 
-    /// The measure of the path up to `u`.
     fn measure(&self, u: f64) -> f64 {
         let i = self.edges.partition_point(|e| *e <= u).clamp(1, self.edges.len() - 1) - 1;
         let part = (u - self.edges[i]) / (self.edges[i + 1] - self.edges[i]);

@@ -26,7 +26,7 @@ const MIN_SLOWDOWN: f64 = 0.01;
 /// positive, and halved until it is. Every step is shortened until the true slacks are positive, so that each iterate
 /// satisfies the rows. The method is local; bad local optima are unknown but not excluded.
 pub(crate) struct Iterate {
-    c: Vec<f64>,
+    pub(crate) c: Vec<f64>,
     /// Slacks, and their reciprocals.
     g: Lists,
     by_g: Lists,
@@ -95,11 +95,6 @@ impl Iterate {
         }
     }
 
-    /// The coefficients reached.
-    pub(crate) fn coefficients(&self) -> &[f64] {
-        &self.c
-    }
-
     /// Iterates to the fastest profile, to within the fraction `gap` of the time lost against the requested speed.
     pub(crate) fn solve(&mut self, problem: &Problem, gap: f64) {
         for _ in 0..MAX_ITERATIONS {
@@ -128,7 +123,6 @@ impl Iterate {
         problem.newton(&self.c, &self.ratio, &self.z, &mut self.newton);
     }
 
-    /// Takes one step. Returns false on failure.
     fn improve(&mut self, problem: &Problem, residual: f64) -> bool {
         let (matrix, concave) = (&self.newton.matrix, &self.newton.concave);
         // Close breaks: rounding may make the matrix indefinite.
@@ -189,7 +183,6 @@ impl Iterate {
         }
     }
 
-    /// Sets the changes of the multipliers. Returns the step lengths of slacks and of multipliers.
     fn parts(&mut self) -> (f64, f64) {
         let (mut nearest, mut most) = (0.0, 0.0);
         for k in 0..self.g.len() {
@@ -204,7 +197,6 @@ impl Iterate {
         (part(nearest), part(most))
     }
 
-    /// Takes the step, shortened until the true slacks are positive.
     fn go(&mut self, problem: &Problem, mut slack: f64, multiplier: f64) -> bool {
         let mut next = vec![0.0; self.c.len()];
         loop {

@@ -53,9 +53,6 @@ const FEW: usize = 80;
 /// too stiff. The previous solution is a spline on the finer cells too and a good start there. Guarantee: no limit is
 /// exceeded anywhere (speeds, accelerations and jerks are bounded between the points of rows, and half a thousandth is
 /// kept in reserve); the tip is never faster than requested.
-///
-/// # Errors
-/// As [`Cells::new`].
 pub(crate) fn plan(
     path: &dyn Channels,
     map: RestToRest,
@@ -70,7 +67,7 @@ pub(crate) fn plan(
         let problem = Problem::new(&cells, &room, near.as_deref());
         let mut profile = begin(&problem, near.as_deref());
         profile.solve(&problem, COARSE_GAP);
-        let found = profile.coefficients();
+        let found = &profile.c;
         let lost = problem.lost(problem.time(found));
         let Some(tau) = refined(&cells, found, lost, most) else {
             let c = certified(&cells, problem, room, profile);
@@ -110,7 +107,7 @@ fn guess(path: &dyn Channels, cells: &Cells) -> Option<Vec<f64>> {
     let problem = Problem::new(&coarser, &Room::new(&coarser), near.as_deref());
     let mut profile = begin(&problem, near.as_deref());
     profile.solve(&problem, GUESS_GAP);
-    Some(coarser.carried(profile.coefficients(), cells, 0.0))
+    Some(coarser.carried(&profile.c, cells, 0.0))
 }
 
 /// Estimated change of time (s) from refining cell `i`: from the jump of the squared speed's second derivative at its
@@ -136,7 +133,7 @@ fn begin(problem: &Problem, near: Option<&[f64]>) -> Iterate {
 /// Solves the profile in its final cells from a previous one, until no limit is exceeded between the points of its
 /// rows.
 fn certified(cells: &Cells, mut problem: Problem, mut room: Room, mut profile: Iterate) -> Vec<f64> {
-    let mut worst = room.lessen(cells, profile.coefficients());
+    let mut worst = room.lessen(cells, &profile.c);
     let mut c = Vec::new();
     for _ in 0..ROUNDS {
         problem.tighten(cells, &room);
@@ -146,7 +143,7 @@ fn certified(cells: &Cells, mut problem: Problem, mut room: Room, mut profile: I
             profile = Iterate::slow(&problem);
         }
         profile.solve(&problem, GAP);
-        c = profile.coefficients().to_vec();
+        c = profile.c.clone();
         snap(&mut c, &problem.upper);
         worst = room.lessen(cells, &c);
         if worst <= ALLOWED {

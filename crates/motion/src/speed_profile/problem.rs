@@ -77,13 +77,11 @@ fn dot(w: &[f64; 3], c: &[f64; 3]) -> f64 {
     w[0] * c[0] + w[1] * c[1] + w[2] * c[2]
 }
 
-/// The three values from `first` on.
 fn three(c: &[f64], first: usize) -> [f64; 3] {
     [c[first], c[first + 1], c[first + 2]]
 }
 
 impl Group {
-    /// The squared speed and its derivatives at the cell's start.
     fn profile(&self, c: &[f64]) -> [f64; 3] {
         let c = three(c, self.cell);
         [dot(&self.weights.value, &c), dot(&self.weights.first, &c), dot(&self.weights.second, &c)]
@@ -155,7 +153,6 @@ impl Problem {
         self.cruising = (0..count).map(|i| cells.width(i) / asked(i).sqrt()).sum();
     }
 
-    /// A problem with these bounds of the unknowns and no rows yet.
     pub(super) fn bare(upper: Vec<f64>, room: Room, worth: Vec<[bool; 2]>, worth_cap: Vec<bool>) -> Self {
         Self {
             unknowns: upper.len(),
@@ -174,14 +171,12 @@ impl Problem {
         }
     }
 
-    /// Lists of every kind of slack, filled with `value`.
     pub(crate) fn lists(&self, value: f64) -> Lists {
         let (accelerations, jerks) = (self.accelerations.count(), self.jerks.count());
         [accelerations, accelerations, jerks, jerks, self.caps.count(), self.unknowns, self.bounded.len()]
             .map(|count| vec![value; count])
     }
 
-    /// Zero slopes and curvatures.
     pub(crate) fn flat(&self) -> Newton {
         let n = self.unknowns;
         Newton {

@@ -120,7 +120,6 @@ impl SpeedProfile {
         }
     }
 
-    /// Appends a cell of the last piece.
     fn push(&mut self, cell: Cell) {
         self.duration += cell.time;
         self.owner.push(self.pieces.len() as u32 - 1);
@@ -151,7 +150,6 @@ impl SpeedProfile {
         self.point(*cursor, t - self.cells[*cursor].t, false)
     }
 
-    /// The profile at time `t` (s) after the start of cell `i`.
     fn point(&self, i: usize, t: f64, before: bool) -> ProfilePoint {
         self.cells[i].point(&self.pieces[self.owner[i] as usize], t, before)
     }
@@ -194,14 +192,13 @@ impl SpeedProfile {
 
     /// The cell in which the parameter `s` is passed, the speed by `tau` there, and `tau`.
     fn passing(&self, s: f64) -> (usize, f64, f64) {
-        let piece = self.pieces.partition_point(|p| p.start() <= s).saturating_sub(1);
+        let piece = self.pieces.partition_point(|p| p.from <= s).saturating_sub(1);
         let tau = self.pieces[piece].tau(s);
         let cells = self.cells_of(piece);
         let i = cells.start + self.cells[cells].partition_point(|c| c.tau <= tau).saturating_sub(1);
         (i, self.cells[i].speed(tau), tau)
     }
 
-    /// The cells of a piece between two stops.
     fn cells_of(&self, piece: usize) -> Range<usize> {
         let first = self.owner.partition_point(|owner| (*owner as usize) < piece);
         first..self.owner.partition_point(|owner| (*owner as usize) <= piece)
@@ -243,14 +240,9 @@ impl SpeedProfile {
     pub fn legs(&self) -> Vec<Leg> {
         let leg = |(piece, map): (usize, &RestToRest)| {
             let cells = self.cells_of(piece);
-            let border = |cell: usize| if cell < cells.end { self.in_cell(cell, 0.0).s } else { map.end() };
+            let border = |cell: usize| if cell < cells.end { self.in_cell(cell, 0.0).s } else { map.to };
             let between = self.between(cells.clone());
-            Leg {
-                from: map.start(),
-                to: map.end(),
-                run_up_end: border(between.start),
-                run_down_start: border(between.end),
-            }
+            Leg { from: map.from, to: map.to, run_up_end: border(between.start), run_down_start: border(between.end) }
         };
         self.pieces.iter().enumerate().map(leg).collect()
     }

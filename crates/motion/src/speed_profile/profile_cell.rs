@@ -6,7 +6,6 @@ use crate::stretch::Stretch;
 /// A cell of a speed profile: `d2 tau / dt2 = a + w tau`, with `tau` from its start.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
-    /// Start and end of the cell, in `tau`.
     pub(super) tau: f64,
     end: f64,
     /// Start time and duration, s; kept apart because the difference of two instants loses digits.

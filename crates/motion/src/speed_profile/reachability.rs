@@ -27,9 +27,6 @@ const STEPS: usize = 60;
 /// forward pass takes the maximum acceleration. Guarantee: no speed or acceleration is exceeded, and the tip is never
 /// faster than requested. Between the points accelerations are bounded by a parabola, exact on cubic splines, squared
 /// speeds by cubics, and a reserve.
-///
-/// # Errors
-/// As [`super::cells::Cells::new`].
 pub(crate) fn fastest(path: &dyn Channels, u: &[f64]) -> Result<(Vec<f64>, Vec<[f64; 2]>), SpeedProfileError> {
     let mut slabs = Slabs::new(path, u)?;
     let mut profile = Profile::new(slabs.count());
@@ -61,7 +58,6 @@ struct Profile {
 }
 
 impl Profile {
-    /// Unsolved profile: only the rest at start and end is known.
     fn new(cells: usize) -> Self {
         let mut profile = Self {
             reach: vec![f64::NAN; cells + 1],
@@ -179,13 +175,11 @@ impl Slabs {
         self.caps[cell][place] = self.caps[cell][place].min(1.0 / (speed * speed));
     }
 
-    /// All channels at all points of cell `i`.
     fn cell(&self, i: usize) -> &[Lanes] {
         let each = PLACES.len() * self.by_speed.len();
         &self.lanes[i * each..][..each]
     }
 
-    /// Number of cells.
     fn count(&self) -> usize {
         self.widths.len()
     }

@@ -8,8 +8,8 @@
 /// L`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RestToRest {
-    from: f64,
-    to: f64,
+    pub(crate) from: f64,
+    pub(crate) to: f64,
     /// Widths of acceleration and deceleration phase in `tau`; half of each in `u`.
     up: f64,
     down: f64,
@@ -22,17 +22,6 @@ impl RestToRest {
         Self { from, to, up: 2.0 * up, down: 2.0 * down }
     }
 
-    /// First `u`.
-    pub(crate) fn start(&self) -> f64 {
-        self.from
-    }
-
-    /// Last `u`.
-    pub(crate) fn end(&self) -> f64 {
-        self.to
-    }
-
-    /// Length in `tau`.
     pub(crate) fn length(&self) -> f64 {
         self.to - self.from + 0.5 * (self.up + self.down)
     }
@@ -64,7 +53,6 @@ impl RestToRest {
         [(self.from + tau - 0.5 * self.up).min(self.to), 1.0, 0.0, 0.0]
     }
 
-    /// `tau` at `u`.
     pub(crate) fn tau(&self, u: f64) -> f64 {
         let (ahead, behind) = (u - self.from, self.to - u);
         if ahead < 0.5 * self.up {

@@ -82,7 +82,6 @@ impl Plan {
         self.cells.tau.partition_point(|t| *t < tau - 1e-9 * self.cells.map.length())
     }
 
-    /// The parameter at station `i`.
     fn at(&self, i: usize) -> f64 {
         self.cells.map.at(self.cells.tau[i], false)[0]
     }

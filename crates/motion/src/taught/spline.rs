@@ -59,7 +59,6 @@ impl Piece {
         Self { from, to, origin: from, c }
     }
 
-    /// Positions and three derivatives at `u`.
     pub(crate) fn derivatives(&self, u: f64) -> [Joints; 4] {
         let x = u - self.origin;
         let mut out = [Joints::default(); 4];

@@ -80,7 +80,6 @@ impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
     }
 }
 
-/// Points with the positions of their tips.
 struct Tips<'a, I> {
     machine: &'a Machine,
     points: I,
@@ -135,7 +134,6 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         dot(&a, &b) < CORNER_COS * (dot(&a, &a) * dot(&b, &b)).sqrt()
     }
 
-    /// Reads points until pieces can be built, and builds them.
     fn extend(&mut self) {
         let mut ended = false;
         while self.run.len() < AT_ONCE + AHEAD {
@@ -203,7 +201,6 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         self.run.first_mut().into_iter().for_each(|(_, first)| first.left_out.clear());
     }
 
-    /// The spline through the current run.
     fn spline(&self) -> Vec<Piece> {
         let u: Vec<f64> = self.run.iter().map(|r| r.0).collect();
         let q: Vec<Joints> = self.run.iter().map(|r| r.1.point.q).collect();

@@ -41,7 +41,6 @@ pub(crate) struct Thinned<I> {
     /// The last kept point, and the points since.
     kept: Option<Taught>,
     run: Vec<Taught>,
-    /// Points of the output, in order.
     ready: std::collections::VecDeque<Kept>,
     /// Points omitted between the last two kept ones, and the first of the two.
     before: Option<(Taught, Vec<Taught>)>,

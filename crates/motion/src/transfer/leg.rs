@@ -1,5 +1,6 @@
 use super::rest_to_rest::RestToRest;
 use crate::feed_override::{Rates, Timed, Tip};
+use seamwright_geometry::numeric::bisect;
 use seamwright_machine::{AxisLimits, Course, Joints, Machine};
 
 /// Synchronised move of all axes between two sets of positions, straight in axis space, from rest to rest. Its speed is
@@ -76,12 +77,8 @@ impl Timed for Leg {
 
     fn time_of(&self, s: f64) -> f64 {
         // The fraction grows monotonically: bisection finds the time to the last digit.
-        let (mut low, mut high) = (0.0, self.duration());
-        for _ in 0..64 {
-            let middle = 0.5 * (low + high);
-            if self.part.at(middle).0 < s { low = middle } else { high = middle }
-        }
-        if s >= 1.0 { self.duration() } else { low }
+        let end = self.duration();
+        if s >= 1.0 { end } else { bisect(0.0, end, 64, |t| self.part.at(t).0 < s).0 }
     }
 }
 

@@ -30,7 +30,6 @@ impl RestToRest {
         Self { jerk: j, speed, times: [with_jerk, with_acceleration, with_speed] }
     }
 
-    /// Time from 0 to 1, s.
     pub(super) fn duration(&self) -> f64 {
         let [with_jerk, with_acceleration, with_speed] = self.times;
         4.0 * with_jerk + 2.0 * with_acceleration + with_speed

@@ -76,7 +76,6 @@ struct Search<'a> {
     turns: Joints,
 }
 
-/// A tree of positions, each with the index of its parent.
 struct Tree {
     places: Vec<(Joints, usize)>,
 }

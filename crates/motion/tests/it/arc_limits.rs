@@ -1,51 +1,22 @@
 //! Requirements of the process while the arc is on, verified by walking along the set-points.
 
-use crate::number;
-use crate::planning::{read, shipped_machine};
+use crate::corners::route::{Part, Route};
+use crate::planning::{one_span, shipped_machine};
+use crate::{number, positive};
 use glam::DVec3;
-use seamwright_document::{NonNegative, Positive};
-use seamwright_geometry::Pose;
 use seamwright_motion::PassMotion;
-use seamwright_program::{Finding, OnLimit, Pass, TorchPath};
+use seamwright_program::{Finding, Pass, TorchPath};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 const RADIUS: f64 = 100.0;
 
-/// A straight line along y tangent to an arc, or a full circle without the line.
-struct LineAndArc {
-    line: f64,
-    arc: f64,
+/// An arc about the origin that begins along y.
+fn arc(length: f64) -> Route {
+    Route::new(DVec3::X * RADIUS, vec![Part { turn: FRAC_PI_2, ..Part::arc(length, 1.0 / RADIUS) }])
 }
 
-impl TorchPath for LineAndArc {
-    fn length(&self) -> f64 {
-        self.line + self.arc
-    }
-    fn pose(&self, s: f64) -> Pose {
-        let point = match s < self.line {
-            true => DVec3::new(RADIUS, s - self.line, 0.0),
-            false => {
-                let (sin, cos) = ((s - self.line) / RADIUS).sin_cos();
-                RADIUS * DVec3::new(cos, sin, 0.0)
-            }
-        };
-        Pose { point, direction: -DVec3::Z }
-    }
-    fn knots(&self) -> Vec<f64> {
-        if self.line > 0.0 { vec![self.line] } else { Vec::new() }
-    }
-}
-
-/// One span at `speed`, slowed down where an axis needs it.
 fn pass(length: f64, speed: f64, least: Option<f64>) -> Pass {
-    let welding = read(include_str!("../../../../examples/ellipse.toml"));
-    let mut pass = welding.program.value.passes[0].clone();
-    pass.on_limit = OnLimit::Slow;
-    pass.least_speed_mm_s = least.map(|v| Positive::new(v).unwrap());
-    pass.spans.truncate(1);
-    let span = &mut pass.spans[0];
-    (span.from_mm, span.to_mm) = (NonNegative::new(0.0).unwrap(), Positive::new(length).unwrap());
-    span.speed_mm_s = Positive::new(speed).unwrap().into();
-    pass
+    Pass { least_speed_mm_s: least.map(positive), ..one_span(length, speed) }
 }
 
 fn findings(plan: Result<PassMotion, Vec<Finding>>, kind: &str) -> Vec<Finding> {
@@ -70,8 +41,7 @@ fn slow(points: &[(f64, f64)], least: f64) -> Vec<(f64, f64, f64)> {
 
 #[test]
 fn stretches_below_the_least_speed_are_those_of_the_set_points() {
-    let (machine, circle) =
-        (shipped_machine("ellipse-xy"), LineAndArc { line: 0.0, arc: 2.0 * std::f64::consts::PI * RADIUS });
+    let (machine, circle) = (shipped_machine("ellipse-xy"), arc(TAU * RADIUS));
     let (length, speed, period) = (circle.length(), 130.0, 2e-4);
     let motion = PassMotion::plan(&machine, &circle, &pass(length, speed, None), 1).unwrap();
     let welding = motion.set_points(period).filter(|p| p.phase.arc());
@@ -106,8 +76,7 @@ fn stretches_below_the_least_speed_are_those_of_the_set_points() {
 
 #[test]
 fn the_slowest_place_and_what_binds_there_are_told() {
-    let (machine, circle) =
-        (shipped_machine("ellipse-xy"), LineAndArc { line: 0.0, arc: 2.0 * std::f64::consts::PI * RADIUS });
+    let (machine, circle) = (shipped_machine("ellipse-xy"), arc(TAU * RADIUS));
     let plan = PassMotion::plan(&machine, &circle, &pass(circle.length(), 130.0, Some(110.0)), 1);
     let found: Vec<Finding> = findings(plan, "least_speed").into_iter().filter(|f| !f.allowed).collect();
     // At a tangent along an axis that axis alone has the tip's speed: 100 mm/s.
@@ -122,10 +91,13 @@ fn the_slowest_place_and_what_binds_there_are_told() {
 
 #[test]
 fn a_stop_with_the_arc_on_is_a_finding() {
+    let stops = |path: &Route| {
+        let machine = shipped_machine("ellipse-xy");
+        findings(PassMotion::plan(&machine, path, &pass(path.length(), 40.0, None), 1), "stop")
+    };
     // The acceleration of an axis jumps by v^2 / r where the line ends.
-    let path = LineAndArc { line: 80.0, arc: 150.0 };
-    let bent =
-        findings(PassMotion::plan(&shipped_machine("ellipse-xy"), &path, &pass(path.length(), 40.0, None), 1), "stop");
+    let line_and_arc = vec![Part::line(90.0, 80.0), Part::arc(150.0, 1.0 / RADIUS)];
+    let bent = stops(&Route::new(DVec3::new(RADIUS, -80.0, 0.0), line_and_arc));
     assert_eq!(bent.len(), 1, "{bent:#?}");
     assert!(
         !bent[0].allowed
@@ -133,9 +105,5 @@ fn a_stop_with_the_arc_on_is_a_finding() {
             && bent[0].message.to_string().contains("80.000 mm")
     );
     assert!((bent[0].from_mm - 80.0).abs() < 1e-6 && (bent[0].to_mm - 80.0).abs() < 1e-6);
-    let smooth = LineAndArc { line: 0.0, arc: 150.0 };
-    assert!(
-        findings(PassMotion::plan(&shipped_machine("ellipse-xy"), &smooth, &pass(150.0, 40.0, None), 1), "stop")
-            .is_empty()
-    );
+    assert!(stops(&arc(150.0)).is_empty());
 }

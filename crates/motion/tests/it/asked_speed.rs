@@ -177,7 +177,6 @@ fn no_limit_is_blamed_that_is_not_used_up() {
     }
 }
 
-/// A lower speed in a cure is lower than the requested one, and the weld is feasible with it.
 #[test]
 fn a_lower_speed_is_offered_only_where_it_helps() {
     let cases: [&[(f64, f64)]; 4] = [
@@ -209,7 +208,6 @@ fn a_lower_speed_is_offered_only_where_it_helps() {
     assert!(offered > 0);
 }
 
-/// Notes have no cure, and every finding against the weld has one.
 #[test]
 fn no_finding_has_a_cure_that_is_none() {
     let slow = Case::new(&[(0.0, 200.0)], OnLimit::Slow).plan().unwrap();

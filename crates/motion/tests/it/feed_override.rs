@@ -9,7 +9,6 @@ const PERIOD: f64 = 0.002;
 /// Samples in a period.
 const LOOKS: u32 = 3;
 
-/// Extremes observed over a run.
 #[derive(Debug, Default, Clone, Copy)]
 struct Seen {
     off_path: f64,
@@ -33,7 +32,6 @@ impl Seen {
         }
     }
 
-    /// Plays a period and checks a few samples in it.
     fn step(
         &mut self,
         case: &Case,
@@ -143,7 +141,6 @@ fn runs_with_random_commands_stay_in_limits() {
         let other = scope.spawn(|| half(1));
         half(0).join(other.join().unwrap())
     });
-    println!("{runs} runs: {seen:?}");
     assert!(seen.off_path <= 1e-9, "{seen:?}");
     assert!(seen.speed.max(seen.acceleration).max(seen.jerk) <= 1.0 + 1e-9, "{seen:?}");
     assert!(seen.on_faster > u64::from(runs), "{seen:?}");
@@ -181,7 +178,6 @@ fn differences_of_positions_stay_in_limits() {
     assert!(changed > 3000, "{changed}");
 }
 
-/// Periods until a hold comes to rest.
 fn periods_to_stand(feed_override: &mut FeedOverride<override_profile::Profile>) -> u32 {
     feed_override.command(Command::Hold).unwrap();
     let mut periods = 0;
@@ -211,7 +207,6 @@ fn a_hold_stops_nearly_as_quickly_as_can_be() {
         ratios.push(f64::from(periods_to_stand(&mut feed_override)) * PERIOD / best);
     }
     ratios.sort_by(f64::total_cmp);
-    println!("straight: stop time over the best, median {:.3}, most {:.3}", ratios[100], ratios[199]);
     assert!(ratios[199] < 1.35, "{ratios:?}");
 }
 
@@ -235,12 +230,6 @@ fn a_hold_anywhere_on_a_curved_path_stands_still() {
     }
     ratios.sort_by(f64::total_cmp);
     let of = |part: f64| ratios[(part * (ratios.len() - 1) as f64) as usize];
-    println!(
-        "curved: stop time over the profile's run-down, median {:.2}, 99 % {:.2}, most {:.2}",
-        of(0.5),
-        of(0.99),
-        of(1.0)
-    );
     assert!(of(0.5) < 2.0, "{ratios:?}");
 }
 
@@ -272,7 +261,6 @@ fn a_stop_at_a_place_is_exact_from_both_sides() {
             }
         }
     }
-    println!("places given up at feed_override 0.6 and 1: {given_up:?} of {} each", 2 * cases(60));
     assert!(given_up[0] < cases(60) / 12 && given_up[1] < cases(60) / 2, "{given_up:?}");
 }
 

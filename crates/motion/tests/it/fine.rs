@@ -188,7 +188,6 @@ fn error_of_the_fourth_order() {
         worst
     };
     let (coarse, fine, finest) = (error(50), error(100), error(200));
-    println!("{coarse:e} {fine:e} {finest:e}");
     assert!((14.0..18.0).contains(&(coarse / fine)) && (14.0..18.0).contains(&(fine / finest)));
 }
 

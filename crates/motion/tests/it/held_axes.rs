@@ -20,7 +20,6 @@ const EIGHT: &str = include_str!("../../../../tests/data/field-trial/gantry8.tom
 /// A six-axis arm beside a table that tilts and turns.
 const ARM: &str = include_str!("../../../../tests/data/field-trial/ur10e-pos.toml");
 
-/// The job with axes held.
 fn holding_job(hold: &str) -> Welding {
     read(&format!("{JOB}\n[spare_axes]\nhold = {{ {hold} }}\n"))
 }

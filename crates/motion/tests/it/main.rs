@@ -32,7 +32,6 @@ mod transfer;
 mod weave;
 mod weld_motion;
 
-/// Value of the argument `name`, a quantity.
 fn number(message: &Message, name: &str) -> f64 {
     match message.argument(name) {
         Some(Argument::Quantity(quantity)) => quantity.value,
@@ -40,7 +39,6 @@ fn number(message: &Message, name: &str) -> f64 {
     }
 }
 
-/// The argument `name`, a message.
 fn inner<'m>(message: &'m Message, name: &str) -> &'m Message {
     match message.argument(name) {
         Some(Argument::Message(inner)) => inner,

@@ -12,7 +12,6 @@ use seamwright_testkit::{Random, cases};
 
 const PERIOD: f64 = 0.002;
 
-/// Random orders: the arc burns at rest only in its phases, the whole seam is welded, a beam never slows down to rest.
 #[test]
 fn runs_weld_the_whole_seam_and_never_burn_at_rest() {
     let mut aborted = 0;
@@ -49,7 +48,6 @@ fn runs_weld_the_whole_seam_and_never_burn_at_rest() {
     assert!(aborted > 1, "{aborted}");
 }
 
-/// Runs until it waits or has ended; the last instant.
 fn until_it_waits<L: Timed + ?Sized>(run: &mut Run<L>) -> Instant {
     for _ in 0..100_000 {
         let i = run.step().unwrap();
@@ -284,6 +282,5 @@ fn steps_to_places_hold_there() {
         }
         assert!((welded(0.0, &log, at_hold, seed) - run.welded_to()).abs() < 1e-9, "seed {seed}");
     }
-    println!("{exact} of {steps} steps are exact");
     assert!(exact > steps * 9 / 10 && steps > 3 * cases(100), "{exact} of {steps}");
 }

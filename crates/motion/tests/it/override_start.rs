@@ -15,7 +15,7 @@ const MAX_PERIODS_TO_REST: usize = 450;
 #[test]
 fn a_hold_just_after_the_start_is_no_slow_stop() {
     let mut random = seamwright_testkit::Random::new(11);
-    let (mut worst, mut slow) = (0, Vec::new());
+    let mut slow = Vec::new();
     for name in ["saddle-4axis", "torch-5axis", "ebw-7axis"] {
         let machine = shipped_machine(name);
         let limits = channel_limits(&machine);
@@ -44,10 +44,8 @@ fn a_hold_just_after_the_start_is_no_slow_stop() {
                 if took > MAX_PERIODS_TO_REST {
                     slow.push(format!("{name}, way {way}: held after {periods} periods, at rest {took} later"));
                 }
-                worst = worst.max(took);
             }
         }
     }
-    println!("at rest after {worst} periods at most");
     assert!(slow.is_empty(), "{} are slow: {:?}", slow.len(), &slow[..slow.len().min(12)]);
 }

@@ -27,7 +27,6 @@ struct Planned {
     motion: PassMotion,
 }
 
-/// The example's pass changed, and planned.
 fn planned(example: &str, change: impl FnOnce(&mut Pass, f64)) -> Planned {
     let one = read(example);
     let mut program = one.program.value.clone();

@@ -1,8 +1,10 @@
 //! From texts to machines, welds and motions.
 
+use crate::positive;
+use seamwright_document::NonNegative;
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::{PassMotion, Terms, WeldMotion};
-use seamwright_program::{Finding, Pass, TorchPath};
+use seamwright_program::{Finding, OnLimit, Pass, TorchPath};
 use seamwright_weld::Welding;
 
 pub(crate) fn read(text: &str) -> Welding {
@@ -17,22 +19,29 @@ pub(crate) fn shipped_machine(name: &str) -> Machine {
     read_machine(shipped(name).unwrap().text)
 }
 
-/// The shipped machine that the job names.
 pub(crate) fn machine_of(welding: &Welding) -> Machine {
     shipped_machine(&welding.program.value.machine)
 }
 
-/// The first pass.
 pub(crate) fn first_pass(welding: &Welding) -> &Pass {
     &welding.program.value.passes[0]
 }
 
-/// Plans the first pass.
+/// The ellipse's pass as one span at `speed`, slowed down where an axis needs it.
+pub(crate) fn one_span(length: f64, speed: f64) -> Pass {
+    let mut pass = read(include_str!("../../../../examples/ellipse.toml")).program.value.passes.remove(0);
+    pass.on_limit = OnLimit::Slow;
+    pass.spans.truncate(1);
+    let span = &mut pass.spans[0];
+    (span.from_mm, span.to_mm) = (NonNegative::new(0.0).unwrap(), positive(length));
+    span.speed_mm_s = positive(speed).into();
+    pass
+}
+
 pub(crate) fn plan(machine: &Machine, welding: &Welding) -> Result<PassMotion, Vec<Finding>> {
     PassMotion::plan(machine, &welding.path(0), first_pass(welding), 1)
 }
 
-/// The job with its pass welded several times.
 pub(crate) fn several_passes(job: &str, passes: usize) -> Welding {
     let mut program = read(job).program.value;
     let pass = program.passes[0].clone();
@@ -40,12 +49,10 @@ pub(crate) fn several_passes(job: &str, passes: usize) -> Welding {
     read(&program.to_toml().unwrap())
 }
 
-/// Plans the whole weld.
 pub(crate) fn plan_weld(machine: &Machine, welding: &Welding, clamped: &Clamped) -> Result<WeldMotion, Vec<Finding>> {
     plan_weld_under(machine, welding, clamped, Terms::default())
 }
 
-/// Plans the whole weld under `terms`.
 pub(crate) fn plan_weld_under(
     machine: &Machine,
     welding: &Welding,

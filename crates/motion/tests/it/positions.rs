@@ -27,7 +27,6 @@ fn findings(job: &str, machine: &Machine, process: u32, positions: &str) -> Vec<
     let mut motion =
         WeldMotion::plan_under(machine, &around, &passes, 30.0, terms).unwrap_or_else(|f| panic!("{f:#?}"));
     motion.hold_to(&procedure, machine, &passes);
-    println!("{:?}", motion.procedure[0].positions);
     motion.findings.into_iter().filter(|f| !f.allowed).collect()
 }
 

@@ -4,7 +4,6 @@
 use seamwright_motion::pulses::{Edge, Error, Generator, Lines, Timing};
 use seamwright_testkit::{Random, cases};
 
-/// A whole number from `low` to `high`.
 fn whole(random: &mut Random, low: usize, high: usize) -> u64 {
     (low + random.below(high - low + 1)) as u64
 }
@@ -148,7 +147,6 @@ fn random_streams_of_several_axes() {
             assert!(!whole || generator.count() == driver.count);
         }
     }
-    println!("{pulses} pulses, {turns} turns ({waited} with several pulses), {refused} refused");
     assert!(pulses > 1_000_000 && turns > 50_000 && waited > 10_000 && refused > 100);
 }
 

@@ -24,7 +24,6 @@ fn planned(job: &str) -> Result<(), Vec<Finding>> {
 #[test]
 fn a_range_finding_is_that_of_the_branch_that_lacks_least() {
     let found = planned(CIRCLE).unwrap_err();
-    println!("{found:#?}");
     assert_eq!(found.len(), 4);
     assert!(
         found.iter().all(|f| f.kind == "range" && f.message.to_string().contains("0.100° beyond its limit")),
@@ -37,7 +36,6 @@ fn code(cure: &Option<Message>) -> &str {
     cure.as_ref().map_or("", |cure| &cure.code)
 }
 
-/// The job after applying a finding's cure.
 fn cured(job: &str, cure: &Message) -> String {
     let mut table = read(job);
     let program: &mut Program = &mut table.program.value;
@@ -65,19 +63,16 @@ fn a_cure_that_is_offered_cures() {
                 end_mm = [850, 0, 100]\nfirst_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[part]\nwatched = false\n\
                 [weld]\nspeed_mm_s = 5\n";
     let found = planned(line).unwrap_err();
-    println!("{found:#?}");
     assert!(found.iter().any(|f| f.kind == "range" && f.message.to_string().contains("axis x")), "{found:#?}");
     let job = cured(line, found[0].cure.as_ref().unwrap());
     planned(&job).unwrap_or_else(|f| panic!("{}: {f:#?}", found[0].cure_text()));
 }
 
-/// On a machine that turns about the nozzle a shift of the work only moves the excess to the other side.
 #[test]
 fn no_cure_is_offered_where_none_helps() {
     let wide = SADDLE.replace("radius_mm = 250 ", "radius_mm = 700 ").replace("radius_mm = 800 ", "radius_mm = 2500 ");
     assert_ne!(wide, SADDLE);
     let found = planned(&wide).unwrap_err();
-    println!("{found:#?}");
     let range: Vec<_> = found.iter().filter(|f| f.kind == "range").collect();
     assert!(
         !range.is_empty() && range.iter().all(|f| code(&f.cure).starts_with("motion-cure-range-none")),
@@ -113,7 +108,6 @@ fn line(from: f64, to: f64) -> Welding {
     read(&job)
 }
 
-/// The cure that is offered for the ranges of pass 1 of a weld with these passes.
 fn cure_of_first(weld: &[Welding]) -> Message {
     let machine = shipped_machine("torch-5axis");
     let clamped = Clamped::default();
@@ -125,7 +119,6 @@ fn cure_of_first(weld: &[Welding]) -> Message {
     found.into_iter().find(|f| f.kind == "range" && f.pass == 1).unwrap().cure.unwrap()
 }
 
-/// The work is moved with all its passes: a cure of one pass must not take another one out of its range.
 #[test]
 fn no_cure_of_one_pass_takes_another_out_of_its_range() {
     let alone = cure_of_first(&[line(700.0, 850.0)]);

@@ -20,7 +20,6 @@ fn choose(machine: &Machine, welding: &Welding, speed: f64) -> Result<FreeAxes, 
     resolve(machine, &welding.path(0), speed, &welding.program.value.passes[0].spare_axes, None, 1)
 }
 
-/// A girth seam on a tube somewhere on the EBW machine's table.
 fn girth(random: &mut Random, rest: &str) -> String {
     let (radius, cut, phi) = (random.within(60.0, 200.0), random.within(0.0, 0.5), random.within(-180.0, 180.0));
     let (x, y, z) = (random.within(-60.0, 60.0), random.within(-60.0, 60.0), random.within(80.0, 250.0));
@@ -184,7 +183,6 @@ fn as_good_as_an_exhaustive_search() {
         let h = path.length() / stations as f64;
         let ours = cost_of(&machine, &rows(&machine, &path, &chosen, stations), h, 30.0, motion);
         let least = least_cost(&machine, &path, &free, stations, 30.0, motion);
-        println!("{} free, motion {motion}: {ours:.6e} against {least:.6e}", free.len());
         worst = worst.max(ours / least);
     }
     assert!(worst < 1.02, "{worst}");
@@ -255,7 +253,6 @@ fn random_work_is_welded_smoothly_and_the_same_every_time() {
             assert_eq!(choose(&ebw, &welding, 8.0), choose(&ebw, &welding, 8.0));
         }
     }
-    println!("{made} welded");
     assert!(made * 10 >= cases(20) * 9, "{made}");
 }
 
@@ -312,13 +309,11 @@ fn obstacles_are_kept_clear_of() {
     // An obstacle that the table approaches below ten degrees more than its free tilt.
     let distance = |q: &Joints| (q[u].to_degrees() - freely - 10.0) * 2.0;
     let clear = least(Some(Clearance { distance: &distance, wanted_mm: 10.0 }));
-    println!("{freely} {clear}");
     assert!(clear > freely + 12.0, "{freely} {clear}");
 }
 
 fn refused(machine: &Machine, text: &str) -> Vec<Finding> {
     let findings = choose(machine, &read(text), 10.0).unwrap_err();
-    println!("{findings:#?}");
     assert!(findings.iter().all(|f| !f.allowed && f.from_mm <= f.to_mm));
     findings
 }
@@ -370,7 +365,6 @@ fn near_a_singular_attitude_it_says_which_speed_can_be_held() {
         findings.into_iter().find(|f| f.kind == "singular")
     });
     let found = found.unwrap();
-    println!("{found:#?}");
     assert!(
         found.allowed
             && found.from_mm > 30.0

@@ -77,7 +77,6 @@ fn a_weld_too_short_for_its_speed_that_may_slow_down_has_a_note() {
     assert!(short.severity() == Severity::Note && short.cure.is_none(), "{short:#?}");
 }
 
-/// Minutes at the requested speed become days within the axes' limits.
 #[test]
 fn a_travel_that_slow_axes_draw_out_over_days_is_refused() {
     let slow = machine(&[("max_speed_mm_s = 100", "max_speed_mm_s = 0.001")]);

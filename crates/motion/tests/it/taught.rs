@@ -49,13 +49,11 @@ fn cut(machine: &Machine, step: f64) -> Vec<Joints> {
     points
 }
 
-/// Result of a run along points.
 struct Run {
     duration: f64,
     stops: usize,
     /// Maximum use of speeds, accelerations and jerks.
     used: [f64; 3],
-    /// Instant, speed of the tip, positions.
     rows: Vec<(f64, f64, Joints)>,
 }
 
@@ -89,7 +87,6 @@ fn any_segmentation_is_the_same_weld() {
     for step in [2.0, 0.5, 0.02] {
         let run = run(&machine, cut(&machine, step), 20.0, Corner::Stop, 1e-3);
         let fastest = run.rows.iter().map(|r| r.1).fold(0.0, f64::max);
-        println!("{step} mm: {} s, fastest {fastest} mm/s, use of limits {:?}", run.duration, run.used);
         assert!(run.used.iter().all(|u| *u <= 1.0 + 1e-9) && run.stops == 0, "{step}: {:?}", run.used);
         assert!(fastest <= 20.0 * (1.0 + 1e-9) && fastest > 19.97);
         // The tip is on the saddle: on the nozzle's wall and on the shell.

@@ -7,7 +7,7 @@ use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_machine::{AxisSet, Clamped, Course, Joints, Machine, Surroundings};
 use seamwright_motion::feed_override::{Command, FeedOverride, Timed, channel_limits};
-use seamwright_motion::transfer::{Leg, TransferMove, route};
+use seamwright_motion::transfer::{Leg, route};
 use seamwright_testkit::Random;
 
 fn solid(shape: Shape, at: DVec3) -> Solid {
@@ -47,7 +47,6 @@ fn goes_round_a_wall_over_a_table() {
     assert_eq!(way, route(&machine, &around, &from, &to, AxisSet::default()).unwrap());
     let free = Surroundings::new(&machine, &Clamped::default()).unwrap();
     assert_eq!(route(&machine, &free, &from, &to, AxisSet::default()).unwrap().len(), 2);
-    println!("{} legs, {:.1} s", way.len() - 1, TransferMove::new(&machine, &way).duration());
 }
 
 #[test]
@@ -58,7 +57,6 @@ fn what_cannot_be_gone_round_is_refused() {
     let around = Surroundings::new(&machine, &clamped).unwrap();
     let (from, to) = (joints(&machine, &[("x", -200.0)]), joints(&machine, &[("x", 200.0)]));
     let e = route(&machine, &around, &from, &to, AxisSet::default()).unwrap_err();
-    println!("{e}");
     let text = e.to_string();
     assert!(e.code == "motion-transfer-none" && text.contains("wall") && text.contains("torch"), "{text}");
     let inside = joints(&machine, &[("x", 45.0)]);

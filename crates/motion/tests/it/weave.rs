@@ -15,7 +15,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 const WEAVE: &str = include_str!("../../../../examples/weave.toml");
 
-/// The example with the keys `weave` instead of its own, over an arc or a line.
 fn text(arc: bool, weave: &str) -> String {
     let text = WEAVE.split("[weld.weave]").next().unwrap();
     let text = match arc {
@@ -88,7 +87,6 @@ fn the_asked_speed_is_that_along_the_seam() {
     assert!(worst <= 1.0 + 1e-6 && worst > 0.5, "{worst} {uses:?}");
 }
 
-/// Over a ramp of the speed the frequency stays: zero crossings of the tip across the seam in time.
 #[test]
 fn the_frequency_stays_over_a_ramp_of_the_speed() {
     let (job, _) = plan(WEAVE);
@@ -119,7 +117,6 @@ fn the_frequency_stays_over_a_ramp_of_the_speed() {
     }
 }
 
-/// The frequency of a finding is feasible; a slightly higher one is not.
 #[test]
 fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
     // A short seam: it is planned a dozen times for every figure.
@@ -130,7 +127,6 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
         let [finding] = &findings[..] else { panic!("{findings:#?}") };
         assert!(finding.kind == "speed" && finding.message.code == "motion-weave-frequency", "{finding:?}");
         let told = number(finding.cure.as_ref().unwrap(), "frequency");
-        println!("{figure}: {told} Hz");
         assert!(plan(&text(false, &keys(0.97 * told))).1.is_ok(), "{figure}");
         assert!(plan(&text(false, &keys(1.05 * told))).1.is_err(), "{figure}");
         // A sine of 8 mm against 5000 mm/s^3: its jerk is 4 (2 pi f)^3, all of which is used except for the reserve.

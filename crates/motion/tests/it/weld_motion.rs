@@ -95,7 +95,6 @@ fn the_nearest_things_are_named_as_in_findings() {
     assert!(between.iter().any(|solid| solid.code == "machine-solid-of-part"), "{between:?}");
 }
 
-/// A post beside the seam: the weld passes too near, and the finding names path length and solids.
 #[test]
 fn what_is_too_near_is_told() {
     let welding = several_passes(include_str!("../../../../examples/head-nozzle.toml"), 1);
@@ -115,7 +114,6 @@ fn what_is_too_near_is_told() {
         |d: f64| plan_weld(&machine, &welding, &Clamped { fixtures: ball(d), least_mm: 2.0, ..Clamped::default() });
     let findings = with(20.0).unwrap_err();
     let f = findings.iter().find(|f| f.kind == "clearance").unwrap();
-    println!("{}: s = {} to {}", f.message, f.from_mm, f.to_mm);
     assert!(f.message.to_string().contains("clamp") && f.message.to_string().contains("torch"));
     assert!(f.from_mm < 0.4 * length && f.to_mm > 0.4 * length && f.to_mm - f.from_mm < 0.2 * length);
     // Far enough away it is no finding, and the minimum distance is reported.

@@ -27,7 +27,7 @@ pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawin
     let paths: Vec<_> = (0..passes.len()).map(|i| welding.path(i)).collect();
     let at = |i: usize, k: i32| paths[i].length() * f64::from(k) / f64::from(PLACES);
     let tips: Vec<Vec<DVec3>> =
-        (0..paths.len()).map(|i| (0..=PLACES).map(|k| paths[i].line(at(i, k)).0).collect()).collect();
+        (0..paths.len()).map(|i| (0..=PLACES).map(|k| paths[i].line_point(at(i, k))).collect()).collect();
     let faces = (0..paths.len()).flat_map(|i| (0..PLACES).map(move |k| (i, k)));
     let mean: DVec3 = faces.map(|(i, k)| paths[i].face(at(i, k))).sum();
     // Equal views: the first one wins.

@@ -23,7 +23,6 @@ fn let_go(t: Transmission) -> Mechanism {
     m
 }
 
-/// Kinetic and spring energy over the whole inertia.
 fn energy(m: &Mechanism) -> f64 {
     let far = m.far.unwrap();
     let z = wound(m);

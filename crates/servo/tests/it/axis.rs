@@ -1,8 +1,5 @@
 //! Tests of the whole axis: following error and coming to rest.
 
-// Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
-#![allow(clippy::unwrap_used)]
-
 use std::f64::consts::TAU;
 
 use seamwright_servo::{AxisState, DriveParameters, DriveTuning, Gains, LinearLoad, Notch, ServoAxis, SetPoint};
@@ -43,7 +40,6 @@ fn ramp_up(t: f64, speed: f64, ramp: f64) -> SetPoint {
     }
 }
 
-/// Runs a motion and returns every state.
 fn run(mut axis: ServoAxis, periods: u32, set: impl Fn(f64) -> SetPoint) -> Vec<AxisState> {
     (0..periods).map(|k| axis.step(set(f64::from(k) * PERIOD), 0.0)).collect()
 }
@@ -115,7 +111,6 @@ fn friction_at_the_turn_is_worked_off() {
     }
 }
 
-/// Peak-to-peak oscillation and maximum error, in counts, over the last 4 of 8 seconds after a step.
 fn rest_after_step(gains: Gains, load: LinearLoad, target: f64) -> (f64, f64) {
     let states = run(axis(gains, load, COUNT), 8000, |_| at(target));
     let tail = &states[4000..];
@@ -164,7 +159,7 @@ fn suggested_gains_do_not_overshoot_a_step_off_the_limits() {
 #[test]
 fn a_push_moves_it_and_it_comes_back() {
     let mut pushed = axis(suggested(), REAL, 1e-6);
-    pushed.settle_at(2.0);
+    pushed.settle_at(2.0, 0.0);
     let states: Vec<_> = (0..600).map(|k| pushed.step(at(2.0), if k >= 100 { 120.0 } else { 0.0 })).collect();
     assert!(worst(&states[..100]) < 1e-9);
     assert!(worst(&states[100..]) > 1e-3);
@@ -174,7 +169,7 @@ fn a_push_moves_it_and_it_comes_back() {
 #[test]
 fn a_vertical_axis_starts_without_a_sag() {
     let mut vertical = axis(suggested(), FREE, COUNT);
-    vertical.settle_loaded_at(40.0, -588.0);
+    vertical.settle_at(40.0, -588.0);
     for _ in 0..100 {
         assert!(vertical.step(at(40.0), -588.0).following_error.abs() < 1e-9);
     }
@@ -183,7 +178,7 @@ fn a_vertical_axis_starts_without_a_sag() {
 #[test]
 fn times_of_the_state_belong_together() {
     let mut moving = axis(suggested(), FREE, COUNT);
-    moving.settle_at(1.0);
+    moving.settle_at(1.0, 0.0);
     let before = *moving.drive();
     let state = moving.step(SetPoint { position: 1.5, velocity: 2.0, acceleration: 0.0 }, 0.0);
     assert!(state.position.to_bits() == before.position().to_bits());
@@ -198,7 +193,10 @@ fn times_of_the_state_belong_together() {
 fn a_notch_keeps_the_axis_following_once_its_delay_is_fed_forward() {
     let notch = Notch::new(150.0, 0.1, 40.0, PERIOD).unwrap();
     let gains = Gains { kaff: suggested().kaff + notch.delay_s(), kp: 0.8 * suggested().kp, ..suggested() };
-    let states = run(axis(gains, REAL, 1e-7).with_notch(notch).unwrap(), 2000, |t| ramp_up(t, 100.0, 0.2));
+    let plain = axis(gains, REAL, 1e-7);
+    let notched = plain.position_loop().with_notch(notch).unwrap();
+    let notched = ServoAxis::with_loop(notched, *plain.drive().parameters()).unwrap();
+    let states = run(notched, 2000, |t| ramp_up(t, 100.0, 0.2));
     assert!(worst(&states[..200]) < 0.02, "{}", worst(&states[..200]));
     assert!(worst(&states[1500..]) < 1e-6);
 }

@@ -1,8 +1,5 @@
 //! Tests of the simulated drive against closed forms and against other sub-steps.
 
-// Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
-#![allow(clippy::unwrap_used)]
-
 use std::f64::consts::TAU;
 
 use seamwright_servo::{Drive, DriveParameters, DriveTuning, LinearLoad, RotaryLoad};

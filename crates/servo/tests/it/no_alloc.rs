@@ -39,6 +39,6 @@ fn a_step_does_not_allocate() {
             let set = SetPoint { position: t.sin(), velocity: t.cos(), acceleration: -t.sin() };
             black_box(axis.step(set, 5.0));
         }
-        axis.settle_loaded_at(1.0, 20.0);
+        axis.settle_at(1.0, 20.0);
     });
 }

@@ -1,8 +1,5 @@
 //! Measured responses compared with analytic ones, in linear cases.
 
-// Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
-#![allow(clippy::unwrap_used)]
-
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
@@ -101,7 +98,6 @@ fn a_rigid_axis_is_measured_as_its_transfer_function() {
         let parameters = DriveParameters::linear(FREE, tuning(hz, lag, delay)).unwrap();
         let analytic = |f: f64| KP * sampled(f, |s| drive(s, hz, LoopTimes { lag, delay, step }, None));
         let (db, deg) = distance(&axis(parameters, None), 250.0, analytic);
-        println!("{hz}: {db} dB, {deg} deg");
         assert!(db < 0.1 && deg < 1.0, "{hz}: {db} dB, {deg} deg");
     }
 }
@@ -127,7 +123,6 @@ fn an_elastic_axis_with_a_notch_is_measured_as_its_transfer_function() {
         };
         let looped = axis(parameters, Some(notch));
         let (db, deg) = distance(&looped, 250.0, analytic);
-        println!("{encoder_on:?}: {db} dB, {deg} deg");
         assert!(db < 0.1 && deg < 1.0, "{encoder_on:?}: {db} dB, {deg} deg");
     }
 }

@@ -1,8 +1,5 @@
 //! Tuning of thousands of random drives: the margins hold, or the error gives the reason.
 
-// Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
-#![allow(clippy::unwrap_used)]
-
 use std::f64::consts::TAU;
 
 use seamwright_servo::{
@@ -65,7 +62,6 @@ fn random_drives_have_their_margins_or_say_why_not() {
                 comes_to_rest(&tuned, &drive, &format!("{case} {text}"));
             }
             Err(error) => {
-                println!("{case} {error}: {text}");
                 assert!(
                     !matches!(error, Error::OutOfRange { .. } | Error::TooManyNotches { .. }),
                     "{case} {error}: {text}"
@@ -76,11 +72,9 @@ fn random_drives_have_their_margins_or_say_why_not() {
             }
         }
     }
-    println!("{refused} of {} refused", cases(24));
     assert!(refused <= 1 + cases(24) / 50);
 }
 
-/// A step of a few counts does not end in a growing oscillation.
 fn comes_to_rest(tuned: &Tuned, drive: &DriveParameters, text: &str) {
     let drive = drive.with_velocity_bandwidth(tuned.velocity_bandwidth_hz).unwrap();
     let mut axis = ServoAxis::with_loop(tuned.position_loop(PERIOD, MAX_SPEED).unwrap(), drive).unwrap();
@@ -174,7 +168,6 @@ fn what_cannot_be_tuned_is_refused_with_its_reason() {
     // A velocity loop with almost no force beyond friction always meets its limit.
     let weak = LinearLoad { peak_force_n: 30.5, ..LOAD };
     let error = tune(&DriveParameters::linear(weak, TUNING).unwrap(), PERIOD, 5000.0).unwrap_err();
-    println!("{error}");
     assert!(!error.to_string().is_empty());
     for t in [
         Transmission { resonance_hz: 0.0, ..ELASTIC },

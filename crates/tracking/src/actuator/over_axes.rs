@@ -1,7 +1,7 @@
 use super::limits::SlideLimits;
 use crate::lead::Error;
 use glam::{DMat3, DVec3};
-use nalgebra::{Cholesky, Const, SMatrix, SVector};
+use nalgebra::{SMatrix, SVector};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisLimits, AxisSet, Joints, MAX_AXES, Machine};
 use seamwright_message::Message;
@@ -19,8 +19,6 @@ const RESTING: f64 = 1e12;
 /// Steps of Newton's method a cycle: each begins where the one before has ended, a cycle ago or now.
 const STEPS: usize = 2;
 
-type Column = SVector<f64, MAX_AXES>;
-
 /// Carries corrections out with the machine's own axes: the torch is shifted in the work frame and keeps its direction.
 ///
 /// The tip is exactly at its target. Freedom beyond that serves the attitude (least squares); the freedom that remains
@@ -31,7 +29,7 @@ type Column = SVector<f64, MAX_AXES>;
 pub struct OverAxes<'a> {
     machine: &'a Machine,
     /// 1 / speed^2 of each axis; 1 of axes that have no part in it.
-    effort: Column,
+    effort: Joints,
     /// Axes that stand still.
     held: AxisSet,
     /// Movement of the axes by the correction in the cycle before.
@@ -47,7 +45,7 @@ impl<'a> OverAxes<'a> {
     #[must_use]
     pub fn new(machine: &'a Machine) -> Self {
         let effort = |i: usize| machine.axes.get(i).map_or(1.0, |axis| axis.max_speed.powi(-2));
-        Self { machine, effort: Column::from_fn(|i, _| effort(i)), held: AxisSet::default(), by: [0.0; MAX_AXES] }
+        Self { machine, effort: std::array::from_fn(effort), held: AxisSet::default(), by: [0.0; MAX_AXES] }
     }
 
     /// The same with the linear axes that carry all heads, so that these are shifted alike: their own slides rest.
@@ -90,20 +88,24 @@ impl<'a> OverAxes<'a> {
     }
 
     /// One step from `x`: to the target as it looks from there.
-    fn step(&self, q: &Joints, x: &Joints, target: &Pose) -> Option<Column> {
+    fn step(&self, q: &Joints, x: &Joints, target: &Pose) -> Option<Joints> {
         let here = self.machine.forward(x);
-        let solver = self.solver(x)?;
-        let way = Column::from_fn(|i, _| -self.effort[i] * (x[i] - q[i]));
-        let turn = target.direction - here.direction;
-        let pull = Column::from_fn(|i, _| ATTITUDE * solver.columns[i].1.dot(turn)) + way;
-        solver.solve(&pull, target.point - here.point)
+        let pull = std::array::from_fn(|i| -self.effort[i] * (x[i] - q[i]));
+        let step = Step { way: target.point - here.point, turn: target.direction - here.direction, pull };
+        self.least(x, [step]).map(|[by]| by)
     }
 
-    /// The conditions of the least step at `x`: a held axis moves nothing, so that no step moves it.
-    fn solver(&self, x: &Joints) -> Option<Solver> {
+    /// The least movements of the axes at `x` that make these steps; none where the axes cannot move the tip to all
+    /// sides.
+    fn least<const K: usize>(&self, x: &Joints, steps: [Step; K]) -> Option<[Joints; K]> {
         let mut columns = self.machine.jacobian(x);
+        // A held axis moves nothing, so that no step moves it.
         self.held.iter().for_each(|i| columns[i] = (DVec3::ZERO, DVec3::ZERO));
-        Solver::new(columns, &self.effort)
+        match self.machine.axes.len() {
+            ..=6 => least::<6, K>(&columns, &self.effort, steps),
+            7..=8 => least::<8, K>(&columns, &self.effort, steps),
+            _ => least::<MAX_AXES, K>(&columns, &self.effort, steps),
+        }
     }
 
     /// Computes the limits of a correction along a path such that every axis stays within its part of [`RESERVE`].
@@ -132,43 +134,46 @@ impl<'a> OverAxes<'a> {
     }
 
     /// By how much each axis moves at most for 1 mm in both directions at once, mm or rad.
-    fn gains(&self, q: &Joints, directions: [DVec3; 2]) -> Option<Column> {
-        let solver = self.solver(q)?;
-        let [a, b] = directions.map(|direction| solver.solve(&Column::zeros(), direction));
-        Some(a?.abs() + b?.abs())
+    fn gains(&self, q: &Joints, directions: [DVec3; 2]) -> Option<Joints> {
+        let steps = directions.map(|way| Step { way, turn: DVec3::ZERO, pull: [0.0; MAX_AXES] });
+        let [a, b] = self.least(q, steps)?;
+        Some(std::array::from_fn(|i| a[i].abs() + b[i].abs()))
     }
 }
 
-/// The conditions of the least step at one place, factorised.
-struct Solver {
-    columns: [(DVec3, DVec3); MAX_AXES],
-    least: Cholesky<f64, Const<MAX_AXES>>,
-    /// The inverse of how far the tip goes when it is pulled, by directions.
-    stiffness: DMat3,
-    /// Movement of the axes for a pull at the tip in each direction.
-    by_pull: [Column; 3],
+struct Step {
+    /// How far the tip moves: exactly.
+    way: DVec3,
+    /// By how much the direction changes: as far as the axes can.
+    turn: DVec3,
+    /// Where the axes are drawn.
+    pull: Joints,
 }
 
-impl Solver {
-    /// Of axes that move the torch by `columns`; none where they cannot move its tip to all sides.
-    fn new(columns: [(DVec3, DVec3); MAX_AXES], effort: &Column) -> Option<Self> {
-        let turns = SMatrix::<f64, 3, MAX_AXES>::from_fn(|i, k| columns[k].1[i]);
-        let least = (ATTITUDE * turns.transpose() * turns + SMatrix::from_diagonal(effort)).cholesky()?;
-        let pull = |axis: usize| least.solve(&Column::from_fn(|i, _| columns[i].0[axis]));
-        let by_pull = [pull(0), pull(1), pull(2)];
-        let moved = |by: &Column| (0..MAX_AXES).map(|i| by[i] * columns[i].0).sum::<DVec3>();
-        let compliance = DMat3::from_cols(moved(&by_pull[0]), moved(&by_pull[1]), moved(&by_pull[2]));
-        let largest = compliance.x_axis.length().max(compliance.y_axis.length()).max(compliance.z_axis.length());
-        let singular = compliance.determinant().abs() <= 1e-12 * largest.powi(3);
-        (!singular).then(|| Self { columns, least, stiffness: compliance.inverse(), by_pull })
+/// Solves the conditions of the least steps for the first `N` axes, which move the torch by `columns`.
+fn least<const N: usize, const K: usize>(
+    columns: &[(DVec3, DVec3); MAX_AXES],
+    effort: &Joints,
+    steps: [Step; K],
+) -> Option<[Joints; K]> {
+    let turns = SMatrix::<f64, 3, N>::from_fn(|i, k| columns[k].1[i]);
+    let effort = SVector::<f64, N>::from_fn(|i, _| effort[i]);
+    let least = (ATTITUDE * turns.transpose() * turns + SMatrix::from_diagonal(&effort)).cholesky()?;
+    let by_pull = [0, 1, 2].map(|axis| least.solve(&SVector::<f64, N>::from_fn(|i, _| columns[i].0[axis])));
+    let moved = |by: &SVector<f64, N>| (0..N).map(|i| by[i] * columns[i].0).sum::<DVec3>();
+    // How far the tip goes when it is pulled, by directions.
+    let compliance = DMat3::from_cols(moved(&by_pull[0]), moved(&by_pull[1]), moved(&by_pull[2]));
+    let largest = compliance.x_axis.length().max(compliance.y_axis.length()).max(compliance.z_axis.length());
+    if compliance.determinant().abs() <= 1e-12 * largest.powi(3) {
+        return None;
     }
-
-    /// The step that is the least against `pull` and moves the tip by `way`.
-    fn solve(&self, pull: &Column, way: DVec3) -> Option<Column> {
-        let free = self.least.solve(pull);
-        let left = way - (0..MAX_AXES).map(|i| free[i] * self.columns[i].0).sum::<DVec3>();
-        let force = self.stiffness * left;
-        let step = free + self.by_pull[0] * force.x + self.by_pull[1] * force.y + self.by_pull[2] * force.z;
-        step.iter().all(|s| s.is_finite()).then_some(step)
-    }
+    let stiffness = compliance.inverse();
+    let found = steps.map(|step| {
+        let free =
+            least.solve(&SVector::<f64, N>::from_fn(|i, _| ATTITUDE * columns[i].1.dot(step.turn) + step.pull[i]));
+        let force = stiffness * (step.way - moved(&free));
+        let by = free + by_pull[0] * force.x + by_pull[1] * force.y + by_pull[2] * force.z;
+        std::array::from_fn(|i| if i < N { by[i] } else { 0.0 })
+    });
+    found.iter().flatten().all(|by| by.is_finite()).then_some(found)
 }

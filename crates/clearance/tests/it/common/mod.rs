@@ -5,7 +5,6 @@ use seamwright_clearance::{Mesh, Shape, Solid};
 use seamwright_testkit::Random;
 use std::sync::Arc;
 
-/// A random pose.
 pub(crate) fn pose(random: &mut Random, size: f64) -> DAffine3 {
     let turn = match random.below(4) {
         // Parallel and square bodies are difficult for iterations.
@@ -17,7 +16,6 @@ pub(crate) fn pose(random: &mut Random, size: f64) -> DAffine3 {
 
 pub(crate) const KINDS: usize = 8;
 
-/// A random shape of a kind, some tens of mm large.
 pub(crate) fn shape(kind: usize, random: &mut Random) -> Shape {
     let mut size = || random.within(1.0, 30.0);
     match kind {
@@ -73,7 +71,6 @@ pub(crate) enum Piece<'a> {
     Triangle([DVec3; 3]),
 }
 
-/// The pieces of a solid.
 pub(crate) fn pieces<'a>(shape: &'a Shape, pose: &DAffine3) -> Vec<Piece<'a>> {
     match shape {
         Shape::Mesh(mesh) => {
@@ -91,7 +88,6 @@ impl Piece<'_> {
         }
     }
 
-    /// A point of it.
     pub(crate) fn start(&self) -> DVec3 {
         match self {
             Self::Solid(_, pose) => pose.translation,
@@ -159,7 +155,6 @@ fn project(shape: &Shape, p: DVec3) -> DVec3 {
     }
 }
 
-/// The nearest point of a triangle: of its plane if that is inside, else of its edges.
 fn project_on_triangle(t: &[DVec3; 3], p: DVec3) -> DVec3 {
     let n = (t[1] - t[0]).cross(t[2] - t[0]).normalize_or_zero();
     let foot = p - n * n.dot(p - t[0]);

@@ -67,7 +67,6 @@ pub(crate) fn random_chain(random: &mut Random, count: u32) -> String {
     text + &format!("[torch]\ndirection = {:?}\n", random.vector(1.0).to_array())
 }
 
-/// True if two sets of positions are equal up to whole turns.
 pub(crate) fn same(machine: &Machine, a: &Joints, b: &Joints, within: f64) -> bool {
     machine.axes.iter().zip(a.iter().zip(b)).all(|(axis, (a, b))| {
         let d = match axis.kind {
@@ -82,7 +81,6 @@ pub(crate) fn same(machine: &Machine, a: &Joints, b: &Joints, within: f64) -> bo
 pub(crate) fn refusal(text: &str, from: &str, to: &str) -> DocumentError {
     assert!(text.contains(from), "{from}");
     let error = Machine::read("m.toml", &text.replacen(from, to, 1)).unwrap_err();
-    println!("{error}");
     assert!(error.line > 0, "{error}");
     error
 }

@@ -21,7 +21,6 @@ const LONGEST_DELAY: f64 = 0.2;
 const HOPS: u32 = 12;
 
 impl<L: Timed + ?Sized> FeedOverride<'_, L> {
-    /// Searches a better course than the followed one.
     pub(super) fn decide(&mut self, now: State, goal: f64) {
         if self.stop.is_some_and(|s| s.begun) {
             return;

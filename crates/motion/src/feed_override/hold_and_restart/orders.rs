@@ -50,7 +50,6 @@ impl<L: Timed + ?Sized> Run<'_, L> {
         self.pass_over()
     }
 
-    /// True if orders have no effect any more.
     fn closed(&self) -> bool {
         self.phase == RunPhase::Ended || self.then == Then::End
     }

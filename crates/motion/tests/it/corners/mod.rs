@@ -1,12 +1,12 @@
 //! Corners inside a pass: refused, stopped at or blended; checked by walking along set-points and by brute force.
 
 mod random;
-mod route;
+pub(crate) mod route;
 
-use crate::planning::{read, shipped_machine};
+use crate::planning::{one_span, shipped_machine};
 use glam::DVec3;
 use route::{Part, Route};
-use seamwright_document::{NonNegative, Positive};
+use seamwright_document::Positive;
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_program::{AtCorner, Finding, OnLimit, Pass, TorchPath};
@@ -15,16 +15,8 @@ fn blend(mm: f64) -> AtCorner {
     AtCorner::BlendMm(Positive::new(mm).unwrap())
 }
 
-/// One span at `speed`, slowed down where an axis needs it.
 fn pass(length: f64, speed: f64, corner: AtCorner) -> Pass {
-    let welding = read(include_str!("../../../../../examples/ellipse.toml"));
-    let mut pass = welding.program.value.passes[0].clone();
-    (pass.on_limit, pass.corner) = (OnLimit::Slow, corner);
-    pass.spans.truncate(1);
-    let span = &mut pass.spans[0];
-    (span.from_mm, span.to_mm) = (NonNegative::new(0.0).unwrap(), Positive::new(length).unwrap());
-    span.speed_mm_s = Positive::new(speed).unwrap().into();
-    pass
+    Pass { corner, ..one_span(length, speed) }
 }
 
 fn plan(machine: &Machine, route: &Route, speed: f64, corner: AtCorner) -> Result<PassMotion, Vec<Finding>> {
@@ -198,7 +190,8 @@ fn a_small_blend_of_a_long_path_keeps_every_limit() {
     let rows: Vec<[f64; 2]> = motion.set_points(2e-4).map(|p| [p.q[0], p.q[1]]).collect();
     for (i, axis) in machine.axes.iter().enumerate() {
         let mut row: Vec<f64> = rows.iter().map(|q| q[i]).collect();
-        for (order, limit) in axis.limits().to_array().into_iter().enumerate() {
+        let limits = axis.limits();
+        for (order, limit) in [limits.speed, limits.acceleration, limits.jerk].into_iter().enumerate() {
             row = row.windows(2).map(|w| (w[1] - w[0]) / 2e-4).collect();
             let most = row.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             assert!(most <= limit + 1e-12 / 2e-4f64.powi(order as i32 + 1), "{order}: {most} of {limit}");

@@ -64,7 +64,6 @@ impl Route {
         self.starts[1..self.parts.len()].iter().map(|start| start.s).collect()
     }
 
-    /// The part at `s`.
     pub(crate) fn part(&self, s: f64) -> &Part {
         &self.parts[self.index(s)]
     }

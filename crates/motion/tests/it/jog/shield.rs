@@ -51,7 +51,6 @@ fn any_command(random: &mut Random, machine: &Machine, around: &Surroundings) ->
     }
 }
 
-/// Random commands, overrides, holds and lost signals on every machine.
 #[test]
 fn nothing_comes_nearer_than_allowed_and_every_limit_holds() {
     let names = ["saddle-4axis", "torch-5axis", "table-tilting-xyzac", "ellipse-xy", "ebw-7axis", "dual-laser-10axis"];
@@ -111,7 +110,6 @@ fn nothing_comes_nearer_than_allowed_and_every_limit_holds() {
                     }
                 }
             }
-            println!("{name}: moved {moved:.0}, nearest {nearest:.3} mm over what is asked, {most:.4} {halts:?}");
             assert!(moved > 100.0 && most <= 1.0 + 1e-5, "{name}: {most}");
             watched += u32::from(nearest < 0.5);
         }
@@ -119,7 +117,6 @@ fn nothing_comes_nearer_than_allowed_and_every_limit_holds() {
     assert!(watched >= 8, "only {watched} of 12 came near anything");
 }
 
-/// Full speed against every end, from everywhere: met, and not passed.
 #[test]
 fn axes_slow_down_in_time_and_stop_at_their_ends() {
     for name in ["torch-5axis", "dual-laser-10axis"] {
@@ -191,7 +188,6 @@ fn halts_before_what_is_in_the_way_and_goes_back() {
     assert!(matches!(refused, Err(JogError::NotClear { distance_mm: 0.0, .. })), "{refused:?}");
 }
 
-/// Steps add up exactly, also across a hold, and errors name the wrong value.
 #[test]
 fn steps_overrides_holds_and_mistakes() {
     let machine = shipped_machine("torch-5axis");

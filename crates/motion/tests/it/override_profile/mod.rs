@@ -170,7 +170,6 @@ fn change(out: &mut Vec<(f64, f64)>, dv: f64, a: f64, j: f64) {
     out.extend([(j, ramp), (0.0, hold), (-j, ramp)]);
 }
 
-/// Distance a list of stretches covers from speed `v`.
 fn distance(v: f64, stretches: &[(f64, f64)]) -> f64 {
     let (mut s, mut v, mut a) = (0.0, v, 0.0);
     for &(j, d) in stretches {

@@ -8,7 +8,6 @@ use seamwright_testkit::{Random, cases};
 /// Samples in a period.
 const PLACES: u32 = 3;
 
-/// Extremes observed over runs.
 #[derive(Debug, Default, Clone, Copy)]
 struct Seen {
     /// Maximum distance of the tip, by forward kinematics, from the seam, mm.
@@ -76,7 +75,6 @@ impl Watched<'_> {
         now
     }
 
-    /// Plays until it is at rest.
     fn rest(&mut self, what: &str) -> Played {
         for _ in 0..60_000 {
             let now = self.step();
@@ -150,6 +148,5 @@ fn random_commands_on_welds() {
         let other = scope.spawn(|| half(1));
         half(0).join(other.join().unwrap())
     });
-    println!("{runs} runs: {seen:?}");
     assert!(seen.on_faster > u64::from(runs) && seen.limits > 0.9, "{seen:?}");
 }

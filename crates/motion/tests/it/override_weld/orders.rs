@@ -11,7 +11,6 @@ use seamwright_testkit::{Random, cases};
 /// Periods with random orders; after them the only order is to continue.
 const BUSY: usize = 1500;
 
-/// Instants of a run until its end.
 fn log<'a>(weld: &Weld, run: &mut Run<'a, PassTimed<'a>>, random: &mut Random, seed: u32) -> Vec<Instant> {
     let mut log: Vec<Instant> = vec![];
     run.order(Order::Resume).unwrap();
@@ -40,7 +39,7 @@ fn log<'a>(weld: &Weld, run: &mut Run<'a, PassTimed<'a>>, random: &mut Random, s
 #[test]
 fn random_orders_on_welds() {
     let welds: Vec<_> = welds::all().iter().map(|w| (w, w.base())).collect();
-    let (mut instants, mut aborted) = (0, 0);
+    let mut aborted = 0;
     for seed in 0..cases(60) {
         let random = &mut Random::of_case(70_000 + seed);
         let (weld, base) = &welds[seed as usize % welds.len()];
@@ -52,13 +51,11 @@ fn random_orders_on_welds() {
             let feed_override = FeedOverride::new(&weld.limits(), 0.002, base).unwrap().from_place(done).unwrap();
             let mut run = Run::new(feed_override, sequence(at_hold), &places);
             let log = log(weld, &mut run, random, seed);
-            instants += log.len();
             let reached = welded(done, &log, at_hold, seed);
             assert!((reached - run.welded_to()).abs() < 1e-9, "seed {seed}: {reached} {}", run.welded_to());
             done = run.welded_to();
             aborted += u32::from(done < weld.length());
         }
     }
-    println!("{instants} instants, {aborted} aborted");
     assert!(aborted > 5, "{aborted}");
 }

@@ -36,7 +36,6 @@ fn rates_are_the_derivatives_of_positions() {
             let t = from + (to - from) * random.within(0.1, 0.9);
             worst = worst.max(off(weld, &timed, t, 0.01 * (to - from)));
         }
-        println!("{}: {} cells, off by {worst:e}", weld.name, profile.cells());
         assert!(worst < 1e-4, "{}: {worst:e}", weld.name);
     }
 }

@@ -82,7 +82,6 @@ impl Weld {
     }
 }
 
-/// All examples, slow and fast.
 pub(crate) fn all() -> &'static [Weld] {
     static WELDS: OnceLock<Vec<Weld>> = OnceLock::new();
     WELDS.get_or_init(|| {

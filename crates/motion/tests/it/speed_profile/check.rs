@@ -2,7 +2,6 @@
 
 use seamwright_motion::speed_profile::{Channels, ProfilePoint, SpeedProfile};
 
-/// Result of a check.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Found {
     /// Maximum use of speeds, accelerations and jerks, and maximum ratio of the tip's speed to the requested one.

@@ -73,7 +73,6 @@ pub fn natural(knots: Vec<f64>, points: &[Vec<f64>], limits: Vec<AxisLimits>) ->
     Spline { knots, pieces, limits }
 }
 
-/// Random positions of the points of a channel.
 fn values(random: &mut Random, parts: &[f64]) -> Vec<f64> {
     let size = random.decades(1e-2, 1e3);
     let rise = size * random.within(-1.0, 1.0);
@@ -94,7 +93,6 @@ fn limits(random: &mut Random) -> AxisLimits {
     AxisLimits { speed, acceleration, jerk: acceleration * random.decades(0.5, 100.0) }
 }
 
-/// A random path of at most `most_axes` axes and `most_pieces` pieces.
 pub fn path(random: &mut Random, most_axes: usize, most_pieces: usize) -> Path {
     let axes = 1 + random.below(most_axes);
     let pieces = 1 + random.below(most_pieces);
@@ -122,7 +120,6 @@ pub fn path(random: &mut Random, most_axes: usize, most_pieces: usize) -> Path {
     path
 }
 
-/// Requests a speed of the tip, with random changes.
 fn ask(random: &mut Random, path: &mut Path) {
     path.tip = path.limits().len().min(3);
     let (from, to) = path.range();

@@ -7,12 +7,11 @@ const WITHIN: f64 = 1e-3;
 
 #[test]
 fn without_jerk_as_fast_as_the_fine_grid_of_toppra() {
-    for (i, (spline, best)) in Spline::reference(f64::INFINITY).into_iter().enumerate() {
+    for (spline, best) in Spline::reference(f64::INFINITY) {
         let profile = SpeedProfile::new(&spline).unwrap();
         check_ends(&spline, &profile);
         let found = check(&spline, &profile, 20);
         let slower = profile.duration() / best - 1.0;
-        println!("{i}: {slower:.1e} slower, {found:?}");
         assert!(slower.abs() < WITHIN && found.used[0] <= 1.0 && found.used[1] <= 1.0);
         // Coarse grids are slower, but not beyond the limits either.
         for (cells, slower) in [(100, 1e-2), (400, WITHIN)] {
@@ -32,7 +31,6 @@ fn with_jerk_within_limits_and_little_slower() {
             check_ends(&spline, &profile);
             let found = check(&spline, &profile, 20);
             let slower = profile.duration() / best - 1.0;
-            println!("jerk {jerk}: {slower:.4} slower, {found:?}");
             // Limits of jerk can only slow it.
             assert!(slower > -1e-4 && slower < if jerk > 5.0 { 0.015 } else { 0.1 });
             assert!(found.used.iter().all(|u| *u <= 1.0) && found.jump.iter().all(|j| *j < 1e-9), "{found:?}");
@@ -48,7 +46,6 @@ fn cells_chosen_by_the_profile_lose_little_against_a_thousand() {
         check_ends(&fine, &many);
         let found = check(&fine, &many, 20);
         let slower = few.duration() / many.duration() - 1.0;
-        println!("{} cells {slower:.1e} slower than {}", few.cells(), many.cells());
         assert!(many.cells() >= 1000 && slower > -2e-4 && slower < 1e-3);
         assert!(found.used.iter().all(|u| *u <= 1.0) && found.jump.iter().all(|j| *j < 1e-9), "{found:?}");
     }
