@@ -58,11 +58,15 @@ fn bare(dialect: Dialect, line: &str) -> &str {
     .trim()
 }
 
+/// Beginnings of Siemens' lines that hold no words.
+#[rustfmt::skip]
+const SINUMERIK: [&str; 10] = [
+    "%_N_", "$A_OUT", "WHEN TRUE DO $A_OUT", "FGROUP(", "PRESETON(", "TRAORI", "TRAFOOF", "ORIMKS", "PASS_", "MSG(",
+];
+
 fn is_other(dialect: Dialect, line: &str) -> bool {
     let starts: &[&str] = match dialect {
-        Dialect::Sinumerik => {
-            &["%_N_", "$A_OUT", "WHEN TRUE DO $A_OUT", "FGROUP(", "PRESETON(", "TRA", "ORIMKS", "PASS_", "MSG("]
-        }
+        Dialect::Sinumerik => &SINUMERIK,
         Dialect::Linuxcnc => &["o1"],
         Dialect::Grblhal => &[],
         Dialect::Pmac => &["&1", "#", "I5190=", "OPEN PROG 1 CLEAR", "CLOSE", "M", "SEND", "ABS"],
