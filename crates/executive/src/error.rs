@@ -23,8 +23,7 @@ impl Error {
                 Message::new("cell-invalid-drive").axis("axis", axis).message("why", reason.clone())
             }
             Self::Values(count) => {
-                let message = Message::new("cell-too-many-process-values").count("n", *count);
-                message.value("max", VALUES as f64, Unit::One)
+                Message::new("cell-too-many-process-values").count("n", *count).value("max", VALUES as f64, Unit::One)
             }
         }
     }

@@ -54,3 +54,50 @@ macro_rules! display_by_message {
         )+
     };
 }
+
+/// Defines an enum without values whose variants have names for files and interfaces, each behind `=>`. Adds `ALL` and
+/// `name`; with the code of its words behind each name also `message`. With codes alone, each behind `:`, it adds `ALL`
+/// and `message`.
+#[macro_export]
+macro_rules! named_enum {
+    ($(#[$of_enum:meta])* pub enum $Enum:ident { $($(#[$of_variant:meta])* $Variant:ident => $name:literal,)+ }) => {
+        $(#[$of_enum])*
+        pub enum $Enum { $($(#[$of_variant])* $Variant,)+ }
+
+        impl $Enum {
+            /// All variants, in the order of their definition.
+            pub const ALL: [Self; [$($name),+].len()] = [$(Self::$Variant),+];
+
+            /// Its name in files and interfaces.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$Variant => $name,)+ }
+            }
+        }
+    };
+    ($(#[$of_enum:meta])* pub enum $Enum:ident { $($(#[$of_variant:meta])* $Variant:ident: $code:literal,)+ }) => {
+        $(#[$of_enum])*
+        pub enum $Enum { $($(#[$of_variant])* $Variant,)+ }
+
+        impl $Enum {
+            /// All variants, in the order of their definition.
+            pub const ALL: [Self; [$($code),+].len()] = [$(Self::$Variant),+];
+
+            /// Returns its words.
+            pub const fn message(self) -> $crate::Message {
+                $crate::Message::new(match self { $(Self::$Variant => $code,)+ })
+            }
+        }
+    };
+    ($(#[$of_enum:meta])* pub enum $Enum:ident {
+        $($(#[$of_variant:meta])* $Variant:ident => $name:literal, $code:literal;)+
+    }) => {
+        $crate::named_enum! { $(#[$of_enum])* pub enum $Enum { $($(#[$of_variant])* $Variant => $name,)+ } }
+
+        impl $Enum {
+            /// Returns its words.
+            pub const fn message(self) -> $crate::Message {
+                $crate::Message::new(match self { $(Self::$Variant => $code,)+ })
+            }
+        }
+    };
+}

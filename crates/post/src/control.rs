@@ -1,32 +1,20 @@
 use crate::error::Error;
 use crate::part_program::{Channel, ChannelKind, Event};
 use seamwright_machine::{AxisKind, ControlFile, Io, Machine};
+use seamwright_message::named_enum;
 
-/// A language of part programs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Dialect {
-    /// Siemens Sinumerik 840D.
-    Sinumerik,
-    /// LinuxCNC.
-    Linuxcnc,
-    /// grblHAL.
-    Grblhal,
-    /// Delta Tau PMAC motion programs.
-    Pmac,
-}
-
-impl Dialect {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Sinumerik, Self::Linuxcnc, Self::Grblhal, Self::Pmac];
-
-    /// Name of the dialect on the command line and in machine files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sinumerik => "sinumerik",
-            Self::Linuxcnc => "linuxcnc",
-            Self::Grblhal => "grblhal",
-            Self::Pmac => "pmac",
-        }
+named_enum! {
+    /// A language of part programs.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Dialect {
+        /// Siemens Sinumerik 840D.
+        Sinumerik => "sinumerik",
+        /// LinuxCNC.
+        Linuxcnc => "linuxcnc",
+        /// grblHAL.
+        Grblhal => "grblhal",
+        /// Delta Tau PMAC motion programs.
+        Pmac => "pmac",
     }
 }
 

@@ -103,7 +103,6 @@ pub enum Event {
 }
 
 impl Event {
-    /// Returns the event in words.
     pub(crate) fn message(&self) -> Message {
         let switched = |on: bool, codes: [&'static str; 2]| Message::new(codes[usize::from(on)]);
         match self {

@@ -21,7 +21,6 @@ pub struct Segment {
     way: Way,
 }
 
-/// Way of a segment from start to end.
 #[derive(Debug, Clone)]
 enum Way {
     Even,
@@ -144,8 +143,7 @@ impl<'a> Player<'a> {
                 self.one(i, m);
             }
             What::Dwell(seconds) => {
-                let here = self.here.clone();
-                self.add(i, *seconds, None, here, Way::Even);
+                self.add(i, *seconds, None, self.here.clone(), Way::Even);
                 self.speeds.fill(0.0);
             }
             What::Set { at_once, .. } | What::Event { at_once, .. } => {
@@ -237,8 +235,7 @@ impl<'a> Player<'a> {
             };
             let ((_, v0), (mut to, v1)) = (knot(k), knot(k + 1));
             // Process values have those of the move that is under way.
-            let row = control(k + 1);
-            to[self.axes..].copy_from_slice(&row[self.axes..]);
+            to[self.axes..].copy_from_slice(&control(k + 1)[self.axes..]);
             segments.push((moves[k.clamp(0, last - 1) as usize].0, to, Way::Cubic(v0, v1)));
         }
         for (step, to, way) in segments {

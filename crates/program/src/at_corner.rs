@@ -7,7 +7,6 @@ use serde::de::{Error, MapAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::fmt;
 
-/// Key of a blend's distance.
 const KEY: &str = "blend_mm";
 
 /// Behaviour at a corner: a position inside the weld at which the speed or acceleration of an axis would jump.
@@ -67,8 +66,7 @@ impl AtCorner {
                 let message = Message::new("program-corner-outside-tolerance");
                 let allowed =
                     Message::new("program-positive-up-to-key").key("key", format!("{}.path_mm", tolerance.key));
-                let allowed = allowed.value("max", most.get(), Unit::One);
-                Err(file.error_at(&format!("{path}.blend_mm"), message, allowed))
+                Err(file.error_at(&format!("{path}.blend_mm"), message, allowed.value("max", most.get(), Unit::One)))
             }
             _ => Ok(()),
         }

@@ -32,10 +32,7 @@ pub struct Bead {
 
 impl Bead {
     /// Checks the values that need no seam: columns of equal length with at least one row, path lengths that increase,
-    /// angles in front of both faces. `path` is the bead's address in `file`.
-    ///
-    /// # Errors
-    /// With the key's address.
+    /// angles in front of both faces. `path` is the bead's address in `file`. Fails with the key's address.
     pub(crate) fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         let rows = self.s_mm.len();
         if rows == 0 {

@@ -33,8 +33,7 @@ impl SeamCopy {
         for (i, copy) in copies.iter().enumerate() {
             if let Some(k) = copies[..i].iter().position(|other| other.name == copy.name) {
                 let message = Message::new("program-name-taken").key("other", format!("copies[{k}]"));
-                let allowed = Message::new("document-own-name");
-                return Err(file.error_at(&format!("copies[{i}].name"), message, allowed));
+                return Err(file.error_at(&format!("copies[{i}].name"), message, Message::new("document-own-name")));
             }
             if let Some(k) = copies[..i].iter().position(|other| other.placement == copy.placement) {
                 let message = Message::new("program-placement-taken").key("other", format!("copies[{k}]"));

@@ -167,8 +167,7 @@ mod tests {
         let note = note(Message::new("note"), 1, 0.0, 1.0);
         let warning = Finding { cure: Some(Message::new("do")), message: Message::new("warning"), ..note.clone() };
         let error = Finding { allowed: false, message: Message::new("error"), ..note.clone() };
-        let findings = [note.clone(), warning, error, note];
-        assert_eq!(codes(&group_findings(&findings)), ["error", "warning", "note"]);
+        assert_eq!(codes(&group_findings(&[note.clone(), warning, error, note])), ["error", "warning", "note"]);
     }
 
     #[test]

@@ -349,16 +349,17 @@ impl Joint {
                 wrong("angle_deg", "program-groove-angle-too-large", allowed)
             }
         };
-        let curved = |angle: NonNegative, radius: Positive, depth: f64| {
-            let high = radius.get() * (1.0 - angle.get().to_radians().sin());
-            match high < depth {
-                true => Ok(()),
-                false => {
-                    let max = depth * radius.get() / high;
-                    let allowed = Message::new("document-less-than").quantity("max", max, Unit::Mm, 3);
-                    wrong("radius_mm", "program-radius-too-large", allowed)
-                }
+        let curved = |slope: NonNegative, radius: Positive, thickness: Positive, root_face: NonNegative| {
+            face(root_face, thickness)?;
+            angle(slope.get(), 60.0)?;
+            let depth = thickness.get() - root_face.get();
+            let high = radius.get() * (1.0 - slope.get().to_radians().sin());
+            if high < depth {
+                return Ok(());
             }
+            let max = depth * radius.get() / high;
+            let allowed = Message::new("document-less-than").quantity("max", max, Unit::Mm, 3);
+            wrong("radius_mm", "program-radius-too-large", allowed)
         };
         let unfilled = |unfilled: NonNegative, radius: Positive| match unfilled.get() < radius.get() {
             true => Ok(()),
@@ -374,16 +375,8 @@ impl Joint {
                 face(p.root_face_mm, p.thickness_mm)?;
                 angle(p.angle_deg.get(), 85.0)?;
             }
-            Preparation::U(p) => {
-                face(p.root_face_mm, p.thickness_mm)?;
-                angle(p.angle_deg.get(), 60.0)?;
-                curved(p.angle_deg, p.radius_mm, p.thickness_mm.get() - p.root_face_mm.get())?;
-            }
-            Preparation::J(p) => {
-                face(p.root_face_mm, p.thickness_mm)?;
-                angle(p.angle_deg.get(), 60.0)?;
-                curved(p.angle_deg, p.radius_mm, p.thickness_mm.get() - p.root_face_mm.get())?;
-            }
+            Preparation::U(p) => curved(p.angle_deg, p.radius_mm, p.thickness_mm, p.root_face_mm)?,
+            Preparation::J(p) => curved(p.angle_deg, p.radius_mm, p.thickness_mm, p.root_face_mm)?,
             Preparation::Fillet(p) => {
                 let both = usize::from(p.first_leg_mm.is_some() && p.second_leg_mm.is_some());
                 let one = p.first_leg_mm.is_some() != p.second_leg_mm.is_some();
@@ -404,11 +397,7 @@ impl Joint {
                     return Err(file.error_at(&format!("{path}.preparation.t_bevel"), message, allowed));
                 }
             }
-            Preparation::TJ(p) => {
-                face(p.root_face_mm, p.thickness_mm)?;
-                angle(p.angle_deg.get(), 60.0)?;
-                curved(p.angle_deg, p.radius_mm, p.thickness_mm.get() - p.root_face_mm.get())?;
-            }
+            Preparation::TJ(p) => curved(p.angle_deg, p.radius_mm, p.thickness_mm, p.root_face_mm)?,
         }
         self.check_fit_up(file, path)
     }

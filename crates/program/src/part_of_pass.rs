@@ -43,8 +43,7 @@ impl Pass {
 }
 
 fn begin(s: f64, turn: Option<f64>) -> NonNegative {
-    let s = turn.map_or(s, |turn| s.rem_euclid(turn));
-    NonNegative::new(s.max(0.0)).unwrap_or_default()
+    NonNegative::new(turn.map_or(s, |turn| s.rem_euclid(turn)).max(0.0)).unwrap_or_default()
 }
 
 fn swapped<T: Copy>(value: SpanValue<T>) -> SpanValue<T> {

@@ -14,12 +14,12 @@ use crate::torch::Torch;
 use crate::weave::Weave;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
-use seamwright_message::Message;
+use seamwright_message::{Message, named_enum};
 use serde::{Deserialize, Serialize};
 
 /// One progression along the seam. Its own path length counts from where it begins, and is the way along the seam, also
 /// where its bead lies beside that.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pass {
     /// Name, for people.
@@ -86,45 +86,21 @@ fn is_zero(number: &NonNegative) -> bool {
     number.get() == 0.0
 }
 
-/// Role of a pass in a weld of several passes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Role {
-    /// It holds the parts together until they are welded.
-    Tack,
-    /// It joins the parts.
-    Root,
-    /// It fills the joint.
-    Fill,
-    /// It is the weld's surface.
-    Cap,
-    /// It smooths the surface of the finished weld, with a weak or wide beam.
-    Cosmetic,
-}
-
-impl Role {
-    const ALL: [Self; 5] = [Self::Tack, Self::Root, Self::Fill, Self::Cap, Self::Cosmetic];
-
-    /// In words of any language.
-    pub fn message(self) -> Message {
-        Message::new(match self {
-            Self::Tack => "program-role-tack",
-            Self::Root => "program-role-root",
-            Self::Fill => "program-role-fill",
-            Self::Cap => "program-role-cap",
-            Self::Cosmetic => "program-role-cosmetic",
-        })
-    }
-
-    /// Name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Tack => "tack",
-            Self::Root => "root",
-            Self::Fill => "fill",
-            Self::Cap => "cap",
-            Self::Cosmetic => "cosmetic",
-        }
+named_enum! {
+    /// Role of a pass in a weld of several passes.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Role {
+        /// It holds the parts together until they are welded.
+        Tack => "tack", "program-role-tack";
+        /// It joins the parts.
+        Root => "root", "program-role-root";
+        /// It fills the joint.
+        Fill => "fill", "program-role-fill";
+        /// It is the weld's surface.
+        Cap => "cap", "program-role-cap";
+        /// It smooths the surface of the finished weld, with a weak or wide beam.
+        Cosmetic => "cosmetic", "program-role-cosmetic";
     }
 }
 
@@ -158,8 +134,7 @@ impl Pass {
 
     /// The span at path length `s` (the later one where two meet; the first or last outside the pass).
     pub fn span_at(&self, s: f64) -> Option<&Span> {
-        let i = self.spans.partition_point(|span| span.to_mm.get() <= s);
-        self.spans.get(i).or(self.spans.last())
+        self.spans.get(self.spans.partition_point(|span| span.to_mm.get() <= s)).or(self.spans.last())
     }
 
     /// Path length on the seam, from the start of the weld, at the pass' own path length `s`, mm. On a seam welded all
@@ -213,10 +188,8 @@ impl Pass {
 }
 
 impl Pass {
-    /// Refuses keys that only passes along a seam have, in a pass through points at `path` of a file.
-    ///
-    /// # Errors
-    /// With the key's address.
+    /// Refuses keys that only passes along a seam have, in a pass through points at `path` of a file. Fails with the
+    /// key's address.
     pub(crate) fn check_through_points<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         let given = [
             ("spans", !self.spans.is_empty()),
@@ -235,8 +208,7 @@ impl Pass {
         }
         let tolerance = Keyed { key: &format!("{path}.tolerance"), value: &self.tolerance };
         self.corner.check(file, &format!("{path}.corner"), tolerance)?;
-        let columns = self.points.as_ref().map(Points::known_columns);
-        let process = columns.into_iter().flat_map(|c| c.process);
+        let process = self.points.as_ref().map(Points::known_columns).into_iter().flat_map(|c| c.process);
         let process = process.map(|(name, _)| (name, SpanValue::Steady(Finite::default()))).collect();
         self.sequence.check(file, &format!("{path}.sequence"), &process)
     }

@@ -5,7 +5,7 @@ use crate::process::{ProcessValues, check_process_name};
 use crate::span_value::{Ramp, SpanValue};
 use schemars::JsonSchema;
 use seamwright_document::{Bound, Direction, Document, DocumentError, Finite, Point};
-use seamwright_message::{Message, Unit};
+use seamwright_message::{Message, Unit, named_enum};
 use serde::{Deserialize, Serialize};
 
 /// The columns of a pose: torch tip in the seam's frame (that of `placement`), mm, and the direction in which wire or beam points.
@@ -62,35 +62,23 @@ pub struct PointSpan {
     pub points: Vec<Vec<Finite>>,
 }
 
-/// Path to a point from the one before.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Along {
-    /// Every axis as fast as it can, arriving together; times and speeds are 0.
-    Rapid,
-    /// Straight.
-    Line,
-    /// An arc through `via_mm` to the span's one point.
-    Arc,
-    /// A cubic spline through the points of the span, from the one before it.
-    Spline,
-    /// A cubic in time to each point, with the speeds given (PMAC's PVT).
-    Cubic,
-    /// Points recorded by hand or by a camera: a spline that leaves out those within the tolerance of the pass.
-    Taught,
-}
-
-impl Along {
-    /// Name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rapid => "rapid",
-            Self::Line => "line",
-            Self::Arc => "arc",
-            Self::Spline => "spline",
-            Self::Cubic => "cubic",
-            Self::Taught => "taught",
-        }
+named_enum! {
+    /// Path to a point from the one before.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Along {
+        /// Every axis as fast as it can, arriving together; times and speeds are 0.
+        Rapid => "rapid",
+        /// Straight.
+        Line => "line",
+        /// An arc through `via_mm` to the span's one point.
+        Arc => "arc",
+        /// A cubic spline through the points of the span, from the one before it.
+        Spline => "spline",
+        /// A cubic in time to each point, with the speeds given (PMAC's PVT).
+        Cubic => "cubic",
+        /// Points recorded by hand or by a camera: a spline that leaves out those within the tolerance of the pass.
+        Taught => "taught",
     }
 }
 
@@ -253,16 +241,14 @@ impl Points {
         let last = self.columns.last().map_or("", String::as_str);
         if has(&TIME_COLUMN) == has(&SPEED_COLUMN) || ![TIME_COLUMN, SPEED_COLUMN].contains(&last) {
             let message = Message::new("program-last-column");
-            let allowed = Message::new("program-time-or-speed-last");
-            return Err(file.error_at(&format!("{path}.columns"), message, allowed));
+            return Err(file.error_at(&format!("{path}.columns"), message, Message::new("program-time-or-speed-last")));
         }
         let columns = self.known_columns();
         let poses = POSE_COLUMNS.iter().filter(|name| has(name)).count();
         let complete = [0, 3, 6].contains(&poses) && poses == columns.pose;
         if !complete || (poses == 0) == columns.axes.is_empty() {
             let message = Message::new("program-columns-without-position");
-            let allowed = Message::new("program-position-columns");
-            return Err(file.error_at(&format!("{path}.columns"), message, allowed));
+            return Err(file.error_at(&format!("{path}.columns"), message, Message::new("program-position-columns")));
         }
         Ok(())
     }
@@ -393,8 +379,7 @@ impl PointEvent {
             self.call.is_some(),
         ];
         if given.iter().filter(|given| **given).count() != 1 || self.on.is_some() != self.output.is_some() {
-            let message = Message::new("program-event-several");
-            return Err(file.error_at(path, message, Message::new("program-event-keys")));
+            return Err(file.error_at(path, Message::new("program-event-several"), Message::new("program-event-keys")));
         }
         Ok(())
     }

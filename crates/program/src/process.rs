@@ -20,8 +20,7 @@ pub fn check_process_name<T>(file: &Document<T>, path: &str, name: &str) -> Resu
         return Err(file.error_at(path, message, Message::new("program-process-names")));
     }
     if seamwright_document::RESERVED_COLUMNS.contains(&name) {
-        let message = Message::new("program-column-name-taken");
-        return Err(file.error_at(path, message, Message::new("document-own-name")));
+        return Err(file.error_at(path, Message::new("program-column-name-taken"), Message::new("document-own-name")));
     }
     Ok(())
 }
@@ -55,8 +54,7 @@ const ARC: [(&str, f64); 2] = [("current_a", 3000.0), ("voltage_v", 100.0)];
 /// A process value's name without its unit, the unit's dimension and its maximum value; `None` for other units.
 fn quantity(name: &str) -> Option<(&str, &'static str, f64)> {
     UNITS.iter().find_map(|(unit, dimension, greatest)| {
-        let stem = name.strip_suffix(unit)?.strip_suffix('_')?;
-        Some((stem, *dimension, *greatest))
+        Some((name.strip_suffix(unit)?.strip_suffix('_')?, *dimension, *greatest))
     })
 }
 
@@ -93,10 +91,8 @@ pub fn check_process_value<'a, T>(
     Ok(())
 }
 
-/// Checks that no quantity is given twice in two units: `wire_feed_m_min` and `wire_feed_mm_s`. Names are sorted.
-///
-/// # Errors
-/// With the address of the second.
+/// Checks that no quantity is given twice in two units: `wire_feed_m_min` and `wire_feed_mm_s`. Names are sorted. Fails
+/// with the address of the second.
 pub(crate) fn check_process_units<'a, T>(
     file: &Document<T>,
     path: &str,

@@ -20,7 +20,7 @@ use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// A weld program: everything needed to weld, but for the machine's own file.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Program {
     /// Version of the file format.
@@ -176,8 +176,7 @@ impl Program {
 
     /// The work offset in force: maps the part's frame to the machine's work frame.
     pub fn work_offset(&self) -> DAffine3 {
-        let chosen = self.offset.as_ref().and_then(|name| self.offsets.get(name));
-        chosen.map_or(DAffine3::IDENTITY, Transform::affine)
+        self.offset.as_ref().and_then(|name| self.offsets.get(name)).map_or(DAffine3::IDENTITY, Transform::affine)
     }
 
     /// The program as a file.
@@ -198,10 +197,9 @@ impl Program {
 fn one_point_a_line(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + text.len() / 8);
     for line in text.lines() {
-        let table = ["points", "speeds"].into_iter().find_map(|key| {
-            let rows = line.strip_prefix(key)?.strip_prefix(" = [[")?.strip_suffix("]]")?;
-            Some((key, rows))
-        });
+        let table = ["points", "speeds"]
+            .into_iter()
+            .find_map(|key| Some((key, line.strip_prefix(key)?.strip_prefix(" = [[")?.strip_suffix("]]")?)));
         match table {
             Some((key, rows)) => {
                 out.extend([key, " = [\n"]);
@@ -239,8 +237,7 @@ mod tests {
     #[test]
     fn writing_and_reading_gives_the_same_program() {
         let program = Program::read("p.toml", TEXT).unwrap().value;
-        let again = Program::read("p.toml", &program.to_toml().unwrap()).unwrap().value;
-        assert_eq!(program, again);
+        assert_eq!(program, Program::read("p.toml", &program.to_toml().unwrap()).unwrap().value);
         assert!((program.passes[0].length() - 20.0).abs() < 1e-15);
         assert!((program.passes[0].speed_at(10.5) - 8.0).abs() < 1e-15);
         assert!((program.passes[0].speed_at(25.0) - 8.0).abs() < 1e-15);

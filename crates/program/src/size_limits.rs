@@ -21,8 +21,7 @@ impl Pass {
     /// Rows that it holds: spans, positions of its bead, points.
     pub fn rows(&self) -> usize {
         let bead = self.bead.as_ref().map_or(0, |bead| bead.s_mm.len());
-        let points = self.points.as_ref().map_or(0, crate::points::Points::count);
-        self.spans.len() + bead + points
+        self.spans.len() + bead + self.points.as_ref().map_or(0, crate::points::Points::count)
     }
 
     /// Time that it travels along the seam at the asked speed, s.
@@ -39,10 +38,7 @@ impl Pass {
 }
 
 impl Program {
-    /// Refuses a program that holds more than a plan can, before its passes are repeated.
-    ///
-    /// # Errors
-    /// With the key's address.
+    /// Refuses a program that holds more than a plan can, before its passes are repeated. Fails with the key's address.
     pub(crate) fn check_extent(document: &Document<Self>) -> Result<(), DocumentError> {
         let (mut passes, mut rows) = (0, 0);
         for (i, pass) in document.value.passes.iter().enumerate() {

@@ -24,10 +24,8 @@ const NAMES: Message = Message::new("program-variable-names");
 const DEEPEST: usize = 64;
 
 /// `text` with every `"= expression"` replaced by its number.
-///
-/// # Errors
-/// With the key's address: a bad name, a variable that is not a number; in expressions an unknown name, wrong syntax, a
-/// number that is not finite.
+/// Fails with the key's address: a bad name, a variable that is not a number; in expressions an unknown name, wrong
+/// syntax, a number that is not finite.
 pub(crate) fn substituted<'a>(file: &str, text: &'a str) -> Result<Cow<'a, str>, DocumentError> {
     if !["\"=", "'=", "variables"].iter().any(|mark| text.contains(mark)) {
         return Ok(text.into());
@@ -66,7 +64,6 @@ pub(crate) fn written(number: f64) -> String {
     if number.fract() == 0.0 && number.abs() < 1e15 { format!("{}", number as i64) } else { format!("{number:?}") }
 }
 
-/// Whether a text of a file is an expression.
 pub(crate) fn is_expression(text: &str) -> bool {
     text.starts_with('=')
 }
@@ -94,8 +91,7 @@ fn given(document: &Document<toml::Table>) -> Result<BTreeMap<String, f64>, Docu
         let number = value.as_float().or(value.as_integer().map(|i| i as f64)).filter(|v| v.is_finite());
         let wrong =
             || document.error_at(&path, Message::new("program-not-a-number"), Message::new("document-finite-number"));
-        let number = number.ok_or_else(wrong)?;
-        variables.insert(name.clone(), number);
+        variables.insert(name.clone(), number.ok_or_else(wrong)?);
     }
     Ok(variables)
 }
@@ -173,7 +169,6 @@ enum Wrong {
     Syntax(Message),
 }
 
-/// Wrong syntax at `text`.
 fn syntax(code: &'static str, text: impl Into<String>) -> Wrong {
     Wrong::Syntax(Message::new(code).text("text", text))
 }
@@ -254,8 +249,7 @@ impl Reader<'_> {
             return Err(Wrong::Syntax(Message::new("program-expression-ends")));
         };
         if first.is_ascii_digit() || first == '.' {
-            let length = number_length(self.rest);
-            let (number, rest) = self.rest.split_at(length);
+            let (number, rest) = self.rest.split_at(number_length(self.rest));
             self.rest = rest;
             return number.parse().map_err(|_| syntax("program-number-invalid", number));
         }

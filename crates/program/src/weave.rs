@@ -211,13 +211,11 @@ impl Weave {
             return wrong("plane_deg", "program-weave-along-torch", allowed);
         }
         if self.length_mm.is_some() && !self.figure.is_round() {
-            let allowed = Message::new("program-figures-with-length");
-            return wrong("length_mm", "program-figure-without-length", allowed);
+            return wrong("length_mm", "program-figure-without-length", Message::new("program-figures-with-length"));
         }
         crate::process::check_process(file, &format!("{path}.at_sides"), &self.at_sides)?;
         if let Some(name) = self.at_sides.iter().find_map(|(name, value)| value.is_ramp().then_some(name)) {
-            let allowed = Message::new("document-number");
-            return wrong(&format!("at_sides.{name}"), "program-sides-not-steady", allowed);
+            return wrong(&format!("at_sides.{name}"), "program-sides-not-steady", Message::new("document-number"));
         }
         if let Some(name) = self.at_sides.keys().find(|name| !process.contains_key(*name)) {
             let known: Vec<&str> = process.keys().map(String::as_str).collect();

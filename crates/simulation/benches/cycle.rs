@@ -4,15 +4,13 @@
 
 use glam::{DVec2, DVec3};
 use seamwright_executive::tracking::RESERVE;
-use seamwright_executive::{
-    Ask, Command, Cycle, Devices, Executive, Mode, Note, Orders, Place, Port, Reports, Slack, Start,
-};
+use seamwright_executive::{Devices, Executive, Orders, Place, Reports, Slack, Start};
 use seamwright_machine::{AxisLimits, BeamDeflection, Clamped, Machine, Surroundings, Target, shipped};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Pass, TorchPath};
 use seamwright_servo::{Gains, Notch, PositionLoop, SetPoint};
 use seamwright_simulation::tracking::Distortion;
-use seamwright_simulation::{Conditions, SimulatedCell};
+use seamwright_simulation::{Conditions, SimulatedCell, WeldOperator};
 use seamwright_tracking::actuator::{HeadTracking, SlideLimits};
 use seamwright_tracking::beam::{Beam, BeamTracking, Picture, Point, Settings as BeamSettings};
 use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, SeamFrame, Settings};
@@ -34,8 +32,7 @@ fn position_loop() -> Result<PositionLoop, seamwright_servo::Error> {
 fn main() {
     let welding = Welding::read("t-joint", JOB).expect("the example is good");
     let program = &welding.program.value;
-    let text = shipped(&program.machine).expect("it ships").text;
-    let machine = Machine::read("machine", text).expect("it is good");
+    let machine = Machine::read("machine", shipped(&program.machine).expect("it ships").text).expect("it is good");
     let motion = PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).expect("it can be welded");
     let mut loops: Vec<PositionLoop> = machine.axes.iter().map(|_| position_loop().expect("a good loop")).collect();
     assert_eq!(loops.len(), 10);
@@ -59,8 +56,7 @@ fn main() {
         for (i, axis) in loops.iter_mut().enumerate() {
             let velocity = point.d1[i] * profile.v;
             let acceleration = point.d2[i] * profile.v * profile.v + point.d1[i] * profile.a;
-            let set = SetPoint { position: near[i], velocity, acceleration };
-            black_box(axis.update(set, near[i] - 1e-3));
+            black_box(axis.update(SetPoint { position: near[i], velocity, acceleration }, near[i] - 1e-3));
         }
         times.push(begin.elapsed().as_nanos() as u64);
     }
@@ -100,49 +96,12 @@ impl<D: Devices> Devices for Timed<D> {
     }
 }
 
-/// An operator who welds once.
-#[derive(Default)]
-struct Once {
-    mode: Option<Mode>,
-    powered: bool,
-    armed: bool,
-    asked: bool,
-    welded: bool,
-}
-
-impl Port for Once {
-    fn command(&mut self, _t: f64) -> Option<Command> {
-        if std::mem::replace(&mut self.asked, true) {
-            return None;
-        }
-        Some(Command::of(match self.mode? {
-            Mode::Off if self.welded => Ask::Quit,
-            Mode::Off => Ask::SwitchOn,
-            Mode::Idle if self.powered => Ask::Home,
-            Mode::Ready if self.welded => Ask::SwitchOff,
-            Mode::Ready if !self.armed => Ask::Arm,
-            Mode::Ready => Ask::StartWeld,
-            Mode::Hold | Mode::Fault => Ask::Quit,
-            _ => return None,
-        }))
-    }
-
-    fn show(&mut self, cycle: &Cycle<'_>) {
-        self.asked = false;
-        (self.mode, self.powered, self.armed) = (Some(cycle.mode), cycle.reports.drives.powered, cycle.armed);
-        self.welded |= cycle.mode == Mode::Weld;
-    }
-
-    fn note(&mut self, _t: f64, _note: Note) {}
-}
-
 /// Times the executive in every cycle of a weld of the T-joint: ten axes, two tracked torches, interlocks,
 /// supervision, process, display. The papers' machine had 75 us for its fast inputs and outputs (EBW-2004).
 fn executive() {
     let welding = Welding::read("t-joint", JOB).expect("the example is good");
     let program = &welding.program.value;
-    let text = shipped(&program.machine).expect("it ships").text;
-    let machine = Machine::read("machine", text).expect("it is good");
+    let machine = Machine::read("machine", shipped(&program.machine).expect("it ships").text).expect("it is good");
     let planned_on = machine.with_reserve(RESERVE);
     let around = Surroundings::new(&planned_on, &Clamped::default()).expect("its shapes are good");
     let paths: Vec<_> = (0..program.passes.len()).map(|pass| welding.path(pass)).collect();
@@ -157,7 +116,7 @@ fn executive() {
     let mut devices = Timed { devices, left: None, times: Vec::with_capacity(CYCLES) };
     let mut tracking = cell.tracking(Place::default()).expect("it can be tracked");
     let guide = tracking.as_mut().map(|tracking| tracking as _);
-    let mut operator = Once::default();
+    let mut operator = WeldOperator::default();
     Executive::new(&machine, &mut devices, &mut operator).with_guide(guide).serve(Some(&work));
     assert!(devices.times.len() > 10_000, "it welds");
     print("executive: ten axes, tracking, i/o", devices.times);

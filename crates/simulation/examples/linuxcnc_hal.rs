@@ -19,11 +19,12 @@ mod linux {
     use seamwright_executive::devices::{DeviceSet, Drives, LinuxCncDrives, LinuxCncError, Taken};
     use seamwright_executive::realtime::{Paced, Pacer, RealtimeRights};
     use seamwright_executive::{
-        Alarm, Ask, Command, Cycle, DriveReport, Executive, Mode, Note, Orders, Port, Slack, Start, Work,
+        Alarm, Command, Cycle, DriveReport, Executive, Mode, Note, Orders, Port, Slack, Start, Work,
     };
     use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
     use seamwright_motion::WeldMotion;
     use seamwright_program::{Pass, TorchPath};
+    use seamwright_simulation::WeldOperator;
     use seamwright_simulation::devices::{Device, Faulty, SimulatedInputs, SimulatedSource};
     use seamwright_weld::Welding;
     use std::path::Path;
@@ -78,11 +79,9 @@ mod linux {
 
     /// Welds once; keeps all samples of HAL.
     struct Operator {
+        operator: WeldOperator,
         mode: Mode,
-        armed: bool,
-        powered: bool,
         welded: bool,
-        asked: bool,
         alarms: Vec<Alarm>,
         missed: u32,
         tap: rtrb::Consumer<Taken>,
@@ -90,34 +89,22 @@ mod linux {
     }
 
     impl Port for Operator {
-        fn command(&mut self, _t: f64) -> Option<Command> {
-            if std::mem::replace(&mut self.asked, true) {
-                return None;
-            }
-            let ask = match self.mode {
-                Mode::Off if self.welded => Ask::Quit,
-                Mode::Off => Ask::SwitchOn,
-                Mode::Idle if self.powered => Ask::Home,
-                Mode::Ready if self.welded => Ask::SwitchOff,
-                Mode::Ready if !self.armed => Ask::Arm,
-                Mode::Ready => Ask::StartWeld,
-                Mode::Fault => Ask::Quit,
-                _ => return None,
-            };
-            Some(Command::of(ask))
+        fn command(&mut self, t: f64) -> Option<Command> {
+            self.operator.command(t)
         }
 
         fn show(&mut self, cycle: &Cycle<'_>) {
+            self.operator.show(cycle);
             self.welded |= self.mode == Mode::Weld && cycle.mode == Mode::Ready;
-            (self.mode, self.armed, self.asked) = (cycle.mode, cycle.armed, false);
-            self.powered = cycle.reports.drives.powered;
+            self.mode = cycle.mode;
             self.missed += cycle.reports.missed;
             while let Ok(taken) = self.tap.pop() {
                 self.taken.push(taken);
             }
         }
 
-        fn note(&mut self, _t: f64, note: Note) {
+        fn note(&mut self, t: f64, note: Note) {
+            self.operator.note(t, note);
             if let Note::Alarm(raised) = note {
                 self.alarms.push(raised.alarm);
             }
@@ -172,11 +159,9 @@ mod linux {
         };
         let footing = RealtimeRights::ask(None);
         let mut operator = Operator {
+            operator: WeldOperator::default(),
             mode: Mode::Off,
-            armed: false,
-            powered: false,
             welded: false,
-            asked: true,
             alarms: Vec::with_capacity(64),
             missed: 0,
             tap,
@@ -200,8 +185,7 @@ mod linux {
             late.missed()
         );
         let Corrected { steps, starved, .. } = &paced.devices.drives;
-        let good = judge(&machine, device.store, &operator, steps, *starved);
-        Ok(good && operator.welded)
+        Ok(judge(&machine, device.store, &operator, steps, *starved) && operator.welded)
     }
 
     /// Prints and evaluates the samples of HAL.

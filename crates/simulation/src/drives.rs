@@ -81,8 +81,7 @@ fn assumed(axis: &Axis) -> Drive {
 /// # Errors
 /// [`Error::Drive`] if its values are invalid, or the drive cannot be tuned.
 pub fn tune_axis(axis: &Axis, period_s: f64) -> Result<Tuned, Error> {
-    let drive = axis.drive.clone().unwrap_or_else(|| assumed(axis));
-    parameters(axis, &drive)
+    parameters(axis, &axis.drive.clone().unwrap_or_else(|| assumed(axis)))
         .and_then(|parameters| tune(&parameters, period_s, axis.max_speed))
         .map_err(|e| Error::Drive { axis: axis.name.clone(), reason: Message::outside(&e) })
 }

@@ -94,5 +94,5 @@ pub use conditions::Conditions;
 pub use drives::{check_drives, tune_axis};
 pub use error::Error;
 pub use sample::Sample;
-pub use simulate::{CellDevices, Judge, SimulatedCell, simulate};
+pub use simulate::{CellDevices, Judge, SimulatedCell, WeldOperator, simulate};
 pub use summary::{AxisSummary, Extremes, Summary};

@@ -205,7 +205,6 @@ impl Tally {
         }
     }
 
-    /// Adds a sample.
     pub(crate) fn add(&mut self, sample: &Sample, rates: &(Joints, Joints)) {
         for (periods, is) in self.periods.iter_mut().zip([true, sample.travels(), sample.arc()]) {
             *periods += u64::from(is);

@@ -170,7 +170,6 @@ fn drives_by_steps_conform() {
 #[test]
 fn linuxcnc_drives_conform() {
     use seamwright_executive::devices::{LinuxCncDrives, LinuxCncError};
-    use seamwright_executive::realtime::Pacer;
     use std::io::Write as _;
     use std::os::unix::fs::PermissionsExt as _;
 
@@ -183,13 +182,7 @@ fn linuxcnc_drives_conform() {
         let drives = LinuxCncDrives::start(&machine, &device, folder.path(), |text| println!("{text}"));
         (machine, drives)
     };
-    let run = |machine: &Machine, drives: LinuxCncDrives| {
-        let mut pacer = Pacer::new(machine.servo_period_s);
-        let wait = Box::new(move || {
-            pacer.wait();
-        });
-        conform(machine, drives, true, wait);
-    };
+    let run = |machine: &Machine, drives: LinuxCncDrives| conform(machine, drives, true, in_real_time(machine));
     let (machine, drives) = start("");
     match drives {
         Ok(drives) => run(&machine, drives),
@@ -226,15 +219,20 @@ fn linuxcnc_drives_conform() {
     comes_back(&machine, drives.unwrap_or_else(|e| panic!("{e}")));
 }
 
+/// Waits for the next cycle of a machine.
+#[cfg(target_os = "linux")]
+fn in_real_time(machine: &Machine) -> Box<dyn FnMut()> {
+    let mut pacer = seamwright_executive::realtime::Pacer::new(machine.servo_period_s);
+    Box::new(move || {
+        pacer.wait();
+    })
+}
+
 /// Each of HAL's programs is killed with -9 under power. The drives are silent, and stay so while power is requested.
 /// Then they start once more, without power and references. The cycle allocates nothing.
 #[cfg(target_os = "linux")]
 fn comes_back<D: Drives>(machine: &Machine, drives: D) {
-    use seamwright_executive::realtime::Pacer;
-    let mut pacer = Pacer::new(machine.servo_period_s);
-    let wait = Box::new(move || {
-        pacer.wait();
-    });
+    let wait = in_real_time(machine);
     let drives = Faulty::new(drives, Device::Drives, &[], machine.servo_period_s);
     let report = DriveReport { age_s: f64::INFINITY, ..DriveReport::default() };
     let mut bench = Bench { machine, drives, orders: Orders::default(), report, cycles: 0, wait };

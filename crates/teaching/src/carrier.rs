@@ -55,6 +55,14 @@ impl<'a> Carrier<'a> {
         self.axes = axes;
     }
 
+    /// Returns the time between a frame with the axes at `from` and one here, s: whole periods of the camera in which
+    /// the slowest axis goes the way at half its speed.
+    pub fn pause_s(&self, from: &Joints) -> f64 {
+        let axes = self.machine.axes.iter().zip(from.iter().zip(&self.axes));
+        let slowest = axes.map(|(axis, (a, b))| 2.0 * (b - a).abs() / axis.max_speed).fold(0.0, f64::max);
+        self.sensor.period_s * (slowest / self.sensor.period_s).ceil().max(1.0)
+    }
+
     /// Moves the axes, straight in axis space, so that the optical axis passes through `pose.point`. The camera looks
     /// against the normal as well as the machine can, with the point at the best height.
     ///

@@ -161,10 +161,8 @@ impl<'a> Crawl<'a> {
         let behind =
             (0..wanted.min(ways.len())).rev().take_while(|i| self.way - ways[*i] < 8.0 * self.settings.overlap_mm);
         let mut found = behind.filter(|&i| seen(i));
-        let ahead = (wanted..ways.len()).find(|&i| seen(i));
-        let Some(i) = found.next().or(ahead) else { return given };
-        let along = self.line.direction(ways[i], REACH_MM).unwrap_or(self.target.along);
-        (self.line.points()[i].point, along)
+        let Some(i) = found.next().or((wanted..ways.len()).find(|&i| seen(i))) else { return given };
+        (self.line.points()[i].point, self.line.direction(ways[i], REACH_MM).unwrap_or(self.target.along))
     }
 
     fn refused(&mut self, why: Message) -> Command {
@@ -214,8 +212,10 @@ impl<'a> Crawl<'a> {
         self.shortened = 0;
         let surface = self.surface(&seen.view);
         let frame = self.notes.len();
-        let confident = seen.rows.iter().filter(|r| r.seen && r.confidence >= self.settings.confidence);
-        let points: Vec<RawPoint> = confident
+        let points: Vec<RawPoint> = seen
+            .rows
+            .iter()
+            .filter(|r| r.seen && r.confidence >= self.settings.confidence)
             .filter_map(|row| {
                 let (point, ray) = surface.point(row.px).ok()?;
                 let normal = surface.normal(point);

@@ -81,7 +81,6 @@ pub fn bridged(outcome: &Outcome) -> f64 {
     outcome.line.ways().windows(2).map(|w| w[1] - w[0]).filter(|gap| *gap > 1.0).sum()
 }
 
-/// Points along a spline.
 fn along_spline(spline: &Spline) -> Vec<DVec3> {
     let (from, to) = spline.domain();
     // By chord length: near to mm.
@@ -89,7 +88,6 @@ fn along_spline(spline: &Spline) -> Vec<DVec3> {
     (0..=count as u32).map(|k| spline.point(from + (to - from) * f64::from(k) / count)).collect()
 }
 
-/// Points along lines and arcs.
 fn along_arcs(outcome: &Outcome, spans: &[Span]) -> Vec<DVec3> {
     let mut points = Vec::new();
     for span in spans {

@@ -46,8 +46,7 @@ pub fn follower(table: &HeightTable, longest_tack_mm: f64) -> Result<JointFollow
     let (low, high) = table.range();
     let middle = if low.is_finite() { 0.5 * (low + high) } else { 0.0 };
     let map = table.at(middle).map_err(|e| Error::Refused(e.message()))?;
-    let scale = map.scale_at(map.parameters().centre_px).unwrap_or(1.0);
-    Ok(JointFollower::new(longest_tack_mm / scale))
+    Ok(JointFollower::new(longest_tack_mm / map.scale_at(map.parameters().centre_px).unwrap_or(1.0)))
 }
 
 /// Start of the joint following at `point`, in the direction of the nominal seam nearby; `None` if it is not near.
@@ -56,7 +55,6 @@ pub fn start(nominal: &SeamLine, point: DVec3) -> Option<CameraPose> {
     Some(CameraPose { point, normal: foot.at.normal, along: foot.along })
 }
 
-/// A line smoothed.
 pub(crate) fn smooth(line: &TaughtLine, end: Option<&End>) -> Vec<LinePoint> {
     smoothed(line, EVERY_MM, WINDOW_MM, matches!(end, Some(End::Closed { .. })))
 }

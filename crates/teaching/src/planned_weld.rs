@@ -32,8 +32,7 @@ impl<'a> PlannedWeld<'a> {
 
     /// Positions of the axes where the planned weld is nearest to a point.
     pub fn guide(&self, point: DVec3) -> Option<Joints> {
-        let way = self.nominal.foot(point)?.way;
-        Some(self.planned.path.at(way.min(self.planned.path.length())))
+        Some(self.planned.path.at(self.nominal.foot(point)?.way.min(self.planned.path.length())))
     }
 
     /// Positions of the axes at the start of the planned weld.

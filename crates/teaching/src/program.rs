@@ -153,11 +153,9 @@ impl<'a> Writer<'a> {
         poses.chain(self.process.iter().map(|p| p.0.clone())).chain([SPEED_COLUMN.to_owned()]).collect()
     }
 
-    /// Returns the row of point `index` of the line.
     fn row(&self, line: &[LinePoint], index: usize, speed: f64) -> Vec<Finite> {
         let point = self.to_seam.transform_point3(line[index].point);
-        let direction = self.to_seam.transform_vector3(-self.torch[index]);
-        let pose = point.to_array().into_iter().chain(direction.to_array());
+        let pose = point.to_array().into_iter().chain(self.to_seam.transform_vector3(-self.torch[index]).to_array());
         let values = pose.chain(self.process.iter().map(|p| p.1)).chain([speed]);
         values.map(|v| Finite::new(v).unwrap_or_default()).collect()
     }
@@ -167,13 +165,11 @@ impl<'a> Writer<'a> {
             Curves::Arcs(reduction) => self.arcs(line, &reduction.spans),
             Curves::Spline(reduction) => {
                 // Program speeds are those along chords.
-                let knots = reduction.spline.knots().windows(2);
-                let points = reduction.kept.windows(2).zip(knots).map(|(kept, way)| {
+                let points = reduction.kept.windows(2).zip(reduction.spline.knots().windows(2)).map(|(kept, way)| {
                     let chord = line[kept[0]].point.distance(line[kept[1]].point);
                     self.row(line, kept[1], self.speed * chord / (way[1] - way[0]))
                 });
-                let points = points.collect();
-                vec![span(Along::Spline, None, points)]
+                vec![span(Along::Spline, None, points.collect())]
             }
         }
     }

@@ -140,7 +140,6 @@ pub fn teach<E: From<FrameError>>(
     }
 }
 
-/// Returns the positions of the machine's axes with frame `number`.
 fn positions(machine: &Machine, frame: &TimedFrame, number: usize) -> Result<Joints, FrameError> {
     let given = frame.axes.as_deref().unwrap_or_default();
     if given.len() != machine.axes.len() {

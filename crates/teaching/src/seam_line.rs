@@ -44,8 +44,7 @@ impl SeamLine {
     /// Samples the seam of `length` (mm) given by path length; if it is closed, the length is that of one turn.
     pub fn sampled(length: f64, closed: bool, at: impl Fn(f64) -> Station) -> Self {
         let count = (length / STATION_MM).ceil().clamp(2.0, 1e7);
-        let stations = (0..=count as u32).map(|i| at(length * f64::from(i) / count)).collect();
-        Self::through(stations, closed)
+        Self::through((0..=count as u32).map(|i| at(length * f64::from(i) / count)).collect(), closed)
     }
 
     /// Creates the seam through stations.
@@ -173,8 +172,7 @@ mod tests {
         let line = SeamLine::sampled(50.0 * std::f64::consts::TAU, true, at);
         for i in 0..500 {
             let t = f64::from(i);
-            let near = at(0.7 * t).point;
-            let p = near + DVec3::new((3.1 * t).sin(), (1.7 * t).cos(), (0.3 * t).sin()) * (t % 7.0);
+            let p = at(0.7 * t).point + DVec3::new((3.1 * t).sin(), (1.7 * t).cos(), (0.3 * t).sin()) * (t % 7.0);
             let foot = line.foot(p).unwrap();
             let brute = (0..62_832).map(|k| at(0.005 * f64::from(k)).point.distance(p)).fold(f64::INFINITY, f64::min);
             assert!((foot.at.point.distance(p) - brute).abs() < 2e-3, "{p}: {} {brute}", foot.at.point.distance(p));

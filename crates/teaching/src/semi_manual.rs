@@ -20,10 +20,8 @@ pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<V
     }
     let mut off = Vec::with_capacity(points.len());
     for (i, point) in points.iter().enumerate() {
-        let foot = Some(*point).filter(|p| p.is_finite()).and_then(|p| nominal.foot(p));
-        let foot = foot.ok_or_else(|| {
-            let message = Message::new("cell-point-off-seam").number("point", (i + 1) as f64, 0);
-            message.value("max", 15.0, Unit::Mm)
+        let foot = Some(*point).filter(|p| p.is_finite()).and_then(|p| nominal.foot(p)).ok_or_else(|| {
+            Message::new("cell-point-off-seam").number("point", (i + 1) as f64, 0).value("max", 15.0, Unit::Mm)
         })?;
         let away = *point - foot.at.point;
         let (across, along) = (foot.at.normal.cross(foot.along), foot.along);

@@ -113,8 +113,7 @@ impl TaughtLine {
     /// pieces without a gap count; `None` beyond the ends.
     pub(super) fn distance(&self, point: &RawPoint, from: f64) -> Option<f64> {
         let first = self.ways.partition_point(|w| *w < from);
-        let pieces = self.points[first.min(self.points.len())..].windows(2);
-        let beside = pieces.filter_map(|w| {
+        let beside = self.points[first.min(self.points.len())..].windows(2).filter_map(|w| {
             let (a, b) = (w[0].point, w[1].point);
             let (along, off) = (b - a, point.point - a);
             let part = off.dot(along) / along.length_squared();

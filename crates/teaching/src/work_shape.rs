@@ -108,7 +108,6 @@ impl<'a> Surface<'a> {
         self.raised
     }
 
-    /// Returns the normal near a point.
     pub(super) fn normal(&self, point: DVec3) -> DVec3 {
         self.shape.near(point).map_or(self.plane.normal, |patch| patch.normal)
     }
@@ -141,7 +140,6 @@ impl<'a> Surface<'a> {
         Ok((point, ray.try_normalize().unwrap_or(axis)))
     }
 
-    /// Returns the pixel in which a point is seen.
     pub(super) fn px(&self, point: DVec3) -> Result<DVec2, HeightError> {
         self.table.to_px(self.camera.inverse().transform_point3(point))
     }

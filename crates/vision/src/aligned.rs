@@ -4,7 +4,6 @@ use crate::simd::LANES;
 use pulp::Simd;
 use std::ops::{Deref, DerefMut};
 
-/// Bytes of a cache line.
 pub(crate) const CACHE_LINE: usize = 64;
 
 /// Numbers aligned to a cache line. Without alignment every other load of [`LANES`] numbers crosses a cache line.

@@ -7,22 +7,18 @@ pub(crate) fn rounded(mm: f64) -> f64 {
     (mm * 1e6).round() / 1e6
 }
 
-/// At least `min`.
 pub(crate) fn at_least(min: f64, unit: Unit) -> Message {
     Message::new("document-at-least").value("min", min, unit)
 }
 
-/// Up to `max`.
 pub(crate) fn at_most(max: f64, unit: Unit) -> Message {
     Message::new("document-at-most").value("max", max, unit)
 }
 
-/// More than `min`.
 pub(crate) fn more_than(min: f64, unit: Unit) -> Message {
     Message::new("document-more-than").value("min", min, unit)
 }
 
-/// Less than `max`.
 pub(crate) fn less_than(max: f64, unit: Unit) -> Message {
     Message::new("document-less-than").value("max", max, unit)
 }
@@ -53,12 +49,10 @@ pub(crate) fn by_key(code: &'static str, key: &'static str, value: f64) -> Messa
     Message::new(code).key("key", key).text("value", value.to_string())
 }
 
-/// Directions that are not along the one at `key`.
 pub(crate) fn not_along(key: &'static str) -> Message {
     Message::new("weld-allowed-not-along").key("key", key)
 }
 
-/// A point that differs from the one at `key`.
 pub(crate) fn other_point(key: &'static str) -> Message {
     Message::new("weld-allowed-other-point").key("key", key)
 }

@@ -5,7 +5,6 @@ use seamwright_program::Seam;
 
 /// Source of the angles along the curve.
 pub(crate) enum Angles {
-    /// They have none.
     None,
     /// The curve's parameter is the angle.
     Parameter,
@@ -14,10 +13,7 @@ pub(crate) enum Angles {
 }
 
 impl Angles {
-    /// The angles of a seam; `closed` ones have them by the curve's parameter, as a rule.
-    ///
-    /// # Errors
-    /// Those of the seam.
+    /// The angles of a seam; `closed` ones have them by the curve's parameter, as a rule. Errors: those of the seam.
     pub(crate) fn new<T>(file: &Document<T>, seam: &Seam, closed: bool) -> Result<Self, DocumentError> {
         Ok(match seam {
             Seam::RoundedRectangle(r) => Self::Rectangle(Box::new(plane_seam::rectangle(file, r)?.curve)),

@@ -77,10 +77,7 @@ impl Attitude {
     }
 }
 
-/// Checks the angles (degrees) in the table `path` of a file.
-///
-/// # Errors
-/// With the key's address.
+/// Checks the angles (degrees) in the table `path` of a file. Fails with the key's address.
 pub(crate) fn check_angles<T>(file: &Document<T>, path: &str, work: f64, travel: f64) -> Result<(), DocumentError> {
     if travel.abs() > MAX_TRAVEL_DEG {
         let message = Message::new("weld-travel-angle-too-large");

@@ -97,7 +97,6 @@ impl BeadLine {
     /// Rows inside `range` of the seam, where third derivatives may jump, mm.
     pub(crate) fn knots_within(&self, range: PathRange) -> Vec<f64> {
         // A single row is no knot: it is the same all along.
-        let rows = self.rows.iter().copied().filter(|_| self.rows.len() > 1);
-        repeated(rows, self.period, range, SAME_POSITION_MM)
+        repeated(self.rows.iter().copied().filter(|_| self.rows.len() > 1), self.period, range, SAME_POSITION_MM)
     }
 }

@@ -24,18 +24,13 @@ enum Surface {
 }
 
 impl Shell {
-    /// The outside.
-    ///
-    /// # Errors
-    /// With the key's address: sizes that contradict each other.
+    /// The outside. Fails with the key's address: sizes that contradict each other.
     pub(crate) fn outside<T>(file: &Document<T>, body: &Body) -> Result<Self, DocumentError> {
         Self::below(file, body, 0.0)
     }
 
-    /// The inside of the wall: everywhere its thickness below the outside.
-    ///
-    /// # Errors
-    /// With the key's address: a thickness that is missing or too large, a body whose inside has no closed form.
+    /// The inside of the wall: everywhere its thickness below the outside. Fails with the key's address: a thickness
+    /// that is missing or too large, a body whose inside has no closed form.
     pub(crate) fn inside<T>(file: &Document<T>, body: &Body) -> Result<Self, DocumentError> {
         let shell = Self::below(file, body, thickness(file, body)?)?;
         Ok(Self { description: Message::new("weld-body-inside").message("body", shell.description), ..shell })
@@ -126,10 +121,8 @@ impl Shell {
         Ok(Self { description, surface: Surface::Quadric(quadric) })
     }
 
-    /// The curve where a tube leaves this surface; its faces are the tube's outside and this surface's.
-    ///
-    /// # Errors
-    /// With the key's address: a tube whose wall is not on this surface all round.
+    /// The curve where a tube leaves this surface; its faces are the tube's outside and this surface's. Fails with the
+    /// key's address: a tube whose wall is not on this surface all round.
     pub(crate) fn edge<T>(
         &self,
         file: &Document<T>,
@@ -145,7 +138,6 @@ impl Shell {
         edge.map_err(|e| self.unfit(file, &e, radius))
     }
 
-    /// Distances from this surface.
     pub(crate) fn distance(self) -> Box<dyn SignedDistance> {
         match self.surface {
             Surface::Quadric(quadric) => Box::new(QuadricDistance::new(&quadric)),
@@ -165,15 +157,12 @@ impl Shell {
             Error::Tangent { .. } => ("radius_mm", Message::new("weld-allowed-nozzle-smaller")),
             _ => ("direction", Message::new("weld-allowed-nozzle-direction")),
         };
-        let allowed = allowed.message("body", self.description.clone());
-        file.error_at(&format!("seam.nozzle.{at}"), e.message(), allowed)
+        file.error_at(&format!("seam.nozzle.{at}"), e.message(), allowed.message("body", self.description.clone()))
     }
 }
 
-/// The thickness of a body's wall, mm.
-///
-/// # Errors
-/// With the key's address: a missing thickness, a wall without room inside, a body whose inside has no closed form.
+/// The thickness of a body's wall, mm. Fails with the key's address: a missing thickness, a wall without room inside, a
+/// body whose inside has no closed form.
 pub(crate) fn thickness<T>(file: &Document<T>, body: &Body) -> Result<f64, DocumentError> {
     // Key and size of the upper bound of the wall's thickness.
     let (name, given, most) = match body {
@@ -201,8 +190,7 @@ pub(crate) fn thickness<T>(file: &Document<T>, body: &Body) -> Result<f64, Docum
         None => more_than(0.0, Unit::Mm),
     };
     let Some(given) = given.map(Positive::get) else {
-        let message = Message::new("weld-set-in-wall-missing");
-        return Err(file.error_at(&path, message, allowed));
+        return Err(file.error_at(&path, Message::new("weld-set-in-wall-missing"), allowed));
     };
     let room = most.map_or(f64::INFINITY, |(key, size)| size.get() * if key == "radius_mm" { 1.0 } else { 0.5 });
     if given >= room {

@@ -15,7 +15,6 @@ pub(crate) struct Joint {
     pub(crate) bore: Option<Tube>,
     /// Radius of the chord, mm.
     pub(crate) chord: f64,
-    /// The other branch.
     pub(crate) other: Option<Leg>,
 }
 
@@ -31,11 +30,8 @@ pub(crate) struct Leg {
 const ANGLES_DEG: (f64, f64) = (10.0, 170.0);
 
 impl Joint {
-    /// The tubes of `branch`.
-    ///
-    /// # Errors
-    /// With the key's address: branches that are not within the chord, angles out of range, a wall without a bore, axes
-    /// of two branches that do not part.
+    /// The tubes of `branch`. Fails with the key's address: branches that are not within the chord, angles out of
+    /// range, a wall without a bore, axes of two branches that do not part.
     pub(crate) fn new<T>(file: &Document<T>, branch: &Branch) -> Result<Self, DocumentError> {
         let chord = branch.chord_radius_mm.get();
         let keys = Keys { file, path: "seam.branch", chord };
@@ -56,10 +52,8 @@ impl Joint {
         Ok(Self { tube: outside, bore: bore.transpose()?, chord, other: other.transpose()? })
     }
 
-    /// The seam: where the branch's outside leaves the chord, or the other branch where that trims it.
-    ///
-    /// # Errors
-    /// With the key's address: tubes that do not meet in a closed curve.
+    /// The seam: where the branch's outside leaves the chord, or the other branch where that trims it. Fails with the
+    /// key's address: tubes that do not meet in a closed curve.
     pub(crate) fn edge<T>(&self, file: &Document<T>) -> Result<Box<dyn Edge + Send + Sync>, DocumentError> {
         self.end(file, &self.tube)
     }
@@ -109,8 +103,7 @@ fn second<T>(
         let message = Message::new("weld-branches-do-not-part");
         let first = first_angle.map_or(90.0, Positive::get);
         let allowed = Message::new("weld-allowed-other-branch-angle").value("max", 180.0 - first, Unit::Deg);
-        let allowed = allowed.value("first", first, Unit::Deg);
-        return Err(file.error_at("seam.branch.other.angle_deg", message, allowed));
+        return Err(file.error_at("seam.branch.other.angle_deg", message, allowed.value("first", first, Unit::Deg)));
     }
     let one = || Message::new("weld-allowed-gap-or-offset");
     let x = match (b.gap_mm, b.offset_mm) {
@@ -125,8 +118,7 @@ fn second<T>(
             first_toe - gap.get() - toe(direction, sideways, radius, 1.0)
         }
         (None, None) => {
-            let message = Message::new("weld-branch-position-missing");
-            return Err(file.error_at("seam.branch.other", message, one()));
+            return Err(file.error_at("seam.branch.other", Message::new("weld-branch-position-missing"), one()));
         }
         (Some(_), Some(_)) => {
             let message = Message::new("weld-branch-position-twice");
@@ -158,8 +150,7 @@ impl<T> Keys<'_, T> {
         if (ANGLES_DEG.0..=ANGLES_DEG.1).contains(&degrees) {
             return Ok(degrees.to_radians());
         }
-        let allowed = between(ANGLES_DEG.0, ANGLES_DEG.1, Unit::Deg);
-        Err(self.error("angle_deg", "weld-branch-along-chord", allowed))
+        Err(self.error("angle_deg", "weld-branch-along-chord", between(ANGLES_DEG.0, ANGLES_DEG.1, Unit::Deg)))
     }
 
     fn radius(&self, radius: Positive) -> Result<f64, DocumentError> {

@@ -31,10 +31,8 @@ impl Edge for GirthEdge {
     }
 }
 
-/// The seam of a job or program file.
-///
-/// # Errors
-/// With the key's address: a cut along the tube, a zero direction along the axis.
+/// The seam of a job or program file. Fails with the key's address: a cut along the tube, a zero direction along the
+/// axis.
 pub(crate) fn edge<T>(file: &Document<T>, g: &Girth) -> Result<GirthEdge, DocumentError> {
     let direction = g.direction.unit();
     let tube = tube(g.origin_mm.get(), direction, g.zero_direction, g.radius_mm.get())

@@ -4,11 +4,10 @@ use crate::allowed::{by_key, more_than, on_weld};
 use crate::job::{Job, Station};
 use crate::order;
 use crate::seam::SeamCurve;
-use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, SchemaVersion, Transform};
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, Transform};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{
-    Pass, Program, Ramp, Repeat, Span, SpanValue, Variables, check_process_name, check_process_value, is_beyond,
-    is_same_position,
+    Pass, Program, Ramp, Span, SpanValue, check_process_name, check_process_value, is_beyond, is_same_position,
 };
 
 impl Job {
@@ -20,11 +19,6 @@ impl Job {
         let j = &job.value;
         let pass = Pass {
             name: "pass 1".to_owned(),
-            role: None,
-            repeat: Repeat::default(),
-            copy: 0,
-            begin_mm: NonNegative::default(),
-            reverse: false,
             on_limit: j.weld.on_limit,
             least_speed_mm_s: j.weld.least_speed_mm_s,
             corner: j.weld.corner,
@@ -32,18 +26,15 @@ impl Job {
             torch: j.torch.clone(),
             tolerance: j.tolerance,
             spare_axes: j.spare_axes.clone(),
-            bead: None,
             weave: j.weld.weave.clone(),
             oscillation: j.weld.oscillation,
-            points: None,
             spans: spans(job, seam)?,
+            ..Pass::default()
         };
         let copies = order::copies(job)?;
         Ok(Program {
-            schema: SchemaVersion,
             title: j.title.clone(),
             machine: j.machine.clone(),
-            variables: Variables::new(),
             offset: j.offset.clone(),
             offsets: j.offsets.clone(),
             placement: if copies.is_empty() { j.placement } else { Transform::default() },
@@ -56,17 +47,15 @@ impl Job {
             fixtures: j.fixtures.clone(),
             clearance: j.clearance,
             air: j.air,
-            procedure: None,
             passes: vec![pass],
+            ..Program::default()
         })
     }
 }
 
-/// The spans of the one pass of `job` over all of its weld: from station to station.
-///
-/// # Errors
-/// With the key's address: a weld without length, stations that do not increase or are not on the weld. Also values
-/// that the weld does not have or that ramp over all of it.
+/// The spans of the one pass of `job` over all of its weld: from station to station. Fails with the key's address: a
+/// weld without length, stations that do not increase or are not on the weld. Also values that the weld does not have
+/// or that ramp over all of it.
 pub(crate) fn spans(job: &Document<Job>, seam: &SeamCurve) -> Result<Vec<Span>, DocumentError> {
     let (weld, length) = (&job.value.weld, seam.weld_length());
     let whole = Positive::new(length).ok_or_else(|| {
@@ -110,8 +99,7 @@ pub(crate) fn check(job: &Document<Job>, length: f64) -> Result<(), DocumentErro
     for (i, at) in weld.at.iter().enumerate() {
         let (s, key) = (at.s_mm.get(), |key: &str| format!("weld.at[{i}].{key}"));
         if is_beyond(s, length) {
-            let allowed = on_weld(length, false);
-            return Err(job.error_at(&key("s_mm"), Message::new("weld-position-beside-weld"), allowed));
+            return Err(job.error_at(&key("s_mm"), Message::new("weld-position-beside-weld"), on_weld(length, false)));
         }
         if let Some(last) = last.filter(|last| !is_beyond(s, *last)) {
             let message = Message::new("weld-positions-must-increase");

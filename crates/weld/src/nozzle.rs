@@ -71,10 +71,8 @@ pub(crate) struct OnBody {
 }
 
 impl OnBody {
-    /// The nozzle of a job or program file.
-    ///
-    /// # Errors
-    /// With the key's address: sizes that contradict each other, a nozzle whose wall is not on the body all round.
+    /// The nozzle of a job or program file. Fails with the key's address: sizes that contradict each other, a nozzle
+    /// whose wall is not on the body all round.
     pub(crate) fn new<T>(file: &Document<T>, n: &Nozzle) -> Result<Self, DocumentError> {
         let tube = outside(file, n)?;
         bore(file, n)?;
@@ -88,7 +86,6 @@ impl OnBody {
     }
 }
 
-/// The nozzle's outside.
 pub(crate) fn outside<T>(file: &Document<T>, n: &Nozzle) -> Result<Tube, DocumentError> {
     tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, n.radius_mm.get())
         .map_err(|e| file.error_at("seam.nozzle.zero_direction", e.message(), not_along("direction")))

@@ -18,29 +18,18 @@ pub struct Wrong {
 
 /// Access to files and machines, for a crate without either.
 pub trait Outside {
-    /// The bytes of `file`, as the job names it.
-    ///
-    /// # Errors
-    /// Any error of reading.
+    /// The bytes of `file`, as the job names it. Errors: any error of reading.
     fn bytes(&self, file: &str) -> std::io::Result<Vec<u8>>;
 
     /// Rows of the point table `file`, as the job names it: three numbers (mm), six or nine (with one or two normals).
-    ///
-    /// # Errors
-    /// An unreadable file, or one with other columns.
+    /// Errors: an unreadable file, or one with other columns.
     fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong>;
 
     /// The torch tip (mm) in the work frame of `machine`, as the job names it. `axes` are positions in mm or degrees,
-    /// in the machine file's order.
-    ///
-    /// # Errors
-    /// No such machine, another number of axes, positions out of range.
+    /// in the machine file's order. Errors: no such machine, another number of axes, positions out of range.
     fn tip(&self, machine: &str, axes: &[f64]) -> Result<DVec3, Wrong>;
 
-    /// The axes of `machine`, as the job names it.
-    ///
-    /// # Errors
-    /// No such machine.
+    /// The axes of `machine`, as the job names it. Errors: no such machine.
     fn axes(&self, _machine: &str) -> Result<Arc<dyn MachineAxes>, Wrong> {
         let allowed = Message::new("weld-allowed-tip-coordinates");
         Err(Wrong { message: Message::new("weld-no-machine-here"), allowed })
@@ -65,10 +54,8 @@ impl Outside for NoFiles {
     }
 }
 
-/// Loads the points that are outside `file`. The keys that named them stay until [`forget`], for errors.
-///
-/// # Errors
-/// With the key's address: faults outside, points given twice.
+/// Loads the points that are outside `file`. The keys that named them stay until [`forget`], for errors. Fails with the
+/// key's address: faults outside, points given twice.
 pub(crate) fn fetch<T>(
     file: &Document<T>,
     seam: Option<&mut Seam>,
@@ -94,8 +81,7 @@ pub(crate) fn fetch<T>(
         for (k, row) in span.axes.iter().enumerate() {
             let wrong = |w: Wrong| file.error_at(&format!("taught[{i}].axes[{k}]"), w.message, w.allowed);
             let row: Vec<f64> = row.iter().map(|v| v.get()).collect();
-            let tip = outside.tip(machine, &row).map_err(wrong)?;
-            let point = Point::new(to_seam.transform_point3(tip));
+            let point = Point::new(to_seam.transform_point3(outside.tip(machine, &row).map_err(wrong)?));
             span.points_mm.push(point.ok_or_else(|| wrong(infinite()))?);
         }
     }

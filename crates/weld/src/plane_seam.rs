@@ -35,7 +35,6 @@ pub(crate) fn circle<T>(file: &Document<T>, c: &Circle) -> Result<CurvedEdge<Ell
     Ok(CurvedEdge { curve, faces: faces(c.joint, WallFaces::Right, normal) })
 }
 
-/// The edge of a seam along an arc.
 pub(crate) fn arc<T>(file: &Document<T>, a: &Arc) -> Result<CurvedEdge<geometry::Arc>, DocumentError> {
     let curve = geometry::Arc::through(a.start_mm.get(), a.via_mm.get(), a.end_mm.get()).map_err(|e| {
         file.error_at("seam.arc.via_mm", e.message(), Message::new("weld-allowed-point-off-line-or-line-seam"))
@@ -52,7 +51,6 @@ pub(crate) fn arc<T>(file: &Document<T>, a: &Arc) -> Result<CurvedEdge<geometry:
     Ok(CurvedEdge { curve, faces: faces(a.joint, a.wall_faces, normal) })
 }
 
-/// The edge of a seam along a rectangle.
 pub(crate) fn rectangle<T>(
     file: &Document<T>,
     r: &RoundedRectangle,
@@ -62,8 +60,7 @@ pub(crate) fn rectangle<T>(
     let most = 0.5 * size.min_element();
     if r.corner_mm.get() > most {
         let message = Message::new("weld-corner-radius-too-large");
-        let allowed = between(0.0, most, Unit::Mm);
-        return Err(file.error_at("seam.rounded_rectangle.corner_mm", message, allowed));
+        return Err(file.error_at("seam.rounded_rectangle.corner_mm", message, between(0.0, most, Unit::Mm)));
     }
     let direction = zero(normal, r.width_direction);
     let curve = geometry::RoundedRectangle::new(r.centre_mm.get(), normal, direction, size, r.corner_mm.get())
@@ -97,8 +94,7 @@ pub(crate) fn polyline<T>(file: &Document<T>, p: &Polyline) -> Result<CurvedEdge
     let last = points.len() - 1;
     if p.closed && points[last].distance(points[0]) <= TILTED * size {
         let message = Message::new("weld-last-point-repeated");
-        let allowed = Message::new("weld-allowed-leave-point-out");
-        return Err(file.error_at(&format!("{path}[{last}]"), message, allowed));
+        return Err(file.error_at(&format!("{path}[{last}]"), message, Message::new("weld-allowed-leave-point-out")));
     }
     let allowed = || Message::new("weld-allowed-other-points");
     let curve = Chain::through(&points, p.closed).map_err(|e| file.error_at(path, e.message(), allowed()))?;

@@ -7,11 +7,8 @@ use seamwright_message::{Message, Unit};
 use seamwright_program::{PROCEDURES, Procedure, Program, shipped_procedure};
 use std::path::Path;
 
-/// The procedure of `job`, checked against the passes of its `program`; `outside` gets files by their paths from
-/// the job's folder.
-///
-/// # Errors
-/// With the address in the job (no such procedure) or in the procedure file.
+/// The procedure of `job`, checked against the passes of its `program`; `outside` gets files by their paths from the
+/// job's folder. Fails with the address in the job (no such procedure) or in the procedure file.
 pub(crate) fn of_job(
     job: &Document<Job>,
     program: &Program,
@@ -28,8 +25,7 @@ pub(crate) fn of_job(
                 job.error_at("procedure", message, allowed)
             })?;
             let text = String::from_utf8(bytes).map_err(|_| {
-                let message = Message::new("weld-procedure-not-text");
-                job.error_at("procedure", message, Message::new("weld-allowed-toml"))
+                job.error_at("procedure", Message::new("weld-procedure-not-text"), Message::new("weld-allowed-toml"))
             })?;
             let folder = Path::new(job.file()).parent().unwrap_or(Path::new(""));
             Procedure::read(&folder.join(name).display().to_string(), &text)?

@@ -98,8 +98,7 @@ impl SeamCurve {
         let edge = TaughtEdge::new(file, &nominal, taught)?;
         let joins = edge.joins();
         let mut whole = Self::along(file, Box::new(edge), seam, start)?;
-        let spans = joins.into_iter().map(|join| join.by_length(|u| whole.s_at(u)));
-        whole.taught = Some((nominal, spans.collect()));
+        whole.taught = Some((nominal, joins.into_iter().map(|join| join.by_length(|u| whole.s_at(u))).collect()));
         Ok(whole)
     }
 
@@ -211,8 +210,7 @@ impl SeamCurve {
             let s = self.sense * (self.curve.length_at(u) - self.start);
             if self.closed { s.rem_euclid(length) } else { s }
         };
-        let places = self.curve.curve().breaks().into_iter().map(place);
-        repeated(places, self.closed.then_some(length), range, SAME_MM)
+        repeated(self.curve.curve().breaks().into_iter().map(place), self.closed.then_some(length), range, SAME_MM)
     }
 
     /// Path length from the start of the weld of the curve's parameter `u`, mm.

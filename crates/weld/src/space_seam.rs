@@ -18,8 +18,7 @@ pub(crate) fn helix<T>(file: &Document<T>, h: &Helix) -> Result<CurvedEdge<geome
     let tube = tube(about, axis, h.zero_direction, h.radius_mm.get())
         .map_err(|e| wrong("zero_direction", e.message(), not_along("direction")))?;
     if h.pitch_mm.get().abs() <= 0.0 {
-        let message = Message::new("weld-helix-without-pitch");
-        return Err(wrong("pitch_mm", message, Message::new("weld-allowed-pitch")));
+        return Err(wrong("pitch_mm", Message::new("weld-helix-without-pitch"), Message::new("weld-allowed-pitch")));
     }
     if h.turns.get() > MAX_TURNS {
         return Err(wrong("turns", Message::new("weld-helix-too-long"), at_most(MAX_TURNS, Unit::One)));

@@ -11,10 +11,8 @@ const APART_MM: f64 = 1e-3;
 /// Maximum number of points of a seam.
 const MAX_POINTS: usize = 20_000;
 
-/// The edge of a seam along a spline.
-///
-/// # Errors
-/// With the key's address: too few points, coincident points, a curve that turns back, normals along it.
+/// The edge of a seam along a spline. Fails with the key's address: too few points, coincident points, a curve that
+/// turns back, normals along it.
 pub(crate) fn edge<T>(file: &Document<T>, s: &Spline) -> Result<SplineEdge, DocumentError> {
     let points: Vec<DVec3> = s.points_mm.iter().map(|p| p.get()).collect();
     let at = At { file, from_file: s.file.is_some() };
@@ -63,10 +61,8 @@ impl<T> At<'_, T> {
         self.file.error_at(&format!("seam.spline.{key}"), message, allowed)
     }
 
-    /// At point `i`.
     fn at_point(&self, i: usize, code: &'static str, allowed: Message) -> DocumentError {
-        let message = Message::new(code).text("point", (i + 1).to_string());
-        self.fault(&format!("points_mm[{i}]"), message, allowed)
+        self.fault(&format!("points_mm[{i}]"), Message::new(code).text("point", (i + 1).to_string()), allowed)
     }
 
     fn check(&self, s: &Spline, points: &[DVec3]) -> Result<(), DocumentError> {
@@ -92,8 +88,7 @@ impl<T> At<'_, T> {
         let chords = [(0, 1, "start_tangent", s.start_tangent), (last - 1, last, "end_tangent", s.end_tangent)];
         for (a, b, key, tangent) in chords {
             if tangent.is_some_and(|t| t.unit().dot(points[b] - points[a]) <= 0.0) {
-                let message = Message::new("weld-tangent-backwards");
-                return Err(self.wrong(key, message, "weld-allowed-welding-direction"));
+                return Err(self.wrong(key, Message::new("weld-tangent-backwards"), "weld-allowed-welding-direction"));
             }
         }
         for (key, normals) in [("first_normals", &s.first_normals), ("second_normals", &s.second_normals)] {

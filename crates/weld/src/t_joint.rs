@@ -22,10 +22,8 @@ pub(crate) struct Middle {
 }
 
 impl Middle {
-    /// The middle line of a job's or program's joint.
-    ///
-    /// # Errors
-    /// With the key's address: no length, no arc, a skin along the web.
+    /// The middle line of a job's or program's joint. Fails with the key's address: no length, no arc, a skin along the
+    /// web.
     pub(crate) fn new<T>(file: &Document<T>, joint: &TJoint) -> Result<Self, DocumentError> {
         let key = |k: &str| format!("seam.t_joint.{k}");
         let (start, end) = (joint.start_mm.get(), joint.end_mm.get());

@@ -78,9 +78,7 @@ struct ByArc {
 
 impl TaughtEdge {
     /// `nominal` with the spans `taught` of a job or program.
-    ///
-    /// # Errors
-    /// With the key's address: see [`SeamCurve::with_taught`].
+    /// Fails with the key's address: see [`SeamCurve::with_taught`].
     pub(crate) fn new<T>(
         file: &Document<T>,
         nominal: &Arc<SeamCurve>,
@@ -146,7 +144,6 @@ impl Span {
         self.curve.domain().1 / (self.to - self.from)
     }
 
-    /// The edge's parameter at a parameter of the spline.
     fn parameter(&self, t: f64) -> f64 {
         self.from + t / self.rate()
     }
@@ -259,8 +256,7 @@ impl<T> Making<'_, T> {
         let (first, last) = (by_arc(nominal, lengths[0], -1.0), by_arc(nominal, lengths[lengths.len() - 1], 1.0));
         let count = all.len();
         (all[0], all[count - 1]) = (first.point, last.point);
-        let span = self.build(&all, &lengths, &first, &last);
-        let span = span.map_err(|e| {
+        let span = self.build(&all, &lengths, &first, &last).map_err(|e| {
             let path = format!("taught[{}]", self.number);
             self.file.error_at(&path, e.message(), Message::new("weld-allowed-smooth-points"))
         })?;
@@ -301,8 +297,7 @@ impl<T> Making<'_, T> {
             let within = self.taught.within_mm.get();
             if away > within {
                 let message = Message::new("weld-taught-point-far").quantity("distance", away, Unit::Mm, 3);
-                let allowed = by_key("weld-allowed-taught-within", "within_mm", within);
-                return Err(self.wrong(i, message, allowed));
+                return Err(self.wrong(i, message, by_key("weld-allowed-taught-within", "within_mm", within)));
             }
             let after = feet.last().copied().unwrap_or(from);
             if s <= after + APART_MM || s >= to - APART_MM {

@@ -61,8 +61,7 @@ pub(crate) fn hemispherical<T>(file: &Document<T>, h: &HemisphericalHead, depth:
 /// A flat plate with a knuckle.
 pub(crate) fn flat<T>(file: &Document<T>, h: &FlatHead, depth: f64) -> Result<Head, DocumentError> {
     let at = At { file, key: "flat_head" };
-    let inside = at.inside(h.outer_diameter_mm, h.thickness_mm)?;
-    at.knuckle(inside, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
+    at.knuckle(at.inside(h.outer_diameter_mm, h.thickness_mm)?, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
     let knuckle = h.knuckle_radius_mm.get() + (h.thickness_mm.get() - depth);
     let radius = 0.5 * h.outer_diameter_mm.get() - depth;
     let flange = Flange { centre: h.centre_mm.get(), axis: h.axis.unit(), radius, length: h.flange_mm.get() };
@@ -72,8 +71,7 @@ pub(crate) fn flat<T>(file: &Document<T>, h: &FlatHead, depth: f64) -> Result<He
 /// A cone with a knuckle.
 pub(crate) fn conical<T>(file: &Document<T>, h: &ConicalHead, depth: f64) -> Result<Head, DocumentError> {
     let at = At { file, key: "conical_head" };
-    let inside = at.inside(h.outer_diameter_mm, h.thickness_mm)?;
-    at.knuckle(inside, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
+    at.knuckle(at.inside(h.outer_diameter_mm, h.thickness_mm)?, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
     let angle = h.half_angle_deg.get();
     if angle >= 90.0 {
         let message = Message::new("weld-cone-angle-too-large");

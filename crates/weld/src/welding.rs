@@ -24,7 +24,6 @@ pub struct Welding {
     pub program: Document<Program>,
     /// The seam by path length from the start of the weld; `None` if all passes go through points.
     pub seam: Option<SeamCurve>,
-    /// Line of each pass.
     lines: Vec<Arc<PassLine>>,
     /// Keys of each pass' values in the file.
     keys: Vec<PassKeys>,
@@ -63,8 +62,7 @@ impl Welding {
         } else {
             let mut job = Job::read(file, text)?;
             let (mut seam, mut taught) = (job.value.seam.clone(), job.value.taught.clone());
-            let frame = job.value.seam_in_work();
-            fetch(&job, Some(&mut seam), &mut taught, &job.value.machine, frame, outside)?;
+            fetch(&job, Some(&mut seam), &mut taught, &job.value.machine, job.value.seam_in_work(), outside)?;
             (job.value.seam, job.value.taught) = (seam, taught);
             Self::from_job(&job, outside)?
         };
@@ -121,8 +119,8 @@ impl Welding {
 
     fn from_program(program: &Document<Program>, outside: &dyn Outside) -> Result<Self, DocumentError> {
         let p = &program.value;
-        let seam = p.seam.as_ref().map(|seam| SeamCurve::with_taught(program, seam, &p.start, &p.taught));
-        let seam = seam.transpose()?;
+        let seam =
+            p.seam.as_ref().map(|seam| SeamCurve::with_taught(program, seam, &p.start, &p.taught)).transpose()?;
         let keys: Vec<PassKeys> = (0..p.passes.len()).map(PassKeys::listed).collect();
         let lines = pass_lines(program, seam.as_ref(), &keys, outside)?;
         let joint = match (&p.joint, &seam) {
@@ -214,16 +212,12 @@ fn gaps(pass: &Pass, number: usize) -> Option<Finding> {
     Some(Finding::error("oscillation", message, number, PathRange::up_to(pass.length()), cure))
 }
 
-/// Line of a pass.
 #[derive(Debug)]
 enum PassLine {
-    /// Along the seam.
     Seam(Box<SeamLine>),
-    /// Through points.
     Points(Box<PointPath>),
 }
 
-/// Line of a pass along the seam.
 #[derive(Debug)]
 struct SeamLine {
     /// The part of the seam.

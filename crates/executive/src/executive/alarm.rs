@@ -1,98 +1,78 @@
 use crate::tracking::trouble;
-use seamwright_message::{Argument, Language, Message};
+use seamwright_message::{Argument, Language, Message, named_enum};
 
-/// Reaction of the cell to an alarm, the mildest first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Reaction {
-    /// Report only.
-    Tell,
-    /// Hold the program on its path, as by the operator: the crater is filled.
-    Hold,
-    /// Switch the process off at once, hold the program.
-    ProcessOff,
-    /// Switch the process off at once, stop on the path within limits, then switch the drives off.
-    Stop,
-    /// Switch process and drives off at once; the brakes close.
-    PowerOff,
-}
-
-impl Reaction {
-    /// Its name in files and interfaces; for people there is [`Reaction::message`].
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Tell => "told",
-            Self::Hold => "hold",
-            Self::ProcessOff => "process off, hold",
-            Self::Stop => "process off, stop, power off",
-            Self::PowerOff => "process and power off",
-        }
-    }
-
-    /// Returns its words.
-    pub fn message(self) -> Message {
-        Message::new(match self {
-            Self::Tell => "alarm-reaction-report",
-            Self::Hold => "alarm-reaction-hold",
-            Self::ProcessOff => "alarm-reaction-process-off",
-            Self::Stop => "alarm-reaction-stop",
-            Self::PowerOff => "alarm-reaction-power-off",
-        })
+named_enum! {
+    /// Reaction of the cell to an alarm, the mildest first.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Reaction {
+        /// Report only.
+        Tell => "told", "alarm-reaction-report";
+        /// Hold the program on its path, as by the operator: the crater is filled.
+        Hold => "hold", "alarm-reaction-hold";
+        /// Switch the process off at once, hold the program.
+        ProcessOff => "process off, hold", "alarm-reaction-process-off";
+        /// Switch the process off at once, stop on the path within limits, then switch the drives off.
+        Stop => "process off, stop, power off", "alarm-reaction-stop";
+        /// Switch process and drives off at once; the brakes close.
+        PowerOff => "process and power off", "alarm-reaction-power-off";
     }
 }
 
-/// Alarms of a cell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Alarm {
-    /// An interlock condition of the machine file is not met; the detail is its number.
-    Interlock,
-    /// An axis' drive reports a fault.
-    DriveFault,
-    /// An axis is on a limit switch.
-    LimitSwitch,
-    /// The following error of an axis is too large.
-    FollowingError,
-    /// Drives have lost their power although it is requested.
-    DrivePower,
-    /// The drives do not answer.
-    DrivesSilent,
-    /// The drives have restarted: references are lost.
-    DrivesRestarted,
-    /// The references were not found in time.
-    NoReference,
-    /// The inputs are out of date.
-    InputsSilent,
-    /// The input device has restarted.
-    InputsRestarted,
-    /// The process source does not answer.
-    SourceSilent,
-    /// The process source has restarted.
-    SourceRestarted,
-    /// The process source reports a fault of its own.
-    SourceFault,
-    /// Arc or beam did not ignite.
-    NoArc,
-    /// Arc or beam was lost.
-    ArcLost,
-    /// Arc or beam is on although it is ordered off.
-    ProcessStuckOn,
-    /// A process value is out of tolerance; the detail is its number.
-    ProcessValue,
-    /// The wire sticks in the pool after the end.
-    WireStuck,
-    /// Cycles were missed.
-    Overrun,
-    /// The motion cannot continue.
-    MotionStuck,
-    /// The panel fell silent while axes were jogged.
-    PanelSilent,
-    /// Jogging was stopped by an obstacle or a limit.
-    JogStopped,
-    /// The record of the weld cannot be written.
-    RecordFailing,
-    /// Tracking does not see the joint or cannot follow it.
-    Tracking,
-    /// The drives ran out of set-points.
-    Starved,
+named_enum! {
+    /// Alarms of a cell.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    pub enum Alarm {
+        /// An interlock condition of the machine file is not met; the detail is its number.
+        Interlock => "condition not met",
+        /// An axis' drive reports a fault.
+        DriveFault => "drive fault",
+        /// An axis is on a limit switch.
+        LimitSwitch => "limit switch",
+        /// The following error of an axis is too large.
+        FollowingError => "following error",
+        /// Drives have lost their power although it is requested.
+        DrivePower => "drives without power",
+        /// The drives do not answer.
+        DrivesSilent => "drives silent",
+        /// The drives have restarted: references are lost.
+        DrivesRestarted => "drives restarted",
+        /// The references were not found in time.
+        NoReference => "no reference",
+        /// The inputs are out of date.
+        InputsSilent => "inputs silent",
+        /// The input device has restarted.
+        InputsRestarted => "inputs restarted",
+        /// The process source does not answer.
+        SourceSilent => "process source silent",
+        /// The process source has restarted.
+        SourceRestarted => "process source restarted",
+        /// The process source reports a fault of its own.
+        SourceFault => "process source fault",
+        /// Arc or beam did not ignite.
+        NoArc => "no arc or beam",
+        /// Arc or beam was lost.
+        ArcLost => "arc or beam lost",
+        /// Arc or beam is on although it is ordered off.
+        ProcessStuckOn => "arc or beam stays on",
+        /// A process value is out of tolerance; the detail is its number.
+        ProcessValue => "process value off",
+        /// The wire sticks in the pool after the end.
+        WireStuck => "wire stuck",
+        /// Cycles were missed.
+        Overrun => "cycles missed",
+        /// The motion cannot continue.
+        MotionStuck => "motion stuck",
+        /// The panel fell silent while axes were jogged.
+        PanelSilent => "panel silent",
+        /// Jogging was stopped by an obstacle or a limit.
+        JogStopped => "jog stopped",
+        /// The record of the weld cannot be written.
+        RecordFailing => "record failing",
+        /// Tracking does not see the joint or cannot follow it.
+        Tracking => "tracking",
+        /// The drives ran out of set-points.
+        Starved => "set-points missing",
+    }
 }
 
 /// An entry of the catalogue of alarms (ISA-18.2): cause, consequence, operator action. Its words have codes like
@@ -114,69 +94,9 @@ pub struct Entry {
 }
 
 impl Alarm {
-    /// All alarms, in the order of the catalogue.
-    pub const ALL: [Self; 25] = [
-        Self::Interlock,
-        Self::DriveFault,
-        Self::LimitSwitch,
-        Self::FollowingError,
-        Self::DrivePower,
-        Self::DrivesSilent,
-        Self::DrivesRestarted,
-        Self::NoReference,
-        Self::InputsSilent,
-        Self::InputsRestarted,
-        Self::SourceSilent,
-        Self::SourceRestarted,
-        Self::SourceFault,
-        Self::NoArc,
-        Self::ArcLost,
-        Self::ProcessStuckOn,
-        Self::ProcessValue,
-        Self::WireStuck,
-        Self::Overrun,
-        Self::MotionStuck,
-        Self::PanelSilent,
-        Self::JogStopped,
-        Self::RecordFailing,
-        Self::Tracking,
-        Self::Starved,
-    ];
-
     /// Its number in the catalogue, from 1.
     pub fn number(self) -> usize {
         self as usize + 1
-    }
-
-    /// Its name in files and interfaces; for people there is its title.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Interlock => "condition not met",
-            Self::DriveFault => "drive fault",
-            Self::LimitSwitch => "limit switch",
-            Self::FollowingError => "following error",
-            Self::DrivePower => "drives without power",
-            Self::DrivesSilent => "drives silent",
-            Self::DrivesRestarted => "drives restarted",
-            Self::NoReference => "no reference",
-            Self::InputsSilent => "inputs silent",
-            Self::InputsRestarted => "inputs restarted",
-            Self::SourceSilent => "process source silent",
-            Self::SourceRestarted => "process source restarted",
-            Self::SourceFault => "process source fault",
-            Self::NoArc => "no arc or beam",
-            Self::ArcLost => "arc or beam lost",
-            Self::ProcessStuckOn => "arc or beam stays on",
-            Self::ProcessValue => "process value off",
-            Self::WireStuck => "wire stuck",
-            Self::Overrun => "cycles missed",
-            Self::MotionStuck => "motion stuck",
-            Self::PanelSilent => "panel silent",
-            Self::JogStopped => "jog stopped",
-            Self::RecordFailing => "record failing",
-            Self::Tracking => "tracking",
-            Self::Starved => "set-points missing",
-        }
     }
 
     /// Reaction of the cell.
@@ -255,8 +175,7 @@ impl Alarm {
             ("text", _, _, Some(Argument::Text(text))) => {
                 let split = text.strip_suffix(')').and_then(|text| text.split_once(" ("));
                 let (name, of) = split.map_or((text.as_str(), None), |(name, of)| (name, Some(of)));
-                let alarm = Self::ALL.into_iter().find(|alarm| alarm.name() == name)?;
-                Some((alarm, of.map(Message::verbatim)))
+                Some((Self::ALL.into_iter().find(|alarm| alarm.name() == name)?, of.map(Message::verbatim)))
             }
             (code, ..) => Some((of_code(code)?, None)),
         }

@@ -121,59 +121,44 @@ impl Ask {
         mode.after(event).err().map(Missing::Mode).or((needs_power && !powered).then_some(Missing::Power))
     }
 
+    /// Its name in files and interfaces, and the code of its words.
+    fn words(&self) -> [&'static str; 2] {
+        match self {
+            Self::SwitchOn => ["switch on", "cell-ask-switch-on"],
+            Self::SwitchOff => ["switch off", "cell-ask-switch-off"],
+            Self::Home => ["home", "cell-ask-home"],
+            Self::HomeAxis(_) => ["home axis", "cell-ask-home-axis"],
+            Self::StartJog => ["start jog", "cell-ask-start-jog"],
+            Self::StartTeach => ["start teach", "cell-ask-start-teach"],
+            Self::Jog(_) => ["jog", "cell-ask-jog"],
+            Self::StartDryRun => ["start dry run", "cell-ask-start-dry-run"],
+            Self::Arm => ["arm", "cell-ask-arm"],
+            Self::StartWeld => ["start weld", "cell-ask-start-weld"],
+            Self::Hold => ["hold", "cell-ask-hold"],
+            Self::Resume => ["resume", "cell-ask-resume"],
+            Self::Reverse => ["reverse", "cell-ask-reverse"],
+            Self::Stop => ["stop", "cell-ask-stop"],
+            Self::Override(_) => ["override", "cell-ask-override"],
+            Self::Reset => ["reset", "cell-ask-reset"],
+            Self::Acknowledge => ["acknowledge", "cell-ask-acknowledge"],
+            Self::AcknowledgeOne(..) => ["acknowledge one", "cell-ask-acknowledge-one"],
+            Self::Why(_) => ["why", "cell-ask-why"],
+            Self::Load => ["load", "cell-ask-load"],
+            Self::Quit => ["quit", "cell-ask-quit"],
+        }
+    }
+
     /// Its name in files and interfaces; for people there is [`Ask::message`].
     pub fn name(&self) -> &'static str {
-        match self {
-            Self::SwitchOn => "switch on",
-            Self::SwitchOff => "switch off",
-            Self::Home => "home",
-            Self::HomeAxis(_) => "home axis",
-            Self::StartJog => "start jog",
-            Self::StartTeach => "start teach",
-            Self::Jog(_) => "jog",
-            Self::StartDryRun => "start dry run",
-            Self::Arm => "arm",
-            Self::StartWeld => "start weld",
-            Self::Hold => "hold",
-            Self::Resume => "resume",
-            Self::Reverse => "reverse",
-            Self::Stop => "stop",
-            Self::Override(_) => "override",
-            Self::Reset => "reset",
-            Self::Acknowledge => "acknowledge",
-            Self::AcknowledgeOne(..) => "acknowledge one",
-            Self::Why(_) => "why",
-            Self::Load => "load",
-            Self::Quit => "quit",
-        }
+        self.words()[0]
     }
 
     /// Returns its words.
     pub fn message(&self) -> Message {
-        Message::new(match self {
-            Self::SwitchOn => "cell-ask-switch-on",
-            Self::SwitchOff => "cell-ask-switch-off",
-            Self::Home => "cell-ask-home",
-            Self::HomeAxis(_) => "cell-ask-home-axis",
-            Self::StartJog => "cell-ask-start-jog",
-            Self::StartTeach => "cell-ask-start-teach",
-            Self::Jog(_) => "cell-ask-jog",
-            Self::StartDryRun => "cell-ask-start-dry-run",
-            Self::Arm => "cell-ask-arm",
-            Self::StartWeld => "cell-ask-start-weld",
-            Self::Hold => "cell-ask-hold",
-            Self::Resume => "cell-ask-resume",
-            Self::Reverse => "cell-ask-reverse",
-            Self::Stop => "cell-ask-stop",
-            Self::Override(part) => {
-                return Message::new("cell-ask-override").quantity("override", 100.0 * part, Unit::Percent, 0);
-            }
-            Self::Reset => "cell-ask-reset",
-            Self::Acknowledge => "cell-ask-acknowledge",
-            Self::AcknowledgeOne(..) => "cell-ask-acknowledge-one",
-            Self::Why(_) => "cell-ask-why",
-            Self::Load => "cell-ask-load",
-            Self::Quit => "cell-ask-quit",
-        })
+        let message = Message::new(self.words()[1]);
+        match self {
+            Self::Override(part) => message.quantity("override", 100.0 * part, Unit::Percent, 0),
+            _ => message,
+        }
     }
 }

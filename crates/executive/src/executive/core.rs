@@ -58,11 +58,6 @@ impl<'a, D: Devices, P> Executive<'a, D, P> {
         self
     }
 
-    /// Returns the devices, at its end.
-    pub fn into_devices(self) -> D {
-        self.io.devices
-    }
-
     /// Returns the devices; between two calls of [`Executive::serve`] parts of them can be changed.
     pub fn devices_mut(&mut self) -> &mut D {
         &mut self.io.devices

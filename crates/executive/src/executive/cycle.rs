@@ -58,7 +58,6 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             feed_override: self.requests.feed_override,
             tracked: self.guide.tracked(),
         };
-        let cycle = Cycle { status, orders: &self.io.orders, reports: &self.io.reports, alarms: &self.alarms };
-        self.port.show(&cycle);
+        self.port.show(&Cycle { status, orders: &self.io.orders, reports: &self.io.reports, alarms: &self.alarms });
     }
 }

@@ -2,6 +2,7 @@ use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_servo::SetPoint;
 use seamwright_tracking::beam::{Beam, Picture};
 use seamwright_tracking::lead::Measurement;
+use std::ops::DerefMut;
 
 /// Maximum number of process values of a weld.
 pub const VALUES: usize = 16;
@@ -192,25 +193,8 @@ pub trait Devices {
     }
 }
 
-impl<D: Devices + ?Sized> Devices for Box<D> {
-    fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
-        (**self).exchange(orders, reports);
-    }
-
-    fn rides_out(&self) -> Slack {
-        (**self).rides_out()
-    }
-
-    fn drives_late_s(&self) -> f64 {
-        (**self).drives_late_s()
-    }
-
-    fn picture(&self) -> Option<Picture<'_>> {
-        (**self).picture()
-    }
-}
-
-impl<D: Devices + ?Sized> Devices for &mut D {
+/// Boxes and references of devices.
+impl<T: DerefMut<Target: Devices>> Devices for T {
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
         (**self).exchange(orders, reports);
     }

@@ -43,7 +43,6 @@ impl<D: Devices> DeviceIo<D> {
         !self.reports.drives.referenced & self.axes
     }
 
-    /// Returns the positions of the set-points.
     pub(super) fn positions(&self) -> Joints {
         self.orders.set.map(|set| set.position)
     }

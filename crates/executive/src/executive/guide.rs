@@ -100,10 +100,7 @@ pub trait Guide {
     /// Runs one cycle of the search before the pass, from its start and back to it; `None` when the search is over.
     /// Comes to rest unless it `goes`, and ends only while it `goes`.
     fn look(&mut self, seen: &Seen<'_>, goes: bool) -> Option<Guided>;
-    /// Returns whether the pass may be run after the search.
-    ///
-    /// # Errors
-    /// The tracking fault.
+    /// Returns whether the pass may be run after the search. Errors: the tracking fault.
     fn ready(&mut self) -> Result<(), Trouble>;
     /// Runs one cycle of the pass.
     fn follow(&mut self, seen: &Seen<'_>, planned: &Planned<'_>) -> Guided;

@@ -6,11 +6,9 @@ use seamwright_machine::Joints;
 /// The guide of the passes, and its last answer.
 pub(super) struct GuideState<'a> {
     pub(super) guide: Option<&'a mut (dyn Guide + 'a)>,
-    /// The guide corrects the current pass.
     pub(super) corrects: bool,
     /// Maximum feed override of the guide.
     feed_override: f64,
-    /// Its last trouble.
     pub(super) trouble: Option<Trouble>,
     /// Planned positions of the pass in the last cycle.
     pub(super) planned_q: Joints,
@@ -42,7 +40,6 @@ impl<'a> GuideState<'a> {
         self.feed_override = guided.feed_override;
     }
 
-    /// Returns the tracking state of each head.
     pub(super) fn tracked(&self) -> [Option<Tracked>; 2] {
         self.guide.as_ref().filter(|_| self.corrects).map_or([None; 2], |guide| guide.tracked())
     }

@@ -17,7 +17,6 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         self.guide.ask(self.clock.now(), &self.io, ask)
     }
 
-    /// Takes the set-points of a guide.
     fn take_guided(&mut self, guided: &Guided) {
         self.io.set(&guided.q, &guided.v, &guided.a);
         self.guide.take(guided);

@@ -46,8 +46,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         if self.mode != Mode::Homing {
             return;
         }
-        let machine = self.machine;
-        self.send_home(&machine.home_order, work);
+        self.send_home(&self.machine.home_order, work);
     }
 
     /// Sends axes to their home positions, one after another; then ends homing.

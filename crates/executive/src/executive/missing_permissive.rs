@@ -1,6 +1,6 @@
 use super::alarm::{Alarm, named};
 use super::mode::Refused;
-use seamwright_message::{Argument, Message};
+use seamwright_message::{Argument, Message, named_enum};
 
 /// Reasons why an action is not possible now.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,15 +35,17 @@ pub enum Missing {
     Motion,
 }
 
-/// A device that does not answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SilentDevice {
-    /// The drives.
-    Drives,
-    /// The input device.
-    Inputs,
-    /// The process source.
-    Source,
+named_enum! {
+    /// A device that does not answer.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum SilentDevice {
+        /// The drives.
+        Drives => "drives", "cell-device-drives";
+        /// The input device.
+        Inputs => "inputs", "cell-device-inputs";
+        /// The process source.
+        Source => "process source", "cell-device-source";
+    }
 }
 
 impl Missing {
@@ -73,24 +75,5 @@ impl Missing {
             Self::Value => Message::new("cell-missing-value"),
             Self::Motion => Message::new("cell-missing-motion"),
         }
-    }
-}
-
-impl SilentDevice {
-    /// Its name in interfaces.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Drives => "drives",
-            Self::Inputs => "inputs",
-            Self::Source => "process source",
-        }
-    }
-
-    fn message(self) -> Message {
-        Message::new(match self {
-            Self::Drives => "cell-device-drives",
-            Self::Inputs => "cell-device-inputs",
-            Self::Source => "cell-device-source",
-        })
     }
 }

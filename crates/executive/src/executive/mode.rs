@@ -1,77 +1,67 @@
-use seamwright_message::{Argument, Message, display_by_message};
+use seamwright_message::{Argument, Message, display_by_message, named_enum};
 use std::fmt;
 
-/// Operating mode of the cell. Power means that the drives hold or move the axes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Mode {
-    /// Drives without power, brakes closed.
-    Off,
-    /// Power on, positions unknown.
-    Idle,
-    /// The axes search for their references.
-    Homing,
-    /// Power on, positions known, at rest.
-    Ready,
-    /// The operator jogs axes.
-    Jog,
-    /// Jogging with recording of positions.
-    Teach,
-    /// The program runs with the process off.
-    DryRun,
-    /// The program runs with the process on.
-    Weld,
-    /// A program is stopped on its path and can resume.
-    Hold,
-    /// Tripped; nothing moves before a reset.
-    Fault,
+named_enum! {
+    /// Operating mode of the cell. Power means that the drives hold or move the axes.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    pub enum Mode {
+        /// Drives without power, brakes closed.
+        Off => "off", "cell-mode-off";
+        /// Power on, positions unknown.
+        Idle => "idle", "cell-mode-idle";
+        /// The axes search for their references.
+        Homing => "homing", "cell-mode-homing";
+        /// Power on, positions known, at rest.
+        Ready => "ready", "cell-mode-ready";
+        /// The operator jogs axes.
+        Jog => "jog", "cell-mode-jog";
+        /// Jogging with recording of positions.
+        Teach => "teach", "cell-mode-teach";
+        /// The program runs with the process off.
+        DryRun => "dry run", "cell-mode-dry-run";
+        /// The program runs with the process on.
+        Weld => "weld", "cell-mode-weld";
+        /// A program is stopped on its path and can resume.
+        Hold => "hold", "cell-mode-hold";
+        /// Tripped; nothing moves before a reset.
+        Fault => "fault", "cell-mode-fault";
+    }
 }
 
-/// Events of the cell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Event {
-    /// Power-on request.
-    SwitchOn,
-    /// Power-off request.
-    SwitchOff,
-    /// Homing request.
-    Home,
-    /// All references are known.
-    Homed,
-    /// Jogging request.
-    Jog,
-    /// Teaching request.
-    Teach,
-    /// Request to start or resume the program without process.
-    DryRun,
-    /// Request to start or resume the program with process.
-    Weld,
-    /// Stop on the path.
-    Hold,
-    /// The current activity has finished.
-    Finish,
-    /// Abort the current activity.
-    Abort,
-    /// An alarm trips the cell.
-    Trip,
-    /// Fault reset.
-    Reset,
+named_enum! {
+    /// Events of the cell.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    pub enum Event {
+        /// Power-on request.
+        SwitchOn => "switch on", "cell-trigger-switch-on";
+        /// Power-off request.
+        SwitchOff => "switch off", "cell-trigger-switch-off";
+        /// Homing request.
+        Home => "home", "cell-trigger-home";
+        /// All references are known.
+        Homed => "homed", "cell-trigger-homed";
+        /// Jogging request.
+        Jog => "jog", "cell-trigger-jog";
+        /// Teaching request.
+        Teach => "teach", "cell-trigger-teach";
+        /// Request to start or resume the program without process.
+        DryRun => "dry run", "cell-trigger-dry-run";
+        /// Request to start or resume the program with process.
+        Weld => "weld", "cell-trigger-weld";
+        /// Stop on the path.
+        Hold => "hold", "cell-trigger-hold";
+        /// The current activity has finished.
+        Finish => "finish", "cell-trigger-finish";
+        /// Abort the current activity.
+        Abort => "abort", "cell-trigger-abort";
+        /// An alarm trips the cell.
+        Trip => "trip", "cell-trigger-trip";
+        /// Fault reset.
+        Reset => "reset", "cell-trigger-reset";
+    }
 }
 
 impl Mode {
-    /// All modes.
-    pub const ALL: [Self; 10] = [
-        Self::Off,
-        Self::Idle,
-        Self::Homing,
-        Self::Ready,
-        Self::Jog,
-        Self::Teach,
-        Self::DryRun,
-        Self::Weld,
-        Self::Hold,
-        Self::Fault,
-    ];
-
     /// Returns the mode after `event`: the single table of transitions. [`table`] prints it.
     ///
     /// # Guarantees
@@ -123,95 +113,6 @@ impl Mode {
     /// Returns true if axes may move.
     pub fn moves(self) -> bool {
         matches!(self, Self::Homing | Self::Jog | Self::Teach | Self::DryRun | Self::Weld)
-    }
-
-    /// Its name in files and interfaces; for people there is [`Mode::message`].
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Off => "off",
-            Self::Idle => "idle",
-            Self::Homing => "homing",
-            Self::Ready => "ready",
-            Self::Jog => "jog",
-            Self::Teach => "teach",
-            Self::DryRun => "dry run",
-            Self::Weld => "weld",
-            Self::Hold => "hold",
-            Self::Fault => "fault",
-        }
-    }
-
-    /// Returns its words.
-    pub fn message(self) -> Message {
-        Message::new(match self {
-            Self::Off => "cell-mode-off",
-            Self::Idle => "cell-mode-idle",
-            Self::Homing => "cell-mode-homing",
-            Self::Ready => "cell-mode-ready",
-            Self::Jog => "cell-mode-jog",
-            Self::Teach => "cell-mode-teach",
-            Self::DryRun => "cell-mode-dry-run",
-            Self::Weld => "cell-mode-weld",
-            Self::Hold => "cell-mode-hold",
-            Self::Fault => "cell-mode-fault",
-        })
-    }
-}
-
-impl Event {
-    /// All events.
-    pub const ALL: [Self; 13] = [
-        Self::SwitchOn,
-        Self::SwitchOff,
-        Self::Home,
-        Self::Homed,
-        Self::Jog,
-        Self::Teach,
-        Self::DryRun,
-        Self::Weld,
-        Self::Hold,
-        Self::Finish,
-        Self::Abort,
-        Self::Trip,
-        Self::Reset,
-    ];
-
-    /// Its name in files and interfaces; for people there is [`Event::message`].
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::SwitchOn => "switch on",
-            Self::SwitchOff => "switch off",
-            Self::Home => "home",
-            Self::Homed => "homed",
-            Self::Jog => "jog",
-            Self::Teach => "teach",
-            Self::DryRun => "dry run",
-            Self::Weld => "weld",
-            Self::Hold => "hold",
-            Self::Finish => "finish",
-            Self::Abort => "abort",
-            Self::Trip => "trip",
-            Self::Reset => "reset",
-        }
-    }
-
-    /// Returns its words.
-    pub fn message(self) -> Message {
-        Message::new(match self {
-            Self::SwitchOn => "cell-trigger-switch-on",
-            Self::SwitchOff => "cell-trigger-switch-off",
-            Self::Home => "cell-trigger-home",
-            Self::Homed => "cell-trigger-homed",
-            Self::Jog => "cell-trigger-jog",
-            Self::Teach => "cell-trigger-teach",
-            Self::DryRun => "cell-trigger-dry-run",
-            Self::Weld => "cell-trigger-weld",
-            Self::Hold => "cell-trigger-hold",
-            Self::Finish => "cell-trigger-finish",
-            Self::Abort => "cell-trigger-abort",
-            Self::Trip => "cell-trigger-trip",
-            Self::Reset => "cell-trigger-reset",
-        })
     }
 }
 

@@ -30,7 +30,6 @@ struct Stretch<'a, L> {
     from_mm: f64,
 }
 
-/// Progress of a stretch in a cycle.
 struct Progress<'a> {
     now: &'a Instant,
     /// The pass, counted from 0; `None` for a transfer move.
@@ -77,15 +76,13 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             }
             let stretch = Stretch { profile: &one.timed, sequence: one.times(welds), pass: Some(i), from_mm };
             if !self.play(work, &stretch) {
-                let place = Place { pass: i + 1, s_mm: self.activity.doing.welded_mm };
-                self.leave(welds.then_some(place));
+                self.leave(welds.then_some(Place { pass: i + 1, s_mm: self.activity.doing.welded_mm }));
                 return false;
             }
             self.port.note(self.now(), Note::PassEnds(Place { pass: i + 1, s_mm: self.activity.doing.welded_mm }));
             let next = work.air.get(i + 1).map_or(&[][..], |air| &air.legs);
             if !(self.settle(work) && self.fly(work, next)) {
-                let after = Place { pass: i + 2, s_mm: 0.0 };
-                self.leave((welds && i + 1 < work.passes.len()).then_some(after));
+                self.leave((welds && i + 1 < work.passes.len()).then_some(Place { pass: i + 2, s_mm: 0.0 }));
                 return false;
             }
         }

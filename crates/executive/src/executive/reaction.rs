@@ -56,7 +56,6 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    /// Executes the reaction of an alarm.
     pub(super) fn react(&mut self, reaction: Reaction) {
         match reaction {
             Reaction::Tell => {}

@@ -83,11 +83,9 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         missing
     }
 
-    /// Returns the index of `axis`, if it may go home alone.
-    ///
-    /// # Errors
-    /// [`Missing::References`] if one is unknown: the drives find them together. [`Missing::HomesFirst`] if another
-    /// axis comes first in the machine file's order and is not at home. [`Missing::Value`] if the axis does not exist.
+    /// Returns the index of `axis`, if it may go home alone. Errors: [`Missing::References`] if one is unknown: the
+    /// drives find them together. [`Missing::HomesFirst`] if another axis comes first in the machine file's order and
+    /// is not at home. [`Missing::Value`] if the axis does not exist.
     pub(super) fn home_one(&self, axis: u8) -> Result<usize, Missing> {
         let one = usize::from(axis);
         if one >= self.machine.axes.len() {

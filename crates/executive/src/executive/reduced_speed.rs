@@ -141,7 +141,6 @@ mod tests {
         }
     }
 
-    /// At an override of 0 moving axes come to rest.
     #[test]
     fn at_an_override_of_nothing_the_axes_stand() {
         let machine = Machine::read("m.toml", shipped("saddle-4axis").unwrap().text).unwrap();

@@ -100,8 +100,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let source = self.io.reports.source;
         let used = self.process.on() || self.mode == Mode::Weld;
         // A source without mains is not an alarm outside of welding.
-        let silent = self.supervision.is_late(SOURCE, source.age_s, LATE_S);
-        self.condition(Alarm::SourceSilent, 0, silent && used);
+        self.condition(Alarm::SourceSilent, 0, self.supervision.is_late(SOURCE, source.age_s, LATE_S) && used);
         self.condition(Alarm::SourceFault, 0, source.fault != 0 && used);
         self.condition(Alarm::WireStuck, 0, source.stuck);
         self.condition(Alarm::ProcessStuckOn, 0, self.process.stays_on());

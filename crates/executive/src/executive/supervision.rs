@@ -22,7 +22,6 @@ pub(super) const DRIVES: usize = 0;
 pub(super) const INPUTS: usize = 1;
 pub(super) const SOURCE: usize = 2;
 
-/// State of the supervision.
 #[derive(Debug, Clone)]
 pub(super) struct Supervision {
     pub(super) interlocks: Interlocks,

@@ -155,8 +155,7 @@ mod system {
         // A file at its maximum size: the write fails, and its caller reports that. The cell goes on.
         flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)))?;
         SIGNALS.iter().try_for_each(|(signal, _)| {
-            let code = usize::try_from(*signal).unwrap_or_default();
-            flag::register_usize(*signal, Arc::clone(flag), code).map(drop)
+            flag::register_usize(*signal, Arc::clone(flag), usize::try_from(*signal).unwrap_or_default()).map(drop)
         })
     }
 }

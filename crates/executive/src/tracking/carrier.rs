@@ -23,11 +23,9 @@ pub(super) struct Carrier<'a> {
 pub(super) type Wanted = (SeamFrame, DVec2);
 
 impl<'a> Carrier<'a> {
-    /// Creates the carrier for the first heads of `machine`, from planned positions along a path and each head's
-    /// frames there. The `held` axes stand still.
-    ///
-    /// # Errors
-    /// [`Error::NoSlide`] if one of two heads has no movable cross slide; axes that cannot carry out corrections.
+    /// Creates the carrier for the first heads of `machine`, from planned positions along a path and each head's frames
+    /// there. The `held` axes stand still. Errors: [`Error::NoSlide`] if one of two heads has no movable cross slide;
+    /// axes that cannot carry out corrections.
     pub(super) fn new(machine: &'a Machine, held: AxisSet, places: &[(Joints, Vec<SeamFrame>)]) -> Result<Self, Error> {
         let heads = places.first().map_or(1, |(_, frames)| frames.len());
         let slides = slides(machine, heads, held)?;

@@ -46,8 +46,7 @@ impl<'a> Tracking<'a> {
         let mut tracking = Self { machine, seams, motion, conditions, passes: Vec::new(), now: None };
         for i in 0..seams.len() {
             let from_mm = if start.pass == i + 1 { start.s_mm } else { 0.0 };
-            let pass = tracking.prepared(i, from_mm, conditions.replay)?;
-            tracking.passes.push(pass);
+            tracking.passes.push(tracking.prepared(i, from_mm, conditions.replay)?);
         }
         Ok(tracking)
     }
@@ -82,8 +81,7 @@ impl<'a> Tracking<'a> {
         let before = (0..i).rev().filter_map(|k| {
             let ((seams, _), tracked) = (self.planned(k)?, self.passes[k].as_ref()?);
             let same = seams.pass().copy == pass.copy;
-            let found = tracked.heads.first().filter(|_| same)?.found()?;
-            Some(seams.on_seam(&found))
+            Some(seams.on_seam(&tracked.heads.first().filter(|_| same)?.found()?))
         });
         before.into_iter().find(|found| Replay::covers(found, from, pass.length()))
     }
@@ -144,7 +142,6 @@ impl Guide for Tracking<'_> {
     }
 
     fn tracked(&self) -> [Option<Tracked>; 2] {
-        let pass = self.now.and_then(|i| self.passes.get(i)).and_then(Option::as_ref);
-        pass.map_or([None; 2], TrackedPass::tracked)
+        self.now.and_then(|i| self.passes.get(i)).and_then(Option::as_ref).map_or([None; 2], TrackedPass::tracked)
     }
 }

@@ -18,7 +18,6 @@ pub(crate) struct Step {
 /// Cause of an alarm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Why {
-    /// Fault of the sensor.
     Sensor(Cause),
     /// The stored deviations do not fit.
     Misfit(Misfit),
@@ -27,7 +26,6 @@ pub(super) enum Why {
 }
 
 impl Why {
-    /// Returns its message.
     pub(super) fn message(&self) -> Message {
         match self {
             Self::Sensor(cause) => cause.message(),
@@ -37,7 +35,6 @@ impl Why {
     }
 }
 
-/// Requests of a head in a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct HeadRequests {
     /// Maximum feed override of the torch in the next cycle.

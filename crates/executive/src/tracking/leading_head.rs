@@ -17,7 +17,6 @@ pub(super) struct TorchOffset {
     pub(super) swing: DVec2,
 }
 
-/// A head guided by a leading sensor.
 pub(super) struct LeadingHead {
     head: HeadTracking,
     limits: [LimitUse; 2],

@@ -166,7 +166,6 @@ impl<'a> LiveBeam<'a> {
         }
     }
 
-    /// Returns the summary of the corrections.
     pub(super) fn summary(&self) -> BeamSummary {
         let (away, longest) = self.beam_use.away();
         let (fit, replayed) = match &self.head {

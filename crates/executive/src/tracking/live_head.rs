@@ -58,15 +58,12 @@ impl Serialize for AlarmAt {
     }
 }
 
-/// Guide of a head.
 pub(super) enum Guide<'a> {
     /// A sensor ahead of the torch.
     Leading(Box<LeadingHead>),
-    /// The beam itself.
     Beam(Box<LiveBeam<'a>>),
 }
 
-/// Orders for a head in a cycle.
 pub(super) struct HeadOrders {
     pub(super) wanted: Wanted,
     pub(super) requests: HeadRequests,
@@ -140,10 +137,7 @@ impl<'a> LiveHead<'a> {
         }
     }
 
-    /// Checks whether the weld may start.
-    ///
-    /// # Errors
-    /// The alarm that prevents it.
+    /// Checks whether the weld may start. Errors: the alarm that prevents it.
     pub(super) fn ready(&mut self, s: f64) -> Result<(), Alarm> {
         let Guide::Beam(beam) = &self.guide else { return Ok(()) };
         let Err((alarm, cause)) = beam.ready() else { return Ok(()) };
@@ -151,7 +145,6 @@ impl<'a> LiveHead<'a> {
         Err(alarm)
     }
 
-    /// Returns the planned frame of the torch.
     pub(super) fn frame(&self, s: f64) -> SeamFrame {
         (self.seam.frame)(s)
     }
@@ -230,7 +223,6 @@ impl<'a> LiveHead<'a> {
         }
     }
 
-    /// Returns the report of the head.
     pub(super) fn report(&self) -> HeadReport {
         let (used, beam) = match &self.guide {
             Guide::Leading(leading) => (leading.used(), None),

@@ -69,10 +69,7 @@ impl<'a> PassSeams<'a> {
     }
 
     /// Returns the corrected heads of the pass. If there are `stored` deviations of the seam, they replace the beam's
-    /// view.
-    ///
-    /// # Errors
-    /// Invalid settings, such as too short a lead; stored deviations that do not cover the pass.
+    /// view. Errors: invalid settings, such as too short a lead; stored deviations that do not cover the pass.
     pub(super) fn heads<'b>(
         &'b self,
         machine: &'b Machine,
@@ -82,8 +79,7 @@ impl<'a> PassSeams<'a> {
     ) -> Result<ArrayVec<LiveHead<'b>, 2>, Error> {
         self.check_plain(machine, planned)?;
         let heads = self.seams.iter().enumerate().map(|(number, seam)| {
-            let guide = self.guide(machine, number, seam, correction, stored)?;
-            Ok(LiveHead::new(number, self.path, seam, guide))
+            Ok(LiveHead::new(number, self.path, seam, self.guide(machine, number, seam, correction, stored)?))
         });
         heads.collect()
     }
@@ -99,8 +95,7 @@ impl<'a> PassSeams<'a> {
         planned: &PassMotion,
         stored: Option<&DeviationRecord>,
     ) -> Result<(), Error> {
-        let correction = self.correction(machine, planned)?;
-        self.heads(machine, planned, &correction, stored).map(drop)
+        self.heads(machine, planned, &self.correction(machine, planned)?, stored).map(drop)
     }
 
     /// Checks that the torch follows the seam's line or swings about it: without blends, and without weaving by two
@@ -135,8 +130,7 @@ impl<'a> PassSeams<'a> {
                 let (lead_mm, (_, fastest)) = (sensor.lead_mm, self.pass.speeds());
                 let settings = sensor.settings(cycle_s, fastest);
                 let own = OwnCurve::of(lead_mm, -lead_mm - SIGHTING_MM, self.path.length(), &seam.frame);
-                let head = HeadTracking::new(settings, own, [limits; 2])?;
-                Ok(Guide::Leading(Box::new(LeadingHead::new(head))))
+                Ok(Guide::Leading(Box::new(LeadingHead::new(HeadTracking::new(settings, own, [limits; 2])?))))
             }
             PassSensors::Beam(eye) => {
                 let settings = eye.settings(cycle_s, self.pass);
@@ -152,8 +146,7 @@ impl<'a> PassSeams<'a> {
                         BeamHead::Tracking(Box::new(BeamTracking::new(settings, &*seam.frame, deflection, limits)?))
                     }
                 };
-                let live = LiveBeam::new(head, eye, seam, cycle_s, limits);
-                Ok(Guide::Beam(Box::new(live)))
+                Ok(Guide::Beam(Box::new(LiveBeam::new(head, eye, seam, cycle_s, limits))))
             }
         }
     }

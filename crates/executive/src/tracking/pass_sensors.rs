@@ -71,17 +71,13 @@ pub struct BeamCamera<'a> {
 }
 
 impl<'a> PassSensors<'a> {
-    /// Returns the beam's camera of a machine with a beam, otherwise the sensors that lead its heads along these
-    /// seams.
-    ///
-    /// # Errors
-    /// [`Error::NoCamera`], [`Error::NoSensor`], [`Error::NotLeading`].
+    /// Returns the beam's camera of a machine with a beam, otherwise the sensors that lead its heads along these seams.
+    /// Errors: [`Error::NoCamera`], [`Error::NoSensor`], [`Error::NotLeading`].
     pub(super) fn of(machine: &'a Machine, planned: &PassMotion, seams: &[Seam]) -> Result<Self, Error> {
         if let Some(beam) = machine.deflection {
             return Ok(Self::Beam(BeamCamera::of(machine, beam)?));
         }
-        let heads = seams.iter().enumerate();
-        let sensors = heads.map(|(number, seam)| leading(machine, planned, number, seam));
+        let sensors = seams.iter().enumerate().map(|(number, seam)| leading(machine, planned, number, seam));
         Ok(Self::Leading(sensors.collect::<Result<_, _>>()?))
     }
 }

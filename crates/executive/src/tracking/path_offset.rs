@@ -9,7 +9,6 @@ pub(super) struct PathOffset {
     period: f64,
     limits: [AxisLimits; MAX_AXES],
     by: Joints,
-    /// Rate of change of the offset.
     rate: Joints,
     /// Corrections cannot be carried out until the offset is at rest.
     lost: bool,
@@ -94,8 +93,7 @@ impl PathOffset {
                 return self.brake();
             };
             self.braked = false;
-            let speed = std::array::from_fn(|i| (base[i] - before[i]) / self.period);
-            self.begin_way(&before, &speed);
+            self.begin_way(&before, &std::array::from_fn(|i| (base[i] - before[i]) / self.period));
         }
         let left = self.left();
         for i in 0..MAX_AXES {

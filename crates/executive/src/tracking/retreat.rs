@@ -33,8 +33,7 @@ impl Retreat {
             // A failed check counts as not clear.
             Err(error) => return (0.0, Some(error.message())),
         };
-        let first = stretches.into_iter().min_by(|a, b| a.from.total_cmp(&b.from));
-        first.map_or((whole, None), |stretch| {
+        stretches.into_iter().min_by(|a, b| a.from.total_cmp(&b.from)).map_or((whole, None), |stretch| {
             let (a, b) = around.nearest_bodies(stretch.watch, &stretch.nearest);
             (stretch.from.max(0.0), Some(Message::new("cell-too-close").message("a", a).message("b", b)))
         })

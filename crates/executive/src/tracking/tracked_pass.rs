@@ -44,7 +44,6 @@ pub(super) struct TrackedPass<'a> {
     pub(super) used: bool,
 }
 
-/// A pass, and where it starts.
 #[derive(Clone, Copy)]
 pub(super) struct PassStart<'a> {
     pub(super) machine: &'a Machine,
@@ -55,11 +54,9 @@ pub(super) struct PassStart<'a> {
     pub(super) from_mm: f64,
 }
 
-/// Planned positions of the axes in a cycle.
 #[derive(Clone, Copy)]
 struct PlannedAxes<'a> {
     q: &'a Joints,
-    /// The torch weaves there.
     weaves: bool,
     /// The torch is to come to rest.
     rests: bool,
@@ -91,7 +88,6 @@ struct Sight<'a> {
     at: f64,
     back: bool,
     there: Joints,
-    /// Cycles left.
     left: u64,
 }
 
@@ -317,7 +313,6 @@ impl<'a> TrackedPass<'a> {
         std::array::from_fn(|i| self.heads.get(i).and_then(LiveHead::tracked))
     }
 
-    /// Returns the report of each head.
     pub(super) fn reports(&self) -> Vec<HeadReport> {
         let cut = self.cut.as_ref().map(|cause| AlarmAt {
             at_mm: self.from_mm,

@@ -29,10 +29,24 @@ impl Cell {
         }
     }
 
+    /// A cell with a map of its own.
+    fn on(server: &TestServer, map: &str) -> Self {
+        Self::new(connect(&device(&server.address.to_string(), map), &VALUES.map(str::to_owned)).unwrap())
+    }
+
     fn cycle(&mut self) {
         self.watchdog = !self.watchdog;
         self.source.exchange(&self.orders, &mut self.report);
         self.inputs.exchange(self.watchdog, &mut self.bits);
+    }
+
+    /// Runs so many cycles of 1 ms, each followed by `check`.
+    fn cycles(&mut self, count: usize, mut check: impl FnMut()) {
+        for _ in 0..count {
+            self.cycle();
+            std::thread::sleep(Duration::from_millis(1));
+            check();
+        }
     }
 
     /// Runs cycles of 1 ms until `done`, for up to 5 s.
@@ -109,11 +123,7 @@ fn outputs_are_safe_without_a_cycle() {
     let count = server.bank().holding[20];
     std::thread::sleep(Duration::from_millis(50));
     assert_eq!(server.bank().holding[20], count, "the watchdog still changes");
-    for _ in 0..200 {
-        cell.cycle();
-        std::thread::sleep(Duration::from_millis(1));
-        assert!(!server.bank().coils[1], "the arc came back by itself");
-    }
+    cell.cycles(200, || assert!(!server.bank().coils[1], "the arc came back by itself"));
     assert!(server.bank().holding[20] != count && server.bank().holding[0] == 1000);
     cell.orders.on = false;
     cell.cycle();
@@ -146,11 +156,7 @@ fn a_new_connection_begins_without_arc() {
         server.stop();
         server.start();
         cell.until("a new start", |c| c.report.starts == round && c.bits.starts == round);
-        for _ in 0..100 {
-            cell.cycle();
-            std::thread::sleep(Duration::from_millis(1));
-            assert!(!server.bank().coils[1], "the arc came back by itself");
-        }
+        cell.cycles(100, || assert!(!server.bank().coils[1], "the arc came back by itself"));
         assert_eq!(server.bank().holding[0], 1000);
         cell.orders.on = false;
         cell.cycle();
@@ -161,15 +167,12 @@ fn a_new_connection_begins_without_arc() {
 fn the_watchdog_counts_and_a_bit_toggles() {
     for (map, toggles) in [(MAP.to_owned(), false), (MAP.replace("{ holding = 20 }", "{ coil = 7 }"), true)] {
         let server = TestServer::new(welder);
-        let device = device(&server.address.to_string(), &map);
-        let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned)).unwrap());
+        let mut cell = Cell::on(&server, &map);
         let mut seen = Vec::new();
-        for _ in 0..200 {
-            cell.cycle();
-            std::thread::sleep(Duration::from_millis(1));
+        cell.cycles(200, || {
             let bank = server.bank();
             seen.push(if toggles { u16::from(bank.coils[7]) } else { bank.holding[20] });
-        }
+        });
         seen.dedup();
         assert!(seen.len() > 5, "{seen:?}");
         assert!(toggles || seen.windows(2).all(|w| w[1] > w[0]), "{seen:?}");
@@ -193,10 +196,7 @@ fn only_what_changes_is_written() {
         (bank.writes, bank.reads)
     };
     let ((writes, reads), polls) = (counts(), traffic.get().polls);
-    for _ in 0..200 {
-        cell.cycle();
-        std::thread::sleep(Duration::from_millis(1));
-    }
+    cell.cycles(200, || ());
     let polled = (traffic.get().polls - polls) as usize;
     assert_eq!(counts().0, writes);
     // One more may be in transit.
@@ -215,8 +215,7 @@ fn gaps_that_are_not_there() {
     let map = MAP
         .replace("wire_m_min = { holding = 2,", "wire_m_min = { holding = 50,")
         .replace("{ holding = 20 }", "{ holding = 52 }");
-    let device = device(&server.address.to_string(), &map);
-    let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned)).unwrap());
+    let mut cell = Cell::on(&server, &map);
     cell.strike(100.0);
     assert_eq!(cell.bits.bits, 0b111);
 }
@@ -260,18 +259,14 @@ fn a_device_that_takes_no_orders() {
 fn off_does_not_wait_for_the_poll_while_another_output_is_refused() {
     let server = TestServer::new(welder);
     let map = MAP.replace("poll_hz = 200", "poll_hz = 20");
-    let device = device(&server.address.to_string(), &map);
-    let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned)).unwrap());
+    let mut cell = Cell::on(&server, &map);
     let mut took_s = Vec::new();
     for _ in 0..15 {
         cell.strike(100.0);
         server.bank().holes.insert(0);
         cell.orders.values[0] = 90.0;
         // The write is refused.
-        for _ in 0..20 {
-            cell.cycle();
-            std::thread::sleep(Duration::from_millis(1));
-        }
+        cell.cycles(20, || ());
         assert!(server.bank().coils[1]);
         cell.orders.on = false;
         let ordered = Instant::now();
@@ -336,8 +331,7 @@ fn looking_changes_nothing() {
 fn off_waits_for_no_answer_to_a_question() {
     let server = TestServer::new(welder);
     let map = MAP.replace("timeout_s = 0.5", "timeout_s = 1").replace("watchdog_s = 0.4", "watchdog_s = 2");
-    let device = device(&server.address.to_string(), &map);
-    let mut cell = Cell::new(connect(&device, &VALUES.map(str::to_owned)).unwrap());
+    let mut cell = Cell::on(&server, &map);
     for _ in 0..3 {
         cell.strike(100.0);
         let reads = server.bank().reads;

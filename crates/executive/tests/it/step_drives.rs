@@ -17,7 +17,6 @@ fn machine(change: &[(&str, &str)]) -> Result<Machine, String> {
     Machine::read("m.toml", &format!("{text}\n[devices.drives.steps]")).map_err(|e| e.to_string())
 }
 
-/// Returns drives with power and references, and their report.
 fn ready(machine: &Machine) -> (StepDrives, Orders, DriveReport) {
     let mut drives = StepDrives::new(machine, machine.devices.steps.as_ref().unwrap()).unwrap();
     let mut orders = Orders { power: true, home: true, ..Orders::default() };

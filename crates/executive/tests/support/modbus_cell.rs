@@ -37,7 +37,6 @@ heartbeat = { input = 0 }
 current_a = { input = 10, type = "i16", scale = 0.1 }
 "#;
 
-/// Returns the device of `map` at `address`.
 pub(crate) fn device(address: &str, map: &str) -> ModbusDevice {
     let machine = shipped("ellipse-xy").unwrap().text;
     let text = format!("{machine}\n[devices.io.modbus]\naddress = \"{address}\"\n{map}");

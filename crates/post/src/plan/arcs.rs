@@ -7,7 +7,6 @@ use std::f64::consts::TAU;
 /// Arcs that a control supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Arcs {
-    /// None.
     None,
     /// Arcs about X, Y or Z, with motion along that axis.
     Planes,

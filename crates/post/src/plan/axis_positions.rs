@@ -37,7 +37,6 @@ fn rests_first(pass: &Pass) -> bool {
 /// Position of a pass among its neighbours.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Neighbours {
-    /// It is the first.
     pub(super) first: bool,
     /// The control may start again at it.
     pub(super) restarts: bool,
@@ -75,8 +74,7 @@ impl Steps<'_> {
     }
 
     fn stand_at(&mut self, q: &Joints) {
-        let place = self.standing(q);
-        self.go_to(&place, false);
+        self.go_to(&self.standing(q), false);
         self.push(Path::Rapid, 0.0, false);
     }
 

@@ -42,7 +42,6 @@ pub(crate) struct Cutting<'a> {
     pub(crate) least_feed: bool,
     /// Kind of blocks other than arcs.
     pub(crate) base: Kind,
-    /// Arcs that the control has.
     pub(crate) arcs: Arcs,
     /// Axes X, Y and Z, for arcs at joint level.
     pub(crate) xyz: [Option<usize>; 3],
@@ -55,7 +54,6 @@ pub(crate) struct Cutting<'a> {
 }
 
 impl Cutting<'_> {
-    /// Lines for LinuxCNC.
     fn lines(level: Level, tolerance_mm: f64) -> Self {
         Self {
             level,
@@ -138,7 +136,6 @@ pub(crate) fn cut(
     Ok(cut)
 }
 
-/// A kind of blocks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Kind {
     /// Straight.
@@ -147,11 +144,9 @@ pub(crate) enum Kind {
     Cubic,
     /// Cubics that are gone along evenly.
     Curve,
-    /// Arcs.
     Arc(Normal),
 }
 
-/// Start of a block.
 #[derive(Clone, Copy)]
 struct Start<'a> {
     /// The last block, which ends here.
@@ -191,7 +186,6 @@ impl Cutter<'_> {
         Block { s, q, tip, duration, turns_only: false, stops: false, shape: Shape::Line }
     }
 
-    /// The block of a kind from `here` to `s`, if it exists.
     fn block(&self, kind: Kind, here: &Block, s: f64) -> Option<Block> {
         let mut block = self.end_at(s, here.s);
         block.shape = match kind {
@@ -358,8 +352,7 @@ impl Cutter<'_> {
             Level::Tip => (b.tip - a.tip).length(),
             Level::Joint => {
                 let axes = self.machine.axes.iter().zip(a.q.iter().zip(&b.q));
-                let linear = axes.filter(|(x, _)| x.kind == AxisKind::Linear);
-                linear.map(|(_, (a, b))| (b - a).powi(2)).sum::<f64>().sqrt()
+                axes.filter(|(x, _)| x.kind == AxisKind::Linear).map(|(_, (a, b))| (b - a).powi(2)).sum::<f64>().sqrt()
             }
         }
     }

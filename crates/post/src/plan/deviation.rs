@@ -70,8 +70,7 @@ impl Cutter<'_> {
         if let Shape::Arc(arc) = b.shape {
             tip = arc.at(self.place(a), self.place(b), f);
             if self.cutting.level == Level::Joint {
-                let places = self.cutting.xyz.iter().zip(tip.to_array());
-                places.for_each(|(i, p)| i.iter().for_each(|i| q[*i] = p));
+                self.cutting.xyz.iter().zip(tip.to_array()).for_each(|(i, p)| i.iter().for_each(|i| q[*i] = p));
             }
         }
         let pose = self.machine.forward(&q);

@@ -96,8 +96,7 @@ pub fn part_program(
         if i > 0 {
             steps.air(&motion.transfers[i]);
         }
-        let transfers = Transfers { before: &motion.transfers[i], after: &motion.transfers[i + 1] };
-        steps.pass(&cut, part, transfers, i == 0);
+        steps.pass(&cut, part, Transfers { before: &motion.transfers[i], after: &motion.transfers[i + 1] }, i == 0);
     }
     Ok(steps.program)
 }

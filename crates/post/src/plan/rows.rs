@@ -61,8 +61,7 @@ impl Steps<'_> {
         let none = || vec![0.0; self.row.len()];
         let second = power(&|i| 3.0 * rise(i) - 2.0 * from[i] - to[i]);
         let third = power(&|i| from[i] + to[i] - 2.0 * rise(i));
-        let higher = [second, third, none(), none()];
-        Path::Curve(self.program.add_curve(&higher, (1 << axes) - 1))
+        Path::Curve(self.program.add_curve(&[second, third, none(), none()], (1 << axes) - 1))
     }
 
     /// The way of a block from the row before to where the row is now.

@@ -37,10 +37,7 @@ type Row = SVector<f64, { MAX_AXES + 3 }>;
 /// speed.
 ///
 /// The control points of the spline are the start of the leg and the ends of its blocks, the first and the last three
-/// times. So it takes two block times more than it has blocks.
-///
-/// # Errors
-/// [`Error::TooFine`].
+/// times. So it takes two block times more than it has blocks. Errors: [`Error::TooFine`].
 pub(crate) fn splines(
     machine: &Machine,
     motion: &PassMotion,
@@ -158,8 +155,7 @@ impl Plan<'_> {
             (0..parts).all(|c| {
                 let ends = [c, c + 1].map(|c| c as f64 * part);
                 let way = tip(k, ends[0]).distance(tip(k, ends[1]));
-                let times = ends.map(|f| begin + (k as f64 + f) * step);
-                even.deviation(times, way).is_none_or(|off| off <= allowed)
+                even.deviation(ends.map(|f| begin + (k as f64 + f) * step), way).is_none_or(|off| off <= allowed)
             })
         })
     }
@@ -200,8 +196,7 @@ impl Plan<'_> {
 }
 
 fn split(row: &Row) -> (Joints, DVec3) {
-    let q = std::array::from_fn(|i| row[i]);
-    (q, DVec3::new(row[MAX_AXES], row[MAX_AXES + 1], row[MAX_AXES + 2]))
+    (std::array::from_fn(|i| row[i]), DVec3::new(row[MAX_AXES], row[MAX_AXES + 1], row[MAX_AXES + 2]))
 }
 
 /// Weights of four control points at the part `f` of a segment of the uniform cubic B-spline.

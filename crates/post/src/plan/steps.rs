@@ -41,7 +41,6 @@ pub(super) struct Steps<'a> {
     pub(super) before: Vec<f64>,
     /// The last value of each channel that was set at once or not, since the pass began.
     pub(super) set: BTreeMap<(u16, bool), f64>,
-    /// Whether the arc is on.
     pub(super) arc: bool,
 }
 
@@ -65,7 +64,6 @@ impl<'a> Steps<'a> {
         self.program.push(What::Comment(text.into()));
     }
 
-    /// Describes the pass in comments.
     pub(super) fn remarks(&mut self, name: &str, motion: &PassMotion, cut: &Linearisation, options: &Options) {
         self.comment(&format!(
             "{name}: travel {} mm in {} s; arc on {} s",
@@ -121,7 +119,6 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Block at rest with the axes at `q`.
     pub(super) fn standing(&self, q: &Joints) -> Block {
         let tip = self.machine.forward(q).point;
         Block { s: 0.0, q: *q, tip, duration: 0.0, turns_only: false, stops: false, shape: Shape::Line }
@@ -181,8 +178,7 @@ impl<'a> Steps<'a> {
                 self.rest(step.time, ends, if step.slopes { "upslope" } else { "travel delay" });
             }
         }
-        let first_middle = cut.blocks.first().map_or(0.0, |block| 0.5 * block.s);
-        self.values(pass, false, first_middle, ArcTime::TRAVEL);
+        self.values(pass, false, cut.blocks.first().map_or(0.0, |block| 0.5 * block.s), ArcTime::TRAVEL);
         if pass.has_arc() && (delay <= 0.0 || self.control.dialect == Dialect::Linuxcnc) {
             self.event(Event::Arc(true), false);
         }

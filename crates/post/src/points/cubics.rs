@@ -68,8 +68,7 @@ impl Cubics<'_> {
             let ends = [(f - STEP).max(0.0), (f + STEP).min(1.0)];
             let [a, b] = ends.map(|f| self.at(f));
             let time = (ends[1] - ends[0]) * self.segment.seconds;
-            let turns = (3..6).map(|k| (b[k] - a[k]) / time);
-            speeds = xyz.of(&speeds).to_array().into_iter().chain(turns).collect();
+            speeds = xyz.of(&speeds).to_array().into_iter().chain((3..6).map(|k| (b[k] - a[k]) / time)).collect();
         }
         speeds.into_iter().map(|v| Finite::new(v).unwrap_or_default()).collect()
     }

@@ -63,12 +63,12 @@ pub(crate) fn ends(machine: &Machine, pass: &Pass) -> Option<(Joints, Joints)> {
     Some((at(&points.start), at(points.rows().last()?)))
 }
 
-/// A part of a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Part {
     /// Events and values at its start: `all` values, or only those that changed.
-    Begin { all: bool },
-    /// Its blocks.
+    Begin {
+        all: bool,
+    },
     Blocks,
     /// Events after its end.
     End,
@@ -140,8 +140,7 @@ impl Steps<'_> {
         for channel in self.program.axes()..first.len() {
             let told = all && self.channels.iter().any(|(told, _)| *told == channel);
             if told || (first[channel] - here[channel]).abs() > 0.0 {
-                let set = What::Set { channel: channel as u16, value: first[channel], at_once: true };
-                self.program.push(set);
+                self.program.push(What::Set { channel: channel as u16, value: first[channel], at_once: true });
             }
         }
         *here = first;
@@ -158,7 +157,6 @@ impl Steps<'_> {
         }
     }
 
-    /// Adds the block to point `k` of a span.
     fn block(&mut self, span: &PointSpan, k: usize, rows: MoveRows) {
         let MoveRows { from, to } = rows;
         let point = &span.points[k];
@@ -229,7 +227,6 @@ impl Steps<'_> {
     }
 }
 
-/// Event or message of a point.
 pub(crate) fn event_of(event: &PointEvent) -> Option<Event> {
     Some(match event {
         PointEvent { gas: Some(on), .. } => Event::Gas(*on),

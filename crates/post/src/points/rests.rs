@@ -6,7 +6,6 @@ use seamwright_program::{PointEvent, Sequence, Slope};
 pub(super) enum Gap {
     /// Rest without motion: whether the arc is on, the duration, s, and the process values.
     Rest(bool, f64, Vec<f64>),
-    /// Event or message.
     Event(PointEvent),
 }
 
@@ -28,7 +27,6 @@ impl Rests {
         self.0.push(gap);
     }
 
-    /// Whether the control rests.
     pub(super) fn is_rest(&self) -> bool {
         self.0.iter().any(|gap| matches!(gap, Gap::Rest(..)))
     }

@@ -6,11 +6,10 @@ use crate::error::Error;
 use crate::part_program::{ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
 use crate::play::{Segment, play};
 use blocks::push;
-use seamwright_document::{Finite, Positive, SchemaVersion, Transform};
+use seamwright_document::{Finite, Positive};
 use seamwright_machine::Machine;
 use seamwright_program::{
-    Along, AtCorner, Clearance, NUMBER_COLUMN, OnLimit, POSE_COLUMNS, Part, Pass, PointEvent, PointSpan, Points,
-    Program, SpareAxes, TIME_COLUMN, Tolerance, Torch, TransferMoves,
+    Along, AtCorner, NUMBER_COLUMN, OnLimit, POSE_COLUMNS, Pass, PointEvent, PointSpan, Points, Program, TIME_COLUMN,
 };
 
 /// Converts a part program into a program of points: every block a point, equal in effect. `start` is the row before
@@ -58,26 +57,8 @@ pub fn to_program(
     if builder.done.is_empty() {
         return Err(Error::Nothing);
     }
-    Ok(Program {
-        schema: SchemaVersion,
-        title: read.title.clone(),
-        machine: name.to_owned(),
-        offset: None,
-        offsets: Default::default(),
-        placement: Transform::default(),
-        copies: Vec::new(),
-        seam: None,
-        variables: Default::default(),
-        start: Default::default(),
-        joint: None,
-        taught: Vec::new(),
-        part: Part::default(),
-        fixtures: Vec::new(),
-        clearance: Clearance::default(),
-        air: TransferMoves::default(),
-        procedure: None,
-        passes: builder.done,
-    })
+    let (title, machine) = (read.title.clone(), name.to_owned());
+    Ok(Program { title, machine, passes: builder.done, ..Program::default() })
 }
 
 /// Process channels that are ever other than 0.
@@ -192,8 +173,7 @@ impl Builder<'_> {
         let reached = open.points.count();
         let events = self.rests.take_events().into_iter();
         open.points.events.extend(events.map(|event| PointEvent { after: reached, ..event }));
-        let number = step.number.filter(|_| self.numbered);
-        self.add(m, segment, number);
+        self.add(m, segment, step.number.filter(|_| self.numbered));
         self.here = segment.end().to_vec();
     }
 
@@ -254,23 +234,11 @@ impl Builder<'_> {
         open.points.events.extend(end.events.into_iter().map(|event| PointEvent { after: reached, ..event }));
         self.done.push(Pass {
             name: open.name,
-            role: None,
-            copy: 0,
-            begin_mm: Default::default(),
-            reverse: false,
             on_limit: OnLimit::Slow,
-            least_speed_mm_s: None,
             corner: self.corner,
             sequence,
-            torch: Torch::default(),
-            tolerance: Tolerance::default(),
-            spare_axes: SpareAxes::default(),
-            bead: None,
-            weave: None,
-            oscillation: None,
             points: Some(open.points),
-            repeat: Default::default(),
-            spans: Vec::new(),
+            ..Pass::default()
         });
     }
 

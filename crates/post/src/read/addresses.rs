@@ -38,8 +38,7 @@ impl Addresses {
     /// Channel whose address is this letter.
     #[inline]
     pub(super) fn letter(&self, letter: u8) -> Option<usize> {
-        let index = usize::from((letter & !0x20).wrapping_sub(b'A'));
-        self.letters.get(index).copied().flatten().map(usize::from)
+        self.letters.get(usize::from((letter & !0x20).wrapping_sub(b'A'))).copied().flatten().map(usize::from)
     }
 
     /// Channel whose address is `name`.
@@ -58,7 +57,6 @@ impl Addresses {
     }
 }
 
-/// Fault of an unknown address.
 pub(super) fn no_address(control: &Control, span: Span, name: &str) -> Box<Fault> {
     let addresses: Vec<&str> = control.addresses.iter().map(String::as_str).filter(|a| !a.is_empty()).collect();
     let dialect = control.dialect.name();

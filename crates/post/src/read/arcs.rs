@@ -64,10 +64,8 @@ pub(super) fn by_angle(start: DVec3, end: DVec3, angle: f64, normal: DVec3) -> O
     Some(start + 0.5 * chord + 0.5 / (0.5 * angle).tan() * normal.cross(chord))
 }
 
-/// End of an arc of `angle` about `centre`.
 pub(super) fn turned(start: DVec3, centre: DVec3, angle: f64, normal: DVec3) -> DVec3 {
-    let full = Arc { centre, normal, sweep: angle };
-    full.at(start, start, 1.0)
+    Arc { centre, normal, sweep: angle }.at(start, start, 1.0)
 }
 
 /// The arc from `start` through `middle` to `end`. `None` if the three are on a line.

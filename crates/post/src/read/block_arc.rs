@@ -20,7 +20,6 @@ impl State<'_> {
         DVec3::from_array(self.addresses.xyz.map(|channel| channel.map_or(0.0, |i| row[i])))
     }
 
-    /// The arc of the block.
     pub(super) fn arc(&mut self, motion: Motion, block: &Block) -> Read<Arc> {
         let (start, end) = (self.place_of(&self.row), self.place_of(&self.next));
         if motion == Motion::Through {
@@ -45,8 +44,7 @@ impl State<'_> {
             return self.arc_by_angle(centre, start, normal, degrees.to_radians(), extra, span);
         }
         let Some((centre, span)) = centre else {
-            let fault = Fault::new(block.span, "post-arc-undefined");
-            return Err(fault.allowed("post-arc-words"));
+            return Err(Fault::new(block.span, "post-arc-undefined").allowed("post-arc-words"));
         };
         self.check_circle(start, end, centre, normal, span)?;
         Ok(arcs::about(start, end, centre, normal, extra, tolerance.least_angle))
@@ -56,8 +54,7 @@ impl State<'_> {
     fn check_plane(&self, block: &Block, normal: DVec3) -> Read {
         if let (Some((_, _, span)), None) = (block.centre[self.plane], block.normal) {
             let message = Message::new("post-centre-outside-plane").text("plane", PLANES[self.plane]);
-            let message = message.text("word", IJK[self.plane]);
-            return Err(Fault::new(span, message).cure("post-plane-cure"));
+            return Err(Fault::new(span, message.text("word", IJK[self.plane])).cure("post-plane-cure"));
         }
         let missing = (0..3).find(|k| self.addresses.xyz[*k].is_none() && normal[*k].abs() < 1.0 - 1e-9);
         missing.map_or(Ok(()), |k| {
@@ -86,8 +83,7 @@ impl State<'_> {
         if chord <= 0.0 {
             return Err(Fault::new(span, "post-radius-full-circle").cure("post-radius-full-circle-cure"));
         }
-        let slack = self.tolerance().radius;
-        arcs::by_radius(start, end, radius, normal, slack).ok_or_else(|| {
+        arcs::by_radius(start, end, radius, normal, self.tolerance().radius).ok_or_else(|| {
             let message = Message::new("post-radius-too-small").quantity("half", 0.5 * chord, Unit::Mm, 6);
             let allowed = Message::new("post-radius-allowed").quantity("min", 0.5 * chord, Unit::Mm, 6);
             Fault::new(span, message).allowed(allowed)
@@ -101,8 +97,7 @@ impl State<'_> {
         for (k, word) in block.centre.iter().enumerate() {
             let Some((value, how, _)) = word else {
                 if self.absolute_centre && k != self.plane {
-                    let message = Message::new("post-absolute-centre-missing").text("word", IJK[k]);
-                    return Err(Fault::new(span, message));
+                    return Err(Fault::new(span, Message::new("post-absolute-centre-missing").text("word", IJK[k])));
                 }
                 continue;
             };
@@ -131,8 +126,7 @@ impl State<'_> {
             let said =
                 |k: usize| k != self.plane && self.addresses.xyz[k].is_some_and(|i| self.target.get(i).is_some());
             if (0..3).any(said) {
-                let message = "post-centre-angle-end";
-                return Err(Fault::new(centre_span, message).cure("post-omit-one-word"));
+                return Err(Fault::new(centre_span, "post-centre-angle-end").cure("post-omit-one-word"));
             }
             let end = arcs::turned(start, centre, angle, normal);
             for k in (0..3).filter(|k| *k != self.plane) {
@@ -198,7 +192,6 @@ impl State<'_> {
         Ok(arc)
     }
 
-    /// Tolerance of the control for arcs.
     fn tolerance(&self) -> Tolerance {
         let (least, relative, most, radius, least_angle, rule) = match self.control.dialect {
             // Its interpreter: absolute and relative, and at most a hundred times the absolute one for any radius.
@@ -207,10 +200,7 @@ impl State<'_> {
                 (least, 0.001, 100.0 * least, 0.00127, 1e-6, "post-rule-linuxcnc")
             }
             Dialect::Grblhal => (0.005, 0.001, 0.5, 0.0, 5e-7, "post-rule-grblhal"),
-            Dialect::Sinumerik => {
-                let rule = "post-rule-sinumerik";
-                (0.01, 0.001, f64::INFINITY, 0.01, 1e-9, rule)
-            }
+            Dialect::Sinumerik => (0.01, 0.001, f64::INFINITY, 0.01, 1e-9, "post-rule-sinumerik"),
             Dialect::Pmac => (0.01, 0.001, f64::INFINITY, 0.001, std::f64::consts::PI / 1_048_576.0, "post-rule-pmac"),
         };
         Tolerance { least, relative, most, radius, least_angle, rule }

@@ -143,8 +143,7 @@ pub(super) fn floor_char(text: &str, mut at: usize) -> usize {
 /// A code of a modal group, of which a block may have one: marks it in `groups`.
 pub(super) fn once(groups: &mut u32, group: u32, span: Span) -> Read {
     if *groups & group != 0 {
-        let fault = Fault::new(span, "post-same-group");
-        return Err(fault.cure("post-omit-one"));
+        return Err(Fault::new(span, "post-same-group").cure("post-omit-one"));
     }
     *groups |= group;
     Ok(())

@@ -27,7 +27,6 @@ impl Expressions {
         self.numbered.insert((letter, number), value);
     }
 
-    /// Sets the variable called `name`.
     pub(super) fn set_named(&mut self, name: &str, value: f64) {
         self.named.insert(name.to_ascii_uppercase(), value);
     }
@@ -43,8 +42,7 @@ impl Expressions {
             return c.number();
         }
         let from = c.at;
-        let value = self.factor(c, 0)?;
-        finite(value, c.since(from))
+        finite(self.factor(c, 0)?, c.since(from))
     }
 
     /// A whole expression, as behind `=`.
@@ -63,8 +61,7 @@ impl Expressions {
                 return value;
             }
         }
-        let value = self.sum(c, 0)?;
-        finite(value, c.since(from))
+        finite(self.sum(c, 0)?, c.since(from))
     }
 
     fn sum(&self, c: &mut Cursor, depth: u32) -> Read<f64> {
@@ -165,7 +162,6 @@ impl Expressions {
         if self.dialect == Dialect::Linuxcnc { (b'[', b']') } else { (b'(', b')') }
     }
 
-    /// Value of the parameter behind `#`.
     fn parameter(&self, c: &mut Cursor, depth: u32) -> Read<f64> {
         let from = c.at;
         match self.parameter_name(c, depth)? {

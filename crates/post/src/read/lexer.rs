@@ -65,11 +65,9 @@ impl<'a> Cursor<'a> {
         if self.take(byte) {
             return Ok(());
         }
-        let message = Message::new("post-character-missing").text("character", char::from(byte));
-        Err(Fault::new(self.here(), message))
+        Err(Fault::new(self.here(), Message::new("post-character-missing").text("character", char::from(byte))))
     }
 
-    /// The character here.
     pub(super) fn here(&self) -> Span {
         let mut to = (self.at + 1).min(self.end);
         while !self.text.is_char_boundary(to) {
@@ -133,7 +131,6 @@ impl<'a> Cursor<'a> {
         self.of(self.since(from))
     }
 
-    /// Whether a number starts here.
     #[inline]
     pub(super) fn at_number(&self) -> bool {
         matches!(self.peek(), b'0'..=b'9' | b'.' | b'+' | b'-')

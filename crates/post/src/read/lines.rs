@@ -6,7 +6,6 @@ use super::programs::Programs;
 /// Flow of control after a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Flow {
-    /// The next one.
     Next,
     /// The sub-program with this index, so many times; then the next one.
     Call(usize, u32),
@@ -14,12 +13,10 @@ pub(super) enum Flow {
     Over(usize),
     /// The caller.
     Return,
-    /// End of the program.
     End,
 }
 
 /// A dialect: the meaning of its lines.
 pub(super) trait Lines {
-    /// Reads one line.
     fn line(&mut self, state: &mut State, c: &mut Cursor, programs: &Programs) -> Read<Flow>;
 }

@@ -159,8 +159,7 @@ fn leave(frames: &mut Vec<Frame>, programs: &Programs) {
 
 /// Notes text behind the end of the main program.
 fn rest(state: &mut State, text: &str, main: &Frame) {
-    let rest = text.get(main.at.min(main.to)..main.to).unwrap_or_default();
-    let something = rest.lines().position(|line| {
+    let something = text.get(main.at.min(main.to)..main.to).unwrap_or_default().lines().position(|line| {
         let line = line.trim();
         !(line.is_empty() || line == "%" || line.starts_with(['(', ';']))
     });

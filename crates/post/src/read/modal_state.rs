@@ -4,8 +4,10 @@ use super::addresses::Addresses;
 use super::error::{Fault, Read, Span, floor_char};
 use super::expression::Expressions;
 use super::lexer::Cursor;
+use super::lines::Flow;
 use super::options::{LeftOut, ReadOptions};
-use super::target::Target;
+use super::programs::remark;
+use super::target::{Target, put_once};
 use crate::control::{Code, Control};
 use crate::feed::FeedRule;
 use crate::part_program::{ChannelKind, Event, Level, PartProgram, Step, What};
@@ -150,6 +152,42 @@ impl<'a> State<'a> {
         }
     }
 
+    /// A remark from the text `marks` bytes behind the cursor to the end of the line.
+    pub(super) fn comment_behind(&mut self, marks: usize, c: &mut Cursor) -> Read {
+        c.at += marks;
+        self.comment(c.rest());
+        Ok(())
+    }
+
+    /// Reads the block's number.
+    pub(super) fn read_number(&mut self, c: &mut Cursor, from: usize) -> Read {
+        let number = c.whole()?;
+        put_once(&mut self.number, number, c.since(from))
+    }
+
+    /// Starts a pass at a block number that is alone in its line, except for a remark, which names the pass.
+    pub(super) fn pass_at_number(&mut self, c: &mut Cursor, from: usize) {
+        let mut ahead = *c;
+        let name = remark(&mut ahead);
+        ahead.blanks();
+        if ahead.is_done() {
+            let number = c.of(c.since(from)).trim();
+            *c = ahead;
+            self.pass(if name.is_empty() { number } else { name });
+        }
+    }
+
+    /// Ends the line with M0, M1 or another stop.
+    pub(super) fn stop(&mut self, code: Option<u32>) -> Option<Flow> {
+        match code? {
+            0 => self.event(Event::Message("stop".into()), true),
+            1 => self.event(Event::Message("optional stop".into()), true),
+            17 => return Some(Flow::Return),
+            _ => return Some(Flow::End),
+        }
+        None
+    }
+
     /// Adds a note for the user, once for each `code`.
     pub(super) fn note(&mut self, code: &'static str) {
         if !self.noted.contains(&code) {
@@ -183,7 +221,6 @@ impl<'a> State<'a> {
         Ok(())
     }
 
-    /// A process value is set: by channel.
     pub(super) fn set(&mut self, channel: usize, value: f64, at_once: bool) {
         self.row[channel] = value;
         self.push(What::Set { channel: channel as u16, value, at_once });
@@ -202,7 +239,6 @@ impl<'a> State<'a> {
         arc == Some(true)
     }
 
-    /// A digital output is switched.
     pub(super) fn switch(&mut self, output: u16, on: bool, at_once: bool) {
         let io = &self.control.io;
         let is = |named: Option<u8>| named.map(u16::from) == Some(output);
@@ -215,13 +251,21 @@ impl<'a> State<'a> {
         self.event(event, at_once);
     }
 
-    /// An analogue output is set.
+    /// Switches a digital output by its value, 0 or 1.
+    pub(super) fn switch_by_value(&mut self, output: u16, value: f64, at_once: bool, span: Span) -> Read {
+        let on = value > 0.5;
+        if (value - f64::from(u8::from(on))).abs() > 1e-9 {
+            return Err(Fault::new(span, "post-digital-value").allowed("post-digital-value-allowed"));
+        }
+        self.switch(output, on, at_once);
+        Ok(())
+    }
+
     pub(super) fn set_output(&mut self, output: u32, value: f64, at_once: bool, span: Span) -> Read {
         let channel = self.control.outputs.iter().position(|o| o.map(u32::from) == Some(output));
         let Some(channel) = channel else {
             let known: Vec<String> = self.control.outputs.iter().flatten().map(ToString::to_string).collect();
-            let message = Message::new("post-no-process-value").text("output", output.to_string());
-            return Err(Fault::unknown(span, message)
+            return Err(Fault::unknown(span, Message::new("post-no-process-value").text("output", output.to_string()))
                 .allowed(match known.is_empty() {
                     true => Message::new("post-none-on-machine"),
                     false => Message::verbatim(known.join(" ")),
@@ -259,8 +303,7 @@ impl<'a> State<'a> {
     pub(super) fn own_code(&mut self, letter: u8, number: u32) -> bool {
         match self.addresses.code(letter, number) {
             Some(Code::Event(event)) => {
-                let event = event.clone();
-                self.event_later(event);
+                self.event_later(event.clone());
             }
             Some(Code::ExactStop) => self.exact_stop = true,
             Some(Code::ContinuousPath) => self.exact_stop = false,

@@ -45,7 +45,6 @@ impl Block {
         words.chain(others.into_iter().flatten()).min_by_key(|s| s.from)
     }
 
-    /// Whether the block has a word of an arc.
     #[inline]
     pub(super) fn has_arc_word(&self) -> bool {
         self.centre.iter().any(Option::is_some)
@@ -57,7 +56,6 @@ impl Block {
 }
 
 impl State<'_> {
-    /// The block's move, if it has one.
     #[inline]
     pub(super) fn go(&mut self, block: &Block) -> Read {
         let arc_word = block.has_arc_word();
@@ -66,8 +64,7 @@ impl State<'_> {
         }
         let place = self.target.span().unwrap_or(block.span);
         let Some(motion) = self.motion else {
-            let fault = Fault::new(place, "post-no-motion-mode");
-            return Err(fault.cure("post-no-motion-mode-cure"));
+            return Err(Fault::new(place, "post-no-motion-mode").cure("post-no-motion-mode-cure"));
         };
         if arc_word && !motion.is_arc() {
             let span = block.arc_word().unwrap_or(block.span);
@@ -137,8 +134,7 @@ impl State<'_> {
     /// After a change of the level X, Y and Z follow from the kinematics: a block must give all three.
     fn find_again(&mut self, motion: Motion, place: Span) -> Read {
         let said = |k: usize| {
-            let word = self.addresses.xyz[k].and_then(|channel| self.target.get(channel));
-            word.is_some_and(|w| match w.how {
+            self.addresses.xyz[k].and_then(|channel| self.target.get(channel)).is_some_and(|w| match w.how {
                 How::Modal => !self.incremental,
                 how => how != How::Increment,
             })
@@ -170,8 +166,7 @@ impl State<'_> {
             FeedMode::Time => return Ok(feed.max(self.least_time)),
             _ if !moves => 0.0,
             FeedMode::InverseTime if self.control.dialect == Dialect::Linuxcnc => {
-                let way = way(self);
-                self.control.inverse_time(feed, way)
+                self.control.inverse_time(feed, way(self))
             }
             FeedMode::InverseTime => self.control.inverse_time(feed, 0.0),
             FeedMode::PerMinute => {
@@ -179,8 +174,7 @@ impl State<'_> {
                 let linear = (0..self.row.len()).any(|i| self.is_length(i) && (self.row[i] - self.next[i]).abs() > 0.0);
                 let in_inches = self.inch_feed && (linear || self.control.dialect != Dialect::Linuxcnc);
                 let feed = if in_inches { INCH * feed } else { feed };
-                let way = way(self);
-                self.control.per_minute(feed, way)
+                self.control.per_minute(feed, way(self))
             }
         };
         Ok(seconds.max(self.least_time))

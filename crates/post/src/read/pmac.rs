@@ -8,8 +8,8 @@ use super::lexer::Cursor;
 use super::lines::{Flow, Lines};
 use super::modal_state::{FeedMode, Motion, State};
 use super::motion::Block;
-use super::programs::{Programs, remark};
-use super::target::{How, twice};
+use super::programs::Programs;
+use super::target::{How, put_once};
 use glam::DVec3;
 use seamwright_message::Message;
 
@@ -17,7 +17,6 @@ use seamwright_message::Message;
 #[derive(Debug)]
 pub(super) struct Words {
     begun: bool,
-    /// Whether CLOSE was read.
     closed: bool,
     /// Channels that INC holds for.
     incremental: Vec<bool>,
@@ -75,24 +74,13 @@ impl Lines for Words {
 }
 
 impl Words {
-    /// One word or remark.
     #[inline]
     fn word(&mut self, block: &mut Block, state: &mut State, c: &mut Cursor) -> Read {
         let from = c.at;
         match c.peek() {
             b'A'..=b'Z' | b'a'..=b'z' => {}
-            b';' => {
-                c.at += 1;
-                let text = c.rest();
-                state.comment(text);
-                return Ok(());
-            }
-            b'/' if c.look(1) == b'/' => {
-                c.at += 2;
-                let text = c.rest();
-                state.comment(text);
-                return Ok(());
-            }
+            b';' => return state.comment_behind(1, c),
+            b'/' if c.look(1) == b'/' => return state.comment_behind(2, c),
             b'&' => {
                 c.at += 1;
                 return c.whole().map(|_| ());
@@ -109,26 +97,23 @@ impl Words {
             return self.axis(channel, state, c, from);
         }
         match letter {
-            b'N' => label(state, c, from),
+            b'N' => {
+                state.read_number(c, from)?;
+                state.pass_at_number(c, from);
+                Ok(())
+            }
             b'I' | b'J' | b'K' => {
                 if letter == b'I' && is_variable(c) {
                     return self.i_variable(c, from);
                 }
                 let value = state.expressions.word(c)?;
                 let span = c.since(from);
-                let place = &mut block.centre[usize::from(letter - b'I')];
-                if place.replace((value, How::Modal, span)).is_some() {
-                    return Err(twice(span));
-                }
-                Ok(())
+                put_once(&mut block.centre[usize::from(letter - b'I')], (value, How::Modal, span), span)
             }
             b'R' => {
                 let value = state.expressions.word(c)?;
                 let span = c.since(from);
-                if block.radius.replace((value, span)).is_some() {
-                    return Err(twice(span));
-                }
-                Ok(())
+                put_once(&mut block.radius, (value, span), span)
             }
             b'F' => {
                 let value = state.expressions.word(c)?;
@@ -139,8 +124,7 @@ impl Words {
             b'P' | b'Q' => {
                 let number = c.whole()?;
                 c.need(b'=')?;
-                let value = state.expressions.expression(c)?;
-                state.expressions.set(letter, number, value);
+                state.expressions.set(letter, number, state.expressions.expression(c)?);
                 Ok(())
             }
             b'M' if is_variable(c) => m_variable(state, c, from),
@@ -149,8 +133,7 @@ impl Words {
                 if state.own_code(letter, code) {
                     return Ok(());
                 }
-                let fault = Fault::unknown(c.since(from), "post-pmac-call");
-                Err(fault.cure("post-pmac-call-cure"))
+                Err(Fault::unknown(c.since(from), "post-pmac-call").cure("post-pmac-call-cure"))
             }
             _ => {
                 let span = c.since(from);
@@ -239,24 +222,6 @@ fn is_variable(c: &Cursor) -> bool {
     digits && ahead.peek() == b'='
 }
 
-/// A label; alone in its line, except for a remark, it starts a pass.
-fn label(state: &mut State, c: &mut Cursor, from: usize) -> Read {
-    let number = c.whole()?;
-    if state.number.is_some() {
-        return Err(twice(c.since(from)));
-    }
-    state.number = Some(number);
-    let mut ahead = *c;
-    let name = remark(&mut ahead);
-    ahead.blanks();
-    if ahead.is_done() {
-        let label = c.of(c.since(from));
-        *c = ahead;
-        state.pass(if name.is_empty() { label } else { name });
-    }
-    Ok(())
-}
-
 /// `#1->X`: which motor an axis is. Only that the axis is known matters here.
 fn definition(state: &State, c: &mut Cursor) -> Read {
     c.at += 1;
@@ -289,14 +254,7 @@ fn m_variable(state: &mut State, c: &mut Cursor, from: usize) -> Read {
         return Ok(());
     }
     match number {
-        1..=100 => {
-            let on = value > 0.5;
-            if (value - f64::from(u8::from(on))).abs() > 1e-9 {
-                return Err(Fault::new(c.since(place), "post-digital-value").allowed("post-digital-value-allowed"));
-            }
-            state.switch(number as u16 - 1, on, at_once);
-            Ok(())
-        }
+        1..=100 => state.switch_by_value(number as u16 - 1, value, at_once, c.since(place)),
         101..=200 => state.set_output(number - 101, value, at_once, span),
         _ => {
             let fault =

@@ -37,7 +37,6 @@ impl<'a> Programs<'a> {
         }
     }
 
-    /// Index of the sub-program called `name`.
     pub(super) fn sub(&self, name: &str) -> Option<usize> {
         self.subs.iter().position(|p| same(p.name, name))
     }
@@ -128,8 +127,7 @@ pub(super) fn o_word<'a>(c: &mut Cursor<'a>) -> Read<(&'a str, &'a str)> {
     c.blanks();
     let from = c.at;
     let name = if c.take(b'<') {
-        let name = c.until('>').ok_or_else(|| Fault::new(c.since(from), "post-name-open"))?;
-        name.trim()
+        c.until('>').ok_or_else(|| Fault::new(c.since(from), "post-name-open"))?.trim()
     } else {
         let from = c.at;
         c.whole()?;

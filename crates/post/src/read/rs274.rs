@@ -10,7 +10,7 @@ use super::lines::{Flow, Lines};
 use super::modal_state::State;
 use super::motion::Block;
 use super::programs::{Programs, o_word, remark};
-use super::target::{How, twice};
+use super::target::{How, put_once};
 use crate::control::Dialect;
 use crate::part_program::Event;
 use seamwright_message::Message;
@@ -92,7 +92,6 @@ impl Lines for Words {
 }
 
 impl Words {
-    /// One word or remark.
     #[inline]
     fn word(&mut self, line: &mut Line, state: &mut State, c: &mut Cursor) -> Read {
         let from = c.at;
@@ -101,21 +100,15 @@ impl Words {
         c.blanks();
         match letter {
             b'(' => return comment(state, c, from),
-            b';' => {
-                let text = c.rest();
-                state.comment(text);
-                return Ok(());
-            }
+            b';' => return state.comment_behind(0, c),
             b'N' => return label(state, c),
             b'G' => {
                 self.begun = true;
-                let code = c.code()?;
-                return line.g_code(code, state, c.since(from));
+                return line.g_code(c.code()?, state, c.since(from));
             }
             b'M' => {
                 self.begun = true;
-                let code = c.code()?;
-                return line.m_code(code, state, c.since(from));
+                return line.m_code(c.code()?, state, c.since(from));
             }
             b'#' if state.control.dialect == Dialect::Linuxcnc => return self.assign(state, c),
             _ => {}
@@ -127,7 +120,7 @@ impl Words {
             if !state.is_interpolated(channel) {
                 // It is set at the line's end, when it is known whether the line moves.
                 if letter == b'S' {
-                    return keep(&mut line.values[S], value, span);
+                    return put_once(&mut line.values[S], (value, span), span);
                 }
                 state.set_later(channel, value);
                 return Ok(());
@@ -138,14 +131,9 @@ impl Words {
             let value = value(state, c)?;
             let span = c.since(from);
             if index >= I {
-                let word = &mut line.block.centre[index - I];
-                if word.is_some() {
-                    return Err(twice(span));
-                }
-                *word = Some((value, How::Modal, span));
-                return Ok(());
+                return put_once(&mut line.block.centre[index - I], (value, How::Modal, span), span);
             }
-            return keep(&mut line.values[index], value, span);
+            return put_once(&mut line.values[index], (value, span), span);
         }
         c.at = from;
         let mark = c.here();
@@ -177,8 +165,7 @@ impl Words {
             }
             _ => {
                 let message = Message::new("post-no-branches").text("name", format!("o{name} {keyword}"));
-                let fault = Fault::new(span, message);
-                return Err(fault.allowed("post-subs-allowed").cure("post-write-out"));
+                return Err(Fault::new(span, message).allowed("post-subs-allowed").cure("post-write-out"));
             }
         };
         let title = remark(c);
@@ -187,8 +174,7 @@ impl Words {
             return Err(Fault::new(c.here(), "post-call-arguments").allowed("post-call-arguments-allowed"));
         }
         let named = sub.map_or("", |sub| programs.subs[sub].title);
-        let name = [title, named, name].into_iter().find(|n| !n.is_empty()).unwrap_or_default();
-        state.pass(name);
+        state.pass([title, named, name].into_iter().find(|n| !n.is_empty()).unwrap_or_default());
         Ok(flow)
     }
 
@@ -197,12 +183,10 @@ impl Words {
         let parameter = state.expressions.parameter_name(c, 0)?;
         c.need(b'=')?;
         c.blanks();
-        let value = state.expressions.word(c)?;
-        self.assigned.push((parameter, value));
+        self.assigned.push((parameter, state.expressions.word(c)?));
         Ok(())
     }
 
-    /// Executes the line.
     #[inline]
     fn finish(&mut self, line: Line, state: &mut State) -> Read<Flow> {
         let flow = line.finish(state)?;
@@ -216,7 +200,6 @@ impl Words {
     }
 }
 
-/// The value behind a letter.
 #[inline]
 fn value(state: &State, c: &mut Cursor) -> Read<f64> {
     if state.control.dialect == Dialect::Linuxcnc {
@@ -226,14 +209,6 @@ fn value(state: &State, c: &mut Cursor) -> Read<f64> {
         return Err(Fault::new(c.here(), "post-grblhal-expression").allowed("a number"));
     }
     c.number()
-}
-
-fn keep(place: &mut Option<(f64, Span)>, value: f64, span: Span) -> Read {
-    if place.is_some() {
-        return Err(twice(span));
-    }
-    *place = Some((value, span));
-    Ok(())
 }
 
 /// A remark in brackets, or a message.
@@ -254,19 +229,9 @@ fn comment(state: &mut State, c: &mut Cursor, from: usize) -> Read {
 /// N and the block's number. On grblHAL one alone in its line, except for a remark, starts a pass.
 fn label(state: &mut State, c: &mut Cursor) -> Read {
     let from = c.at - 1;
-    let number = c.whole()?;
-    if state.number.is_some() {
-        return Err(twice(c.since(from)));
-    }
-    state.number = Some(number);
+    state.read_number(c, from)?;
     if state.control.dialect == Dialect::Grblhal && state.target.count == 0 {
-        let mut ahead = *c;
-        let name = remark(&mut ahead);
-        ahead.blanks();
-        if ahead.is_done() {
-            *c = ahead;
-            state.pass(if name.is_empty() { c.of(Span { from, to: c.end }).trim() } else { name });
-        }
+        state.pass_at_number(c, from);
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use super::lines::{Flow, Lines};
 use super::modal_state::{Motion, State};
 use super::motion::Block;
 use super::programs::{Programs, remark};
-use super::target::{How, twice};
+use super::target::{How, put_once};
 use crate::part_program::Level;
 use line::Line;
 use seamwright_message::Message;
@@ -54,22 +54,16 @@ impl Lines for Words {
 }
 
 impl Line {
-    /// One word or remark.
     #[inline]
     fn word(&mut self, state: &mut State, c: &mut Cursor, programs: &Programs) -> Read {
         let from = c.at;
         let letter = c.peek();
         match letter {
             b'A'..=b'Z' | b'a'..=b'z' | b'_' => {}
-            b';' => {
-                c.at += 1;
-                let text = c.rest();
-                state.comment(text);
-                return Ok(());
-            }
+            b';' => return state.comment_behind(1, c),
             b':' => {
                 c.at += 1;
-                return number(state, c, from);
+                return state.read_number(c, from);
             }
             b'$' => return self.system_variable(state, c, true),
             b'/' => return Err(skipped(c)),
@@ -84,7 +78,7 @@ impl Line {
         if matches!(c.look(1), b'0'..=b'9' | b'.' | b'-' | b'+') && !longer_name(c) {
             c.at += 1;
             if letter.eq_ignore_ascii_case(&b'N') {
-                return number(state, c, from);
+                return state.read_number(c, from);
             }
             self.begun = true;
             return self.address(letter, state, c, from);
@@ -118,36 +112,22 @@ impl Line {
             return put(state, channel, value, how, c.since(from));
         }
         match letter {
-            b'G' => {
-                let code = c.code()?;
-                self.g_code(code, state, c.since(from))
-            }
-            b'M' => {
-                let code = c.code()?;
-                self.m_code(code, state, c.since(from))
-            }
+            b'G' => self.g_code(c.code()?, state, c.since(from)),
+            b'M' => self.m_code(c.code()?, state, c.since(from)),
             b'F' => {
                 let value = state.expressions.expression(c)?;
                 let span = c.since(from);
-                if self.feed.replace((value, span)).is_some() {
-                    return Err(twice(span));
-                }
-                Ok(())
+                put_once(&mut self.feed, (value, span), span)
             }
             b'I' | b'J' | b'K' => {
                 let (value, how) = value(state, c)?;
                 let span = c.since(from);
-                let place = &mut self.block.centre[usize::from(letter - b'I')];
-                if place.replace((value, how, span)).is_some() {
-                    return Err(twice(span));
-                }
-                Ok(())
+                put_once(&mut self.block.centre[usize::from(letter - b'I')], (value, how, span), span)
             }
             _ => {
                 let end = c.at;
                 c.skip_word();
-                let name = char::from(letter).to_string();
-                Err(no_address(state.control, Span { from, to: end }, &name))
+                Err(no_address(state.control, Span { from, to: end }, &char::from(letter).to_string()))
             }
         }
     }
@@ -159,24 +139,24 @@ impl Line {
             return put(state, channel, value, how, c.since(span.from));
         }
         let upper = [0, 1].map(|i| name.as_bytes().get(i).map_or(0, u8::to_ascii_uppercase));
-        let again = |taken: bool, c: &Cursor| if taken { Err(twice(c.since(span.from))) } else { Ok(()) };
         match upper {
             [b'I' | b'J' | b'K', b'1'] if name.len() == 2 => {
                 let (value, how) = value(state, c)?;
-                let word = (value, how, c.since(span.from));
-                again(self.block.middle[usize::from(upper[0] - b'I')].replace(word).is_some(), c)
+                let span = c.since(span.from);
+                put_once(&mut self.block.middle[usize::from(upper[0] - b'I')], (value, how, span), span)
             }
             [b'C', b'R'] if name.len() == 2 => {
                 let value = state.expressions.expression(c)?;
-                again(self.block.radius.replace((value, c.since(span.from))).is_some(), c)
+                let span = c.since(span.from);
+                put_once(&mut self.block.radius, (value, span), span)
             }
             [b'A', b'R'] if name.len() == 2 => {
                 let value = state.expressions.expression(c)?;
-                again(self.block.angle.replace((value, c.since(span.from))).is_some(), c)
+                let span = c.since(span.from);
+                put_once(&mut self.block.angle, (value, span), span)
             }
             [b'R', b'0'..=b'9'] if name.len() <= 10 && name[1..].bytes().all(|b| b.is_ascii_digit()) => {
-                let value = state.expressions.expression(c)?;
-                state.expressions.set(b'R', name[1..].parse().unwrap_or(u32::MAX), value);
+                state.expressions.set(b'R', name[1..].parse().unwrap_or(u32::MAX), state.expressions.expression(c)?);
                 Ok(())
             }
             [b'P', b'L'] if name.len() == 2 => {
@@ -185,7 +165,7 @@ impl Line {
                 if !(1e-4..=99_999.999_9).contains(&value) {
                     return Err(Fault::new(at, "post-parameter-length").allowed("post-parameter-length-allowed"));
                 }
-                again(self.block.parameter.replace(value).is_some(), c)
+                put_once(&mut self.block.parameter, value, at)
             }
             _ if same(name, "TURN") => {
                 let value = state.expressions.expression(c)?;
@@ -193,11 +173,10 @@ impl Line {
                 if !(0.0..=999.0).contains(&value) || (value - value.round()).abs() > 1e-9 {
                     return Err(Fault::new(at, "post-turns").allowed("post-turns-allowed"));
                 }
-                again(self.block.turns.replace((value.round() as u32, at)).is_some(), c)
+                put_once(&mut self.block.turns, (value.round() as u32, at), at)
             }
             _ if state.expressions.is_named(name) => {
-                let value = state.expressions.expression(c)?;
-                state.expressions.set_named(name, value);
+                state.expressions.set_named(name, state.expressions.expression(c)?);
                 Ok(())
             }
             _ => {
@@ -239,8 +218,7 @@ impl Line {
             "WHEN" => return self.when(state, c, span),
             "SUPA" => self.block.machine_zero = true,
             _ if programs.sub(program_name(&upper)).is_some() => {
-                let sub = programs.sub(program_name(&upper)).unwrap_or_default();
-                return self.call(sub, name, first, state, c, span);
+                return self.call(programs.sub(program_name(&upper)).unwrap_or_default(), name, first, state, c, span);
             }
             _ if STEERING.contains(&upper.as_str()) => {
                 let message = Message::new("post-no-calls-of-others").text("name", upper);
@@ -295,23 +273,12 @@ fn program_name(name: &str) -> &str {
     name.strip_suffix("_SPF").or_else(|| name.strip_suffix("_MPF")).unwrap_or(name)
 }
 
-/// A block number.
-fn number(state: &mut State, c: &mut Cursor, from: usize) -> Read {
-    let number = c.whole()?;
-    if state.number.is_some() {
-        return Err(twice(c.since(from)));
-    }
-    state.number = Some(number);
-    Ok(())
-}
-
 /// A value, as it is or within AC(..), IC(..), DC(..), ACP(..) or ACN(..).
 #[inline]
 fn value(state: &State, c: &mut Cursor) -> Read<(f64, How)> {
     c.blanks();
     let how = if c.peek().is_ascii_alphabetic() { how(c) } else { How::Modal };
-    let value = state.expressions.expression(c)?;
-    Ok((value, how))
+    Ok((state.expressions.expression(c)?, how))
 }
 
 /// The word before the bracket, which is then read; the brackets are the expression's own.
@@ -327,7 +294,6 @@ fn how(c: &mut Cursor) -> How {
     })
 }
 
-/// A channel's word.
 #[inline]
 fn put(state: &mut State, channel: usize, value: f64, how: How, span: Span) -> Read {
     if !state.is_interpolated(channel) {

@@ -53,7 +53,6 @@ impl Target {
         self.count = 0;
     }
 
-    /// Sets `value` of a channel in the block.
     #[inline]
     pub(super) fn put(&mut self, channel: usize, value: f64, how: How, speed: Option<f64>, span: Span) -> Read {
         if self.words[channel].stamp == self.now {
@@ -67,7 +66,6 @@ impl Target {
         Ok(())
     }
 
-    /// Word of the block for a channel.
     #[inline]
     pub(super) fn get(&self, channel: usize) -> Option<&Word> {
         let word = &self.words[channel];
@@ -78,6 +76,11 @@ impl Target {
     pub(super) fn span(&self) -> Option<Span> {
         self.words.iter().filter(|w| w.stamp == self.now).map(|w| w.span).min_by_key(|s| s.from)
     }
+}
+
+/// Puts a word where none may be yet.
+pub(super) fn put_once<T>(place: &mut Option<T>, word: T, span: Span) -> Read {
+    if place.replace(word).is_some() { Err(twice(span)) } else { Ok(()) }
 }
 
 /// The same word twice in a block.

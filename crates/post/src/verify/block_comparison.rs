@@ -10,7 +10,6 @@ pub(super) struct Block {
     pub(super) arc: bool,
     /// The pass it belongs to, counted from 0.
     pub(super) pass: usize,
-    /// Whether it is rapid.
     pub(super) rapid: bool,
 }
 
@@ -26,10 +25,7 @@ const TIME: (f64, f64) = (1e-6, 2e-6);
 const OTHER: f64 = 1e-3;
 
 /// Compares the request with the text read back: the same blocks in the same order, to the same positions, at the same
-/// times, with the same outputs between them.
-///
-/// # Errors
-/// A description of the first difference.
+/// times, with the same outputs between them. Errors: a description of the first difference.
 pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, start: &[f64]) -> Result<Same, Message> {
     let [of_asked, of_told] = [asked, told].map(|program| moves(program, start));
     let passes = passes(asked);
@@ -74,8 +70,7 @@ pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, s
         same.blocks.push(Block { told: t.clone(), arc: a.arc, pass: passes[a.step], rapid });
     }
     if of_asked.len() != of_told.len() {
-        let counts = Message::new("post-block-count").count("found", of_told.len());
-        return Err(counts.count("planned", of_asked.len()));
+        return Err(Message::new("post-block-count").count("found", of_told.len()).count("planned", of_asked.len()));
     }
     let [a, t] = [asked, told].map(|program| events(control, program));
     if a != t {
@@ -98,8 +93,7 @@ fn goes(program: &PartProgram, segment: &Segment) -> bool {
 
 /// Segments with motion or of some duration.
 fn moves(program: &PartProgram, start: &[f64]) -> Vec<Segment> {
-    let all = play(program, start).into_iter();
-    all.filter(|s| s.seconds > 0.0 || s.start() != s.end()).collect()
+    play(program, start).into_iter().filter(|s| s.seconds > 0.0 || s.start() != s.end()).collect()
 }
 
 /// The pass that each step belongs to.

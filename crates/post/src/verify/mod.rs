@@ -43,7 +43,7 @@ pub struct Verification {
 }
 
 /// The proof of one pass.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct PassVerification {
     /// Its name.
     pub name: String,

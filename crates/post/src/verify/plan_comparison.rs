@@ -24,21 +24,7 @@ pub(super) fn as_it_stands(pass: &Pass, number: usize, blocks: &[Block]) -> Pass
 }
 
 fn nothing(pass: &Pass) -> PassVerification {
-    PassVerification {
-        name: pass.name.clone(),
-        as_it_stands: false,
-        tip_mm: 0.0,
-        linear: None,
-        rotary: None,
-        direction_deg: 0.0,
-        lag_mm: 0.0,
-        speed_percent: 0.0,
-        speed_inside_percent: 0.0,
-        speed_bounded_percent: 0.0,
-        arc_s: 0.0,
-        time_percent: 0.0,
-        process: None,
-    }
+    PassVerification { name: pass.name.clone(), ..PassVerification::default() }
 }
 
 /// Compares the blocks of a pass with the arc on with its planned motion.
@@ -131,7 +117,6 @@ impl Checker<'_> {
         self.process(&row, segment.begin + 0.5 * segment.seconds);
     }
 
-    /// Axes and tip at a row.
     fn place(&self, row: &[f64], tip_level: bool) -> (Joints, Pose) {
         let machine = self.planned.machine;
         let mut q = Joints::default();
@@ -203,8 +188,7 @@ impl Checker<'_> {
 
     fn process(&mut self, row: &[f64], t: f64) {
         let (mut cursor, since_on) = (self.cursor, t - self.travel + self.motion.sequence.travel_delay_s.get());
-        let travel = (t - self.travel).clamp(0.0, self.motion.profile.duration());
-        let s = self.motion.profile.at(travel, &mut cursor).s;
+        let s = self.motion.profile.at((t - self.travel).clamp(0.0, self.motion.profile.duration()), &mut cursor).s;
         for (channel, name, greatest) in &self.greatest {
             let time = ArcTime { since_on_s: since_on, until_off_s: self.motion.arc_on_s() - since_on };
             let Some(asked) = self.pass.process_at(name, s, time) else { continue };

@@ -18,7 +18,6 @@ pub(super) trait Tongue {
     /// The start of pass `number` (from 1), in a sub-program of its own or not.
     fn begin(&mut self, w: &mut Writer, number: u32, name: &str, sub: bool);
 
-    /// Its end.
     fn end(&mut self, w: &mut Writer, number: u32, sub: bool);
 
     /// The line of the main part that runs pass `number`.
@@ -41,17 +40,14 @@ pub(super) trait Tongue {
     /// A block of motion to the row `to`; the changes are in `w`.
     fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem>;
 
-    /// Sets a process value.
     fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem> {
         rs274::set(w, channel, value, at_once)
     }
 
-    /// Switches a digital output.
     fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool) {
         rs274::output(w, output, on, at_once);
     }
 
-    /// Shows a message to the operator.
     fn message(&mut self, w: &mut Writer, text: &str) {
         rs274::message(w, text);
     }

@@ -22,8 +22,7 @@ impl Tongue for Grblhal {
         self.modal.forget();
         w.text.counted("N", 1000 * number);
         w.text.word(STATE);
-        w.text.remark(name);
-        w.text.end();
+        w.text.comment(name);
     }
 
     fn end(&mut self, w: &mut Writer, _number: u32, _sub: bool) {
@@ -38,8 +37,7 @@ impl Tongue for Grblhal {
         self.modal.go(w, step, to)?;
         if step.exact_stop {
             w.text.word("G4 P0");
-            w.text.remark("exact stop");
-            w.text.end();
+            w.text.comment("exact stop");
         }
         Ok(())
     }
@@ -52,11 +50,9 @@ impl Tongue for Grblhal {
         let word = if *on { "M3" } else { "M5" };
         if at_once {
             w.text.word(word);
-            w.text.remark(if *on { "arc on" } else { "arc off" });
-            w.text.end();
+            w.text.comment(if *on { "arc on" } else { "arc off" });
         } else {
-            w.pending.push(' ');
-            w.pending.push_str(word);
+            w.with_next_move(word);
         }
         true
     }

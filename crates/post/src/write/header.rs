@@ -40,11 +40,9 @@ impl Writer<'_> {
         };
         self.text.comment(&format!("units mm, degrees; absolute; {feed}"));
         self.text.comment("work offsets and tool offsets must be zero");
-        let options = self.options;
-        options.remarks.iter().for_each(|remark| self.text.comment(remark));
+        self.options.remarks.iter().for_each(|remark| self.text.comment(remark));
         if passes > 1 && self.has_subs() {
-            let how = tongue.restart(passes);
-            self.text.comment(&how);
+            self.text.comment(&tongue.restart(passes));
             let burning = self.burning();
             if !burning.is_empty() {
                 self.text.comment(&format!("but not at pass {}: the arc burns on into it", burning.join(", ")));

@@ -19,7 +19,6 @@ fn blends(w: &mut Writer) {
     }
 }
 
-/// Number of the sub-program of a pass.
 fn sub_number(pass: u32) -> u32 {
     100 + pass
 }
@@ -37,8 +36,7 @@ impl Tongue for Linuxcnc {
         if sub {
             w.text.counted("o", sub_number(number));
             w.text.word("sub");
-            w.text.remark(name);
-            w.text.end();
+            w.text.comment(name);
         }
     }
 
@@ -53,8 +51,7 @@ impl Tongue for Linuxcnc {
     fn call(&mut self, w: &mut Writer, number: u32, name: &str) {
         w.text.counted("o", sub_number(number));
         w.text.word("call");
-        w.text.remark(name);
-        w.text.end();
+        w.text.comment(name);
     }
 
     fn restart(&self, passes: u32) -> String {
@@ -70,16 +67,14 @@ impl Tongue for Linuxcnc {
         };
         w.text.counted("M68 E", u32::from(output));
         w.text.valued("Q", value);
-        w.text.remark(remark);
-        w.text.end();
+        w.text.comment(remark);
         w.text.line("M66 E0 L0");
     }
 
     fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem> {
         if step.exact_stop {
             w.text.word("G61.1");
-            w.text.remark("exact stop");
-            w.text.end();
+            w.text.comment("exact stop");
         }
         self.modal.go(w, step, to)?;
         if step.exact_stop {

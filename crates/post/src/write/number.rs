@@ -1,6 +1,5 @@
 //! Numbers as controls read them: fixed point, no exponent, no trailing zeros, no negative zero.
 
-/// Decimals of words.
 const DECIMALS: usize = 6;
 const SCALE: f64 = 1e6;
 /// Above this the products below are not exact any more.
@@ -10,8 +9,7 @@ const LARGEST: f64 = 4e9;
 pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     let mut text = format!("{value:.decimals$}");
     if text.contains('.') {
-        let end = text.trim_end_matches('0').trim_end_matches('.').len();
-        text.truncate(end);
+        text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
     }
     if text == "-0" { "0".to_owned() } else { text }
 }
@@ -65,7 +63,6 @@ pub(super) fn push_fine(out: &mut Vec<u8>, value: f64, point: u8) {
     }
 }
 
-/// `size` in millionths.
 fn millionths(size: f64) -> u64 {
     let scaled = size * SCALE;
     let whole = scaled.floor();
@@ -74,8 +71,7 @@ fn millionths(size: f64) -> u64 {
     if above.abs() > scaled * f64::EPSILON {
         return whole as u64 + u64::from(above > 0.0);
     }
-    let error = size.mul_add(SCALE, -scaled);
-    let exact = above + error;
+    let exact = above + size.mul_add(SCALE, -scaled);
     let whole = whole as u64;
     whole + u64::from(exact > 0.0 || (exact == 0.0 && whole % 2 == 1))
 }

@@ -99,7 +99,7 @@ impl Pmac {
         }
         self.pace(w, step, Some(&arc), to);
         let xyz = w.control.axes_xyz();
-        words(w, to, |i| xyz.contains(&Some(i)));
+        w.words(to, |i| xyz.contains(&Some(i)));
         let to_centre = arc.centre - w.place(&w.here);
         for (k, letter) in ["I", "J", "K"].iter().enumerate().filter(|(k, _)| xyz[*k].is_some() && axis != Some(*k)) {
             w.text.fine(letter, to_centre[k]);
@@ -115,16 +115,10 @@ impl Pmac {
         }
     }
 
-    /// The state at the start of a pass.
     fn state(&mut self, w: &mut Writer) {
         w.text.word("ABS TA0 TS0");
         if w.options.feed == Feed::PerMinute {
-            w.text.word("FRAX(");
-            for k in 0..w.program.axes() {
-                w.text.glue(if k > 0 { "," } else { "" });
-                w.text.glue(&w.control.addresses[w.order[k]]);
-            }
-            w.text.glue(")");
+            w.all_axes("FRAX(");
         }
         w.text.end();
         *self = Self::default();
@@ -137,16 +131,6 @@ fn bracketed(w: &mut Writer, word: &str, value: f64) {
     w.text.glue("(");
     w.text.number(value);
     w.text.glue(")");
-}
-
-/// The words of a row that have changed or are asked for.
-fn words(w: &mut Writer, to: &[f64], asked: impl Fn(usize) -> bool) {
-    for k in 0..w.order.len() {
-        let i = w.order[k];
-        if w.changes(i, to) || asked(i) {
-            w.text.valued(&w.control.addresses[i], to[i]);
-        }
-    }
 }
 
 impl Tongue for Pmac {
@@ -162,8 +146,7 @@ impl Tongue for Pmac {
             w.text.end();
         }
         w.text.word("I5190=1000");
-        w.text.remark("feeds per second");
-        w.text.end();
+        w.text.comment("feeds per second");
         w.text.counted("OPEN PROG ", PROGRAM);
         w.text.line("CLEAR");
         if w.passes() == 0 {
@@ -173,8 +156,7 @@ impl Tongue for Pmac {
 
     fn begin(&mut self, w: &mut Writer, number: u32, name: &str, _sub: bool) {
         w.text.counted("N", 1000 * number);
-        w.text.remark(name);
-        w.text.end();
+        w.text.comment(name);
         self.state(w);
     }
 
@@ -200,19 +182,18 @@ impl Tongue for Pmac {
                     return Ok(());
                 }
                 self.mode(w, Mode::Rapid);
-                words(w, to, |_| false);
+                w.words(to, |_| false);
             }
             Path::Line => {
                 self.mode(w, Mode::Linear);
                 self.pace(w, step, None, to);
-                words(w, to, |_| false);
+                w.words(to, |_| false);
             }
             Path::Arc(index) => self.arc(w, step, index, to)?,
             Path::Hermite(speeds) => {
                 self.mode(w, Mode::Pvt);
                 self.time(w, "PVT", step.seconds);
-                let program = w.program;
-                let speeds = program.row(speeds);
+                let speeds = w.program.row(speeds);
                 for k in 0..w.order.len() {
                     let i = w.order[k];
                     w.text.valued(&w.control.addresses[i], to[i]);
@@ -221,8 +202,7 @@ impl Tongue for Pmac {
                 }
             }
             Path::Curve(_) => {
-                let cure = "post-plan-again-sinumerik";
-                return Err(Problem::plain("post-only-sinumerik", cure));
+                return Err(Problem::plain("post-only-sinumerik", "post-plan-again-sinumerik"));
             }
             Path::Spline => {
                 self.mode(w, Mode::Spline);
@@ -233,15 +213,14 @@ impl Tongue for Pmac {
                     self.time = None;
                     self.time(w, "TM", step.seconds);
                 }
-                words(w, to, |_| false);
+                w.words(to, |_| false);
             }
         }
         w.text.end();
         self.moved = !step.exact_stop;
         if step.exact_stop {
             w.text.word("DWELL0");
-            w.text.remark("exact stop");
-            w.text.end();
+            w.text.comment("exact stop");
         }
         Ok(())
     }
@@ -257,8 +236,7 @@ impl Tongue for Pmac {
         }
         w.text.glue(if at_once { "=" } else { "==" });
         w.text.number(value);
-        w.text.remark(&control.channels[channel].name);
-        w.text.end();
+        w.text.comment(&control.channels[channel].name);
         Ok(())
     }
 
@@ -281,9 +259,6 @@ impl Tongue for Pmac {
     fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>) {
         self.moved = false;
         bracketed(w, "DWELL", 1e3 * seconds);
-        if let Some(why) = why {
-            w.text.remark(why);
-        }
-        w.text.end();
+        w.text.end_with(why);
     }
 }

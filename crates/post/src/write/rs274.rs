@@ -38,15 +38,14 @@ impl Rs274 {
             Path::Rapid | Path::Line => None,
             Path::Arc(index) => Some(w.arc(index)?),
             Path::Hermite(_) | Path::Spline | Path::Curve(_) => {
-                let cure = "post-plan-again-pmac";
-                return Err(Problem::plain("post-only-pmac", cure));
+                return Err(Problem::plain("post-only-pmac", "post-plan-again-pmac"));
             }
         };
         if step.path == Path::Rapid {
             if w.order.iter().any(|i| w.changes(*i, to)) || !w.pending.is_empty() {
                 w.text.word("G0");
-                words(w, to, None);
-                flush(w);
+                w.words(to, |_| false);
+                w.end_move();
             }
             return Ok(());
         }
@@ -54,14 +53,14 @@ impl Rs274 {
         match &arc {
             None => {
                 w.text.word("G1");
-                words(w, to, None);
+                w.words(to, |_| false);
             }
             Some(arc) => self.arc(w, arc, to)?,
         }
         if let Some(feed) = feed {
             w.text.fine("F", feed);
         }
-        flush(w);
+        w.end_move();
         Ok(())
     }
 
@@ -73,16 +72,13 @@ impl Rs274 {
     }
 
     fn arc(&mut self, w: &mut Writer, arc: &Arc, to: &[f64]) -> Result<(), Problem> {
-        let square = (0..3).find(|k| arc.normal[*k].abs() > 1.0 - 1e-9).ok_or_else(|| {
-            let cure = "post-plan-again-lines";
-            Problem::plain("post-arc-outside-planes", cure)
-        })?;
-        if self.plane != Some(square) {
-            w.text.word(["G19", "G18", "G17"][square]);
-            self.plane = Some(square);
-        }
-        w.text.word(if arc.normal[square] * arc.sweep > 0.0 { "G3" } else { "G2" });
-        words(w, to, Some(square));
+        let square = (0..3)
+            .find(|k| arc.normal[*k].abs() > 1.0 - 1e-9)
+            .ok_or_else(|| Problem::plain("post-arc-outside-planes", "post-plan-again-lines"))?;
+        arc_words(w, &mut self.plane, square, arc);
+        let mut plane = w.control.axes_xyz();
+        plane[square] = None;
+        w.words(to, |i| plane.contains(&Some(i)));
         let to_centre = arc.centre - w.place(&w.here);
         for k in (0..3).filter(|k| *k != square) {
             w.text.fine(["I", "J", "K"][k], to_centre[k]);
@@ -95,31 +91,17 @@ impl Rs274 {
     }
 }
 
+/// The plane of an arc, whose axis is `square` to it, if it is not in force; and G2 or G3.
+pub(super) fn arc_words(w: &mut Writer, plane: &mut Option<usize>, square: usize, arc: &Arc) {
+    if plane.replace(square) != Some(square) {
+        w.text.word(["G19", "G18", "G17"][square]);
+    }
+    w.text.word(if arc.normal[square] * arc.sweep > 0.0 { "G3" } else { "G2" });
+}
+
 /// Full turns of an arc beyond its first one.
 pub(super) fn whole_turns(arc: &Arc) -> u32 {
     ((arc.sweep.abs() / TAU - 1e-9).ceil() - 1.0).max(0.0) as u32
-}
-
-/// The words of a row that have changed; of an arc, whose plane has the axis `square` to it, those in the plane too.
-fn words(w: &mut Writer, to: &[f64], square: Option<usize>) {
-    let said = square.map(|square| {
-        let mut xyz = w.control.axes_xyz();
-        xyz[square] = None;
-        xyz
-    });
-    for k in 0..w.order.len() {
-        let i = w.order[k];
-        if w.changes(i, to) || said.is_some_and(|said| said.contains(&Some(i))) {
-            w.text.valued(&w.control.addresses[i], to[i]);
-        }
-    }
-}
-
-/// Adds the words that wait for the move, and ends the line.
-fn flush(w: &mut Writer) {
-    w.text.glue(&w.pending);
-    w.pending.clear();
-    w.text.end();
 }
 
 /// Sets a process value at its output or by its own word.
@@ -133,9 +115,7 @@ pub(super) fn set(w: &mut Writer, channel: usize, value: f64, at_once: bool) -> 
     } else if address.len() == 1 && at_once {
         w.text.valued(address, value);
     } else if address.len() == 1 {
-        w.pending.push(' ');
-        w.pending.push_str(address);
-        w.pending.push_str(&fixed(value, 6));
+        w.with_next_move(&format!("{address}{}", fixed(value, 6)));
         return Ok(());
     } else {
         let cure = "post-value-without-output-cure";
@@ -149,7 +129,6 @@ pub(super) fn set(w: &mut Writer, channel: usize, value: f64, at_once: bool) -> 
     Ok(())
 }
 
-/// Switches a digital output.
 pub(super) fn output(w: &mut Writer, output: u32, on: bool, at_once: bool) {
     let word = match (on, at_once) {
         (true, false) => "M62 P",
@@ -176,8 +155,5 @@ pub(super) fn message(w: &mut Writer, text: &str) {
 /// Waits.
 pub(super) fn dwell(w: &mut Writer, seconds: f64, why: Option<&str>) {
     w.text.valued("G4 P", seconds);
-    if let Some(why) = why {
-        w.text.remark(why);
-    }
-    w.text.end();
+    w.text.end_with(why);
 }

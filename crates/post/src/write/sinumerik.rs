@@ -1,6 +1,6 @@
 use super::dialect::Tongue;
 use super::feed_mode::FeedMode;
-use super::rs274::whole_turns;
+use super::rs274::{arc_words, whole_turns};
 use super::writer::{Problem, Writer};
 use crate::part_program::{Arc, ChannelKind, Level, Move, Path};
 use crate::polynomial::POWERS;
@@ -19,7 +19,6 @@ pub(super) struct Sinumerik {
 const FOLDER: &str = ";$PATH=/_N_WKS_DIR/_N_SEAMWRIGHT_WPD";
 
 impl Sinumerik {
-    /// Begins a block.
     fn block(&mut self, w: &mut Writer) {
         if w.numbered {
             if let Some(number) = w.number.take() {
@@ -48,13 +47,11 @@ impl Sinumerik {
     fn arc(&mut self, w: &mut Writer, arc: &Arc, to: &[f64]) -> Result<(), Problem> {
         let Some(square) = (0..3).find(|k| arc.normal[*k].abs() > 1.0 - 1e-9) else {
             if whole_turns(arc) > 0 {
-                let cure = "post-two-arcs";
-                return Err(Problem::plain("post-slanted-arc-turns", cure));
+                return Err(Problem::plain("post-slanted-arc-turns", "post-two-arcs"));
             }
             let (from, end) = (w.place(&w.here), w.place(to));
             if (end - from).dot(arc.normal).abs() > 1e-4 {
-                let cure = "post-make-lines";
-                return Err(Problem::plain("post-slanted-helix", cure));
+                return Err(Problem::plain("post-slanted-helix", "post-make-lines"));
             }
             w.text.word("CIP");
             Self::words(w, to, [true; 3]);
@@ -62,11 +59,7 @@ impl Sinumerik {
             (0..3).for_each(|k| w.text.fine(["I1=", "J1=", "K1="][k], middle[k]));
             return Ok(());
         };
-        if self.plane != Some(square) {
-            w.text.word(["G19", "G18", "G17"][square]);
-            self.plane = Some(square);
-        }
-        w.text.word(if arc.normal[square] * arc.sweep > 0.0 { "G3" } else { "G2" });
+        arc_words(w, &mut self.plane, square, arc);
         Self::words(w, to, std::array::from_fn(|k| k != square));
         let to_centre = arc.centre - w.place(&w.here);
         (0..3).filter(|k| *k != square).for_each(|k| w.text.fine(["I=", "J=", "K="][k], to_centre[k]));
@@ -165,12 +158,7 @@ impl Tongue for Sinumerik {
         self.line(w, "G90 G710 G17 G40 G500 G64");
         self.plane = Some(2);
         self.block(w);
-        w.text.word("FGROUP(");
-        for k in 0..w.program.axes() {
-            w.text.glue(if k > 0 { "," } else { "" });
-            w.text.glue(&w.control.addresses[w.order[k]]);
-        }
-        w.text.glue(")");
+        w.all_axes("FGROUP(");
         w.text.end();
     }
 
@@ -197,8 +185,7 @@ impl Tongue for Sinumerik {
 
     fn call(&mut self, w: &mut Writer, number: u32, name: &str) {
         w.text.counted("PASS_", number);
-        w.text.remark(name);
-        w.text.end();
+        w.text.comment(name);
     }
 
     fn tail(&mut self, w: &mut Writer) {
@@ -222,8 +209,7 @@ impl Tongue for Sinumerik {
             Path::Rapid | Path::Line | Path::Curve(_) => None,
             Path::Arc(index) => Some(w.arc(index)?),
             Path::Hermite(_) | Path::Spline => {
-                let cure = "post-plan-again-pmac";
-                return Err(Problem::plain("post-only-pmac", cure));
+                return Err(Problem::plain("post-only-pmac", "post-plan-again-pmac"));
             }
         };
         let rapid = step.path == Path::Rapid;
@@ -246,9 +232,7 @@ impl Tongue for Sinumerik {
         if let Some(feed) = feed {
             w.text.fine("F=", feed);
         }
-        w.text.glue(&w.pending);
-        w.pending.clear();
-        w.text.end();
+        w.end_move();
         Ok(())
     }
 
@@ -257,8 +241,7 @@ impl Tongue for Sinumerik {
         if let Some(output) = control.outputs[channel] {
             self.out(w, "$A_OUTA[", u32::from(output) + 1, at_once);
             w.text.number(value);
-            w.text.remark(&control.channels[channel].name);
-            w.text.end();
+            w.text.comment(&control.channels[channel].name);
             return Ok(());
         }
         self.block(w);
@@ -297,9 +280,6 @@ impl Tongue for Sinumerik {
     fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>) {
         self.block(w);
         w.text.valued("G4 F=", seconds);
-        if let Some(why) = why {
-            w.text.remark(why);
-        }
-        w.text.end();
+        w.text.end_with(why);
     }
 }

@@ -84,8 +84,7 @@ impl Writer<'_> {
                 What::Comment(text) => self.text.comment(text),
                 What::Dwell(seconds) => tongue.dwell(self, *seconds, why.take()),
                 What::Set { channel, value, at_once } => {
-                    let set = tongue.set(self, usize::from(*channel), *value, *at_once);
-                    set.map_err(|problem| self.error(problem))?;
+                    tongue.set(self, usize::from(*channel), *value, *at_once).map_err(|problem| self.error(problem))?;
                 }
                 What::Event { event, at_once } => {
                     self.event(tongue, event, *at_once).map_err(|problem| self.error(problem))?;
@@ -116,8 +115,7 @@ impl Writer<'_> {
                     self.remark(event, true);
                 }
                 false => {
-                    self.pending.push(' ');
-                    self.pending.push_str(code);
+                    self.with_next_move(code);
                 }
             }
             return Ok(());
@@ -128,8 +126,7 @@ impl Writer<'_> {
             return Ok(());
         }
         let cure = "post-event-without-code-cure";
-        let what = Message::new("post-event-without-code").message("event", event.message());
-        Err(Problem::new(what, cure))
+        Err(Problem::new(Message::new("post-event-without-code").message("event", event.message()), cure))
     }
 
     /// Ends the line with a comment on its effect.
@@ -140,7 +137,7 @@ impl Writer<'_> {
             Event::Wire(on) => ("wire", *on),
             _ => return self.text.end(),
         };
-        self.text.remark(match (name, on, at_once) {
+        self.text.comment(match (name, on, at_once) {
             ("arc", true, true) => "arc on",
             ("arc", true, false) => "arc on with the motion",
             ("arc", false, true) => "arc off",
@@ -150,12 +147,10 @@ impl Writer<'_> {
             (_, true, _) => "wire on",
             (_, false, _) => "wire off",
         });
-        self.text.end();
     }
 
     fn go<T: Tongue>(&mut self, tongue: &mut T, step: &Move) -> Result<(), Problem> {
-        let program = self.program;
-        let to = program.row(step.row);
+        let to = self.program.row(step.row);
         if self.tells_level && self.level != Some(step.level) {
             tongue.level(self, step.level);
             self.level = Some(step.level);

@@ -6,7 +6,6 @@ use crate::control::Dialect;
 /// A comment is cut off behind so many characters.
 const LONGEST_COMMENT: usize = 200;
 
-/// The text so far.
 pub(super) struct Text {
     out: Vec<u8>,
     /// Start of the current line.
@@ -38,7 +37,6 @@ impl Text {
         self.out.extend_from_slice(word.as_bytes());
     }
 
-    /// A word and its value.
     pub(super) fn valued(&mut self, word: &str, value: f64) {
         self.word(word);
         self.number(value);
@@ -55,7 +53,6 @@ impl Text {
         number::push_fine(&mut self.out, value, self.point);
     }
 
-    /// Appends a value.
     pub(super) fn number(&mut self, value: f64) {
         number::push(&mut self.out, value, self.point);
     }
@@ -65,13 +62,11 @@ impl Text {
         self.out.extend_from_slice(text.as_bytes());
     }
 
-    /// A word and a whole number.
     pub(super) fn counted(&mut self, word: &str, number: u32) {
         self.word(word);
         number::push_whole(&mut self.out, u64::from(number));
     }
 
-    /// A remark at the end of the line.
     pub(super) fn remark(&mut self, text: &str) {
         self.word(self.comment.0);
         self.clean(text, true);
@@ -85,7 +80,6 @@ impl Text {
         self.line = self.out.len();
     }
 
-    /// A line.
     pub(super) fn line(&mut self, text: &str) {
         self.word(text);
         self.end();
@@ -97,9 +91,15 @@ impl Text {
         self.end();
     }
 
-    /// A comment of its own line.
+    /// A remark, and the end of the line.
     pub(super) fn comment(&mut self, text: &str) {
         self.remark(text);
+        self.end();
+    }
+
+    /// The end of the line, with a remark if there is one.
+    pub(super) fn end_with(&mut self, text: Option<&str>) {
+        text.into_iter().for_each(|text| self.remark(text));
         self.end();
     }
 

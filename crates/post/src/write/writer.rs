@@ -83,11 +83,9 @@ impl<'a> Writer<'a> {
         writer.checked()
     }
 
-    /// Checks channels and levels.
     fn checked(mut self) -> Result<Self, Error> {
         if self.program.channels != self.control.channels {
-            let problem = Problem::plain("post-other-channels", "post-other-channels-cure");
-            return Err(self.error(problem));
+            return Err(self.error(Problem::plain("post-other-channels", "post-other-channels-cure")));
         }
         let axes = self.program.axes();
         if self.control.dialect == Dialect::Grblhal && axes > 8 {
@@ -104,8 +102,7 @@ impl<'a> Writer<'a> {
         if tip && !self.tells_level {
             self.at = steps.iter().position(|s| level(s) == Some(Level::Joint)).unwrap_or(0);
             if steps.iter().any(|s| level(s) == Some(Level::Joint)) {
-                let cure = "post-tip-to-axes-cure";
-                return Err(self.error(Problem::plain("post-tip-to-axes", cure)));
+                return Err(self.error(Problem::plain("post-tip-to-axes", "post-tip-to-axes-cure")));
             }
         }
         Ok(self)
@@ -113,8 +110,7 @@ impl<'a> Writer<'a> {
 
     /// `problem` with the step and the pass that it is in.
     pub(super) fn error(&self, problem: Problem) -> Error {
-        let before = self.program.steps.iter().take(self.at + 1).rev();
-        let pass = before.into_iter().find_map(|step| match &step.what {
+        let pass = self.program.steps.iter().take(self.at + 1).rev().find_map(|step| match &step.what {
             What::Pass(name) => Some(name.to_string()),
             _ => None,
         });
@@ -130,7 +126,6 @@ impl<'a> Writer<'a> {
         Ok(self.text.finish())
     }
 
-    /// Number of passes.
     pub(super) fn passes(&self) -> usize {
         self.program.steps.iter().filter(|step| matches!(step.what, What::Pass(_))).count()
     }
@@ -156,6 +151,38 @@ impl<'a> Writer<'a> {
         !self.known || to[i].to_bits() != self.here[i].to_bits()
     }
 
+    /// The words of a row that have changed or are asked for.
+    pub(super) fn words(&mut self, to: &[f64], asked: impl Fn(usize) -> bool) {
+        for k in 0..self.order.len() {
+            let i = self.order[k];
+            if self.changes(i, to) || asked(i) {
+                self.text.valued(&self.control.addresses[i], to[i]);
+            }
+        }
+    }
+
+    /// `opening` and the addresses of all axes in brackets.
+    pub(super) fn all_axes(&mut self, opening: &str) {
+        let axes = self.order[..self.program.axes()].iter().map(|i| self.control.addresses[*i].as_str());
+        let list = axes.collect::<Vec<_>>().join(",");
+        self.text.word(opening);
+        self.text.glue(&list);
+        self.text.glue(")");
+    }
+
+    /// Adds `word` to the next move.
+    pub(super) fn with_next_move(&mut self, word: &str) {
+        self.pending.push(' ');
+        self.pending.push_str(word);
+    }
+
+    /// Adds the words that wait for the move, and ends the line.
+    pub(super) fn end_move(&mut self) {
+        self.text.glue(&self.pending);
+        self.pending.clear();
+        self.text.end();
+    }
+
     /// X, Y and Z of a row as the control's arcs see them.
     pub(super) fn place(&self, row: &[f64]) -> DVec3 {
         DVec3::from_array(self.control.axes_xyz().map(|i| i.map_or(0.0, |i| row[i])))
@@ -163,10 +190,9 @@ impl<'a> Writer<'a> {
 
     /// The arc of a move from the end of the last one.
     pub(super) fn arc(&self, index: u32) -> Result<Arc, Problem> {
-        let cure = "post-begin-with-line";
-        let start = Problem::plain("post-arc-start-unknown", cure);
-        let arc = self.program.arcs.get(index as usize).copied();
-        if self.known { arc.ok_or_else(|| Problem::plain("post-arc-missing", cure)) } else { Err(start) }
+        let arc = self.program.arcs.get(index as usize).copied().ok_or("post-arc-missing");
+        let arc = if self.known { arc } else { Err("post-arc-start-unknown") };
+        arc.map_err(|what| Problem::plain(what, "post-begin-with-line"))
     }
 
     /// Feed of a move to `to` along all axes, per minute (PMAC: per s); `None` if the feed counts no moving axis.
@@ -178,8 +204,7 @@ impl<'a> Writer<'a> {
         let group = matches!(self.control.dialect, Dialect::Sinumerik | Dialect::Pmac).then_some(axes);
         let way = match step.path {
             Path::Curve(index) => {
-                let rows = MoveRows { from: &self.here, to };
-                self.program.evenly(self.program.curves[index as usize], rows).length()
+                self.program.evenly(self.program.curves[index as usize], MoveRows { from: &self.here, to }).length()
             }
             _ => self.control.feed_way(group, arc, &self.here, to),
         };

@@ -1,12 +1,12 @@
 //! Posted programs read back: the path between their words stays within the tolerance of the seam, and takes as long as
 //! planned by LinuxCNC's own rules for feeds. `make peers` does the same with LinuxCNC's interpreter.
 
+use crate::common::Planned;
 use glam::DVec3;
-use seamwright_machine::{AxisKind, Clamped, Joints, Machine, Surroundings, shipped};
-use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_post::{Control, Dialect, Error, Level, Options, WriteOptions, linearise, part_program, write};
-use seamwright_program::{Pass, Program, TorchPath};
-use seamwright_weld::Welding;
+use seamwright_machine::{AxisKind, Joints, Machine};
+use seamwright_motion::PassMotion;
+use seamwright_post::{Control, Dialect, Error, Level, Options, WriteOptions, linearise, write};
+use seamwright_program::TorchPath;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -18,40 +18,26 @@ const EXAMPLES: [&str; 4] = [
 ];
 
 struct Posted {
-    machine: Machine,
-    welding: Welding,
-    motion: PassMotion,
+    planned: Planned,
     text: String,
 }
 
-fn plan(machine: &Machine, welding: &Welding) -> WeldMotion {
-    let around = Surroundings::new(machine, &Clamped::default()).unwrap();
-    let paths: Vec<_> = (0..welding.program.value.passes.len()).map(|i| welding.path(i)).collect();
-    let passes: Vec<(&dyn TorchPath, &Pass)> =
-        paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
-    WeldMotion::plan(machine, &around, &passes, 30.0).unwrap()
-}
+impl Posted {
+    fn new(planned: Planned, options: &Options) -> Result<Self, Error> {
+        let control = Control::new(&planned.machine, Dialect::Linuxcnc)?;
+        let part = planned.program(&control, options)?;
+        let (machine, rounding_mm) = (planned.machine.title.clone(), options.rounding_mm());
+        let text = write(&control, &part, &WriteOptions { machine, rounding_mm, ..WriteOptions::default() })?;
+        Ok(Self { planned, text })
+    }
 
-fn linuxcnc(
-    machine: &Machine,
-    program: &Program,
-    paths: &[&dyn TorchPath],
-    motion: &WeldMotion,
-    options: &Options,
-) -> Result<String, Error> {
-    let control = Control::new(machine, Dialect::Linuxcnc)?;
-    let part = part_program(machine, &control, program, paths, motion, options)?;
-    let rounding_mm = options.rounding_mm();
-    write(&control, &part, &WriteOptions { machine: machine.title.clone(), rounding_mm, ..WriteOptions::default() })
+    fn motion(&self) -> &PassMotion {
+        &self.planned.motion.passes[0]
+    }
 }
 
 fn post(job: &str, options: &Options) -> Result<Posted, Error> {
-    let welding = Welding::read("job.toml", job).unwrap();
-    let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
-    let motion = plan(&machine, &welding);
-    let text = linuxcnc(&machine, &welding.program.value, &[&welding.path(0)], &motion, options)?;
-    let motion = motion.passes[0].clone();
-    Ok(Posted { machine, welding, motion, text })
+    Posted::new(Planned::job(job), options)
 }
 
 /// A line or an arc of the text: positions by letter at its end, and the words of an arc.
@@ -153,8 +139,8 @@ fn distance(path: &dyn TorchPath, point: DVec3, s: &mut f64) -> f64 {
 fn check(job: &str, level: Level, tolerance_mm: f64) -> usize {
     let p = post(job, &Options { level, tolerance_mm, ..Options::default() }).unwrap();
     let (points, time) = read(&p.text);
-    assert!((time / p.motion.arc_on_s() - 1.0).abs() < 1e-5, "{time} {}", p.motion.arc_on_s());
-    let path = p.welding.path(0);
+    assert!((time / p.motion().arc_on_s() - 1.0).abs() < 1e-5, "{time} {}", p.motion().arc_on_s());
+    let path = p.planned.welding.path(0);
     let mut s = 0.0;
     let mut worst = 0.0f64;
     for w in points.windows(2) {
@@ -162,7 +148,7 @@ fn check(job: &str, level: Level, tolerance_mm: f64) -> usize {
             let f = f64::from(k) / 20.0;
             let at = w[1].part(&w[0].at, f);
             let tip = match level {
-                Level::Joint => p.machine.forward(&joints(&p.machine, &at)).point,
+                Level::Joint => p.planned.machine.forward(&joints(&p.planned.machine, &at)).point,
                 Level::Tip => DVec3::new(at[&'X'], at[&'Y'], at[&'Z']),
             };
             worst = worst.max(distance(&path, tip, &mut s));
@@ -196,7 +182,7 @@ fn no_block_could_be_left_out() {
     let p = post(EXAMPLES[2], &Options::default()).unwrap();
     let lines = |tolerance: f64| {
         let used = (0.9 - 0.05) * tolerance;
-        linearise(&p.machine, &p.motion, &[], Level::Joint, used).unwrap().blocks.len()
+        linearise(&p.planned.machine, p.motion(), &[], Level::Joint, used).unwrap().blocks.len()
     };
     let (fine, coarse) = (lines(0.001), lines(0.002));
     assert!((fine as f64 / coarse as f64 - 2f64.sqrt()).abs() < 0.1, "{fine} {coarse}");
@@ -228,17 +214,13 @@ fn slow_welds_keep_their_time_in_spite_of_the_control_s_least_feed() {
 
 #[test]
 fn letters_must_fit_the_axes() {
-    let welding = Welding::read("job.toml", EXAMPLES[0]).unwrap();
-    let text = shipped("saddle-4axis").unwrap().text;
-    let written = |text: &str| {
-        let machine = Machine::read("m", text).unwrap();
-        let motion = plan(&machine, &welding);
-        linuxcnc(&machine, &welding.program.value, &[&welding.path(0)], &motion, &Options::default())
+    let written = |to: &str| {
+        let planned = Planned::on(EXAMPLES[0], |text| text.replace("letter = \"C\"\n", to));
+        Posted::new(planned, &Options::default()).map(|posted| posted.text)
     };
-    assert!(matches!(written(&text.replace("letter = \"C\"\n", "")), Err(Error::NoLetter { .. })));
-    assert!(matches!(written(&text.replace("letter = \"C\"", "letter = \"U\"")), Err(Error::WrongLetter { .. })));
-    let tip = post(EXAMPLES[0], &Options { level: Level::Tip, ..Options::default() });
-    assert!(matches!(tip, Err(Error::NoTip)));
+    assert!(matches!(written(""), Err(Error::NoLetter { .. })));
+    assert!(matches!(written("letter = \"U\"\n"), Err(Error::WrongLetter { .. })));
+    assert!(matches!(post(EXAMPLES[0], &Options { level: Level::Tip, ..Options::default() }), Err(Error::NoTip)));
 }
 
 #[test]
@@ -253,7 +235,7 @@ fn comments_cannot_carry_commands() {
     let p = post(&job, &Options::default()).unwrap();
     assert!(p.text.starts_with("(Seamwright"));
     assert!(p.text.lines().all(|l| l.matches('(').count() <= 1 && !l.starts_with("M4") && !l.starts_with("M3")));
-    assert!(p.machine.axes.iter().all(|a| a.kind == AxisKind::Linear));
+    assert!(p.planned.machine.axes.iter().all(|a| a.kind == AxisKind::Linear));
 }
 
 /// Values at the sides of a weave are written at every swing: each block has that of its middle, and the dwells have
@@ -261,7 +243,7 @@ fn comments_cannot_carry_commands() {
 #[test]
 fn values_follow_the_weave() {
     let p = post(include_str!("../../../../examples/weave.toml"), &Options::default()).unwrap();
-    let pass = &p.welding.program.value.passes[0];
+    let pass = &p.planned.welding.program.value.passes[0];
     let weld = p.text.split("(arc on with the motion)").nth(1).unwrap().split("M65 P0").next().unwrap();
     let (mut current, mut time, mut before, mut cursor) = (0.0, 0.0, 0.0, 0);
     let (mut at_sides, mut worst, mut most_step) = (0.0, 0.0_f64, 0.0_f64);
@@ -278,7 +260,7 @@ fn values_follow_the_weave() {
         }
         let Some(feed) = number('F') else { continue };
         time += 60.0 / feed;
-        let s = p.motion.profile.at(time, &mut cursor).s;
+        let s = p.motion().profile.at(time, &mut cursor).s;
         let swing = pass.swing_at(0.5 * (before + s));
         worst = worst.max((current - (190.0 - 20.0 * swing * swing)).abs());
         if (current - 170.0_f64).abs() < 1e-6 {

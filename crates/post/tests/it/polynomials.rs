@@ -154,8 +154,7 @@ fn as_points_they_move_the_same() {
         let program = read(&control, "test", &case(seed).text, &options).unwrap_or_else(|e| panic!("{e}")).program;
         let segments = play_all(&program);
         let made = to_program(&machine, &control, &program, &start, "test", Positive::new(0.1).unwrap()).unwrap();
-        let text = made.to_toml().unwrap();
-        seamwright_program::Program::read("made", &text).unwrap_or_else(|e| panic!("{e}"));
+        seamwright_program::Program::read("made", &made.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"));
         let points = made.passes[0].points.as_ref().unwrap();
         let places = if level == Level::Tip { 6 } else { 5 };
         let (mut time, mut worst) = (0.0, 0.0f64);

@@ -73,8 +73,7 @@ fn inches_and_millimetres() {
 #[test]
 fn feeds_by_each_controls_rule() {
     // G93: 60 / F. Siemens' F stays in force, the others need it in every block.
-    let program = good(Sinumerik, "G93 G1 X10 F6\nX20\nC1=90\n");
-    assert!(moves(&program).iter().all(|m| (m.seconds - 10.0).abs() < 1e-12));
+    assert!(moves(&good(Sinumerik, "G93 G1 X10 F6\nX20\nC1=90\n")).iter().all(|m| (m.seconds - 10.0).abs() < 1e-12));
     for dialect in [Linuxcnc, Grblhal] {
         assert!((moves(&good(dialect, "G93 G1 X10 F6\n"))[0].seconds - 10.0).abs() < 1e-12);
     }
@@ -98,8 +97,7 @@ fn feeds_by_each_controls_rule() {
 #[test]
 fn a_process_value_alone_moves_too() {
     let program = good(Sinumerik, "G93 G1 X1 CW=0.5 F60\nCW=0.25 F=30\nPRESETON(CW, 2)\nX2 F10\n");
-    let control = reading::control(Sinumerik);
-    let cw = control.channel("beam_ma").unwrap();
+    let cw = reading::control(Sinumerik).channel("beam_ma").unwrap();
     let values: Vec<f64> = rows(&program).iter().map(|r| r[cw]).collect();
     assert_eq!(values, [0.5, 0.25, 2.0]);
     assert_eq!(moves(&program)[1].seconds, 2.0);
@@ -130,8 +128,7 @@ fn outputs_are_arc_gas_wire_and_values() {
     let program = good(Linuxcnc, "M65 P0\nM63 P1\nM65 P7\nM66 P3 L3 Q5\nM66 E0 L0\nM3 S100\nM101\n");
     let wait = Event::Message("wait for digital input 3".into());
     let off = [(Event::Arc(false), true), (Event::Gas(false), false), (Event::Output(7, false), true), (wait, true)];
-    let calls = [(Event::Call("m3".into()), true), (Event::Gas(true), true)];
-    assert_eq!(events(&program), [&off[..], &calls].concat());
+    assert_eq!(events(&program), [&off[..], &[(Event::Call("m3".into()), true), (Event::Gas(true), true)]].concat());
 }
 
 #[test]
@@ -180,8 +177,7 @@ fn levels() {
     let text = "G0 X1\nM68 E3 Q1\nM66 E0 L0\nG0 X1 Y2 Z3\nM68 E3 Q0\nG0 X0 Y0 Z0\n";
     assert_eq!(levels(Linuxcnc, text), [joint, tip, joint]);
     let options = ReadOptions { level: tip, ..ReadOptions::default() };
-    let reading = read(&reading::control(Grblhal), "t", "G0 X1\n", &options).unwrap();
-    assert_eq!(moves(&reading.program)[0].level, tip);
+    assert_eq!(moves(&read(&reading::control(Grblhal), "t", "G0 X1\n", &options).unwrap().program)[0].level, tip);
 }
 
 #[test]
@@ -199,8 +195,7 @@ fn remarks_messages_and_titles() {
     let comments: Vec<_> =
         program.steps.iter().filter(|s| matches!(s.what, What::Comment(_))).map(|s| s.line).collect();
     assert_eq!(comments, [3, 5]);
-    let said = ["mind the gap", "stop"].map(|m| (Event::Message(m.into()), true));
-    assert_eq!(events(&program), said);
+    assert_eq!(events(&program), ["mind the gap", "stop"].map(|m| (Event::Message(m.into()), true)));
     assert_eq!(events(&good(Sinumerik, "MSG(\"a; b\") ; c\n")), [(Event::Message("a; b".into()), true)]);
     assert_eq!(events(&good(Pmac, "SEND\"a; b\" // c\n")), [(Event::Message("a; b".into()), true)]);
 }
@@ -238,8 +233,7 @@ fn siemens_sub_programs() {
                 %_N_PASS_1_SPF\nG1 X10\nINNER\nM17\n%_N_PASS_2_SPF\nG1 Y10\n%_N_INNER_SPF\nZ3\nRET\n";
     let program = good(Sinumerik, text);
     assert_eq!(program.title, "title");
-    let last = rows(&program).last().unwrap()[..3].to_vec();
-    assert_eq!(last, [11.0, 20.0, 3.0]);
+    assert_eq!(rows(&program).last().unwrap()[..3].to_vec(), [11.0, 20.0, 3.0]);
     let lines: Vec<u32> = program.steps.iter().filter(|s| matches!(s.what, What::Move(_))).map(|s| s.line).collect();
     assert_eq!(lines, [10, 16, 14, 14, 7]);
     assert_eq!(pass_names(&program), ["root", "cap"]);

@@ -114,8 +114,7 @@ fn numbers() {
     refused(Linuxcnc, "G0 X#5\n", 1, 6, "no value here");
     refused(Linuxcnc, "G0 X[5\n", 1, 7, "] is missing");
     refused(Pmac, "RAPID X(P5)\n", 1, 9, "no value here");
-    let deep = format!("G0 X={}5{}\n", "(".repeat(60), ")".repeat(60));
-    refused(Sinumerik, &deep, 1, 47, "brackets");
+    refused(Sinumerik, &format!("G0 X={}5{}\n", "(".repeat(60), ")".repeat(60)), 1, 47, "brackets");
 }
 
 #[test]

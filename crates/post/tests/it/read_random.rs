@@ -160,8 +160,7 @@ impl Writer<'_> {
             let unit = if self.inch && length { 25.4 } else { 1.0 };
             let value = (self.random.within(-200.0, 200.0) * 1e4).round() / 1e4;
             to[i] = if self.incremental { self.row[i] + unit * value } else { unit * value };
-            let address = self.control.addresses[i].clone();
-            said.push(self.word(&address, value));
+            said.push(self.word(&self.control.addresses[i].clone(), value));
         }
         let f = (self.random.within(0.01, 900.0) * 1e4).round() / 1e4;
         let needs =

@@ -205,8 +205,7 @@ fn round_trip(dialect: Dialect, name: &str, rotary: [&str; 2], process: [&str; 2
         let written = written.unwrap_or_else(|e| panic!("case {case}: {e}\n{text}"));
         let options = ReadOptions { start: Some(start.clone()), ..ReadOptions::default() };
         let back = read(&control, "p", &written, &options).unwrap_or_else(|e| panic!("case {case}: {e}\n{written}"));
-        let blend = Positive::new(0.1).unwrap();
-        let again = to_program(&machine, &control, &back.program, &start, name, blend);
+        let again = to_program(&machine, &control, &back.program, &start, name, Positive::new(0.1).unwrap());
         let again = match again {
             Ok(again) => again,
             Err(_) => continue,
@@ -216,8 +215,7 @@ fn round_trip(dialect: Dialect, name: &str, rotary: [&str; 2], process: [&str; 2
         let part_again = points_part_program(&machine, &control, &again);
         let part_again = part_again.unwrap_or_else(|| panic!("case {case}: not as it stands any more\n{toml}"));
         let (a, b) = (blocks(&part, &start), blocks(&part_again, &start));
-        let off = difference(&a, &b, &format!("case {case}\n{text}\n{written}\n{toml}"));
-        worst = worst.max(off);
+        worst = worst.max(difference(&a, &b, &format!("case {case}\n{text}\n{written}\n{toml}")));
         assert_eq!(outputs(&control, &part), outputs(&control, &part_again), "case {case}\n{written}\n{toml}");
         compared += 1;
     }

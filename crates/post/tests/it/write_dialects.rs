@@ -37,8 +37,7 @@ impl Maker {
 
     fn go_at(&mut self, level: Level, path: Path, seconds: f64, changes: &[(&str, f64)], stop: bool) -> &mut Self {
         for (name, value) in changes {
-            let i = self.program.channels.iter().position(|c| c.name == *name).unwrap();
-            self.row[i] = *value;
+            self.row[self.program.channels.iter().position(|c| c.name == *name).unwrap()] = *value;
         }
         let row = self.program.add_row(&self.row);
         self.program.push(What::Move(Move { path, row, seconds, level, exact_stop: stop }));
@@ -75,8 +74,8 @@ fn two_passes(control: &Control) -> PartProgram {
     m.go(Path::Line, 5.0, &[("z", 0.0)]);
     m.event(Event::Gas(true), true).push(What::Comment("preflow".into())).push(What::Dwell(0.5));
     m.set("current_a", 180.5, false).event(Event::Arc(true), false);
-    let quarter = m.arc([0.0, 0.0, 0.0], DVec3::Z, FRAC_PI_2);
-    m.go(quarter, 3.0, &[("x", 0.0), ("y", 10.0), ("c", 90.0)]);
+    let arc = m.arc([0.0, 0.0, 0.0], DVec3::Z, FRAC_PI_2);
+    m.go(arc, 3.0, &[("x", 0.0), ("y", 10.0), ("c", 90.0)]);
     m.set("current_a", 170.0, false);
     let helix = m.arc([0.0, 10.0, 5.0], DVec3::NEG_Y, FRAC_PI_2);
     m.go_at(Level::Joint, helix, 4.0, &[("x", 5.0), ("y", 12.0), ("z", 5.0)], true);
@@ -180,8 +179,7 @@ fn interpolated_values_need_no_steps() {
     };
     assert_eq!(sets(&program, current), 2, "set before the arc and after it");
     let plain = Control::new(&stepped.machine, Dialect::Sinumerik).unwrap();
-    let by_steps = stepped.program(&plain, &Options::default()).unwrap();
-    assert!(sets(&by_steps, plain.channel("current_a").unwrap()) > 100);
+    assert!(sets(&stepped.program(&plain, &Options::default()).unwrap(), plain.channel("current_a").unwrap()) > 100);
     // Against the planned values, at every station within every block.
     let (mut time, mut worst, mut on) = (0.0, 0.0f64, false);
     let begin =
@@ -200,8 +198,7 @@ fn interpolated_values_need_no_steps() {
         for k in 0..=16 {
             let f = f64::from(k) / 16.0;
             let s = motion.profile.at(time + f * way.step.seconds, &mut 0).s;
-            let wanted = pass.process_at("current_a", s, ArcTime::TRAVEL).unwrap();
-            worst = worst.max((way.at(f)[current] - wanted).abs());
+            worst = worst.max((way.at(f)[current] - pass.process_at("current_a", s, ArcTime::TRAVEL).unwrap()).abs());
         }
         time += way.step.seconds;
     }
@@ -226,8 +223,7 @@ fn what_a_control_cannot_take_is_said_with_step_pass_and_cure() {
         error
     };
     let slanted = |m: &mut Maker| {
-        let normal = DVec3::new(1.0, 0.0, 1.0).normalize();
-        let arc = m.arc([0.0, 0.0, 1.0], normal, 1.0);
+        let arc = m.arc([0.0, 0.0, 1.0], DVec3::new(1.0, 0.0, 1.0).normalize(), 1.0);
         m.go(arc, 1.0, &[("x", 0.0), ("y", 1.0)]);
     };
     for dialect in [Dialect::Linuxcnc, Dialect::Grblhal] {
@@ -235,8 +231,8 @@ fn what_a_control_cannot_take_is_said_with_step_pass_and_cure() {
     }
     for dialect in [Dialect::Linuxcnc, Dialect::Grblhal, Dialect::Sinumerik] {
         let hermite = |m: &mut Maker| {
-            let row = m.program.add_row(&m.row.clone());
-            m.go(Path::Hermite(row), 1.0, &[("x", 2.0)]);
+            let path = Path::Hermite(m.program.add_row(&m.row.clone()));
+            m.go(path, 1.0, &[("x", 2.0)]);
         };
         assert!(refused(dialect, &hermite).contains("only PMAC"));
         assert!(refused(dialect, &|m| _ = m.go(Path::Spline, 1.0, &[("x", 2.0)])).contains("only PMAC"));
@@ -270,8 +266,8 @@ fn arcs_of_several_turns() {
         m.go(Path::Rapid, 0.0, &[("x", 1.0)]);
         let arc = m.arc([0.0, 0.0, 0.0], DVec3::NEG_Z, 2.5 * TAU);
         m.go(arc, 1.0, &[("x", -1.0), ("z", 3.0)]);
-        let full = m.arc([0.0, 0.0, 0.0], DVec3::Z, TAU);
-        m.go(full, 1.0, &[]);
+        let arc = m.arc([0.0, 0.0, 0.0], DVec3::Z, TAU);
+        m.go(arc, 1.0, &[]);
         let written = write(&control, &m.program, &WriteOptions::default()).unwrap();
         let lines: Vec<&str> = written.lines().filter(|l| l.contains("G2 ") || l.contains("G3 ")).collect();
         assert!(lines[0].contains(word) && lines[0].contains("G2 "), "{lines:?}");
@@ -344,8 +340,7 @@ fn cubics_are_fewer_than_lines() {
     let control = Control::new(&planned.machine, Dialect::Pmac).unwrap();
     let count = |interpolation, tolerance_mm| {
         let options = Options { interpolation, tolerance_mm, ..Options::default() };
-        let program = planned.program(&control, &options).unwrap();
-        program.steps.iter().filter(|s| matches!(s.what, What::Move(_))).count()
+        planned.program(&control, &options).unwrap().steps.iter().filter(|s| matches!(s.what, What::Move(_))).count()
     };
     let (cubic, line) = (count(Interpolation::Pvt, 0.001), count(Interpolation::Linear, 0.001));
     assert!(4 * cubic < line, "{cubic} {line}");

@@ -12,7 +12,6 @@ use seamwright_program::PathRange;
 
 const TOLERANCE: f64 = 0.01;
 
-/// Ways to post for one dialect.
 fn variants(dialect: Dialect) -> Vec<Options> {
     let of = |interpolation| Options { tolerance_mm: TOLERANCE, interpolation, ..Options::default() };
     match dialect {
@@ -83,10 +82,8 @@ fn a_wrong_text_is_no_proof() {
     let written = write(&control, &program, &WriteOptions::default()).unwrap();
     let start = vec![0.0; control.channels.len()];
     let of = planned.within(&control, &options);
-    let judged = |text: &str| {
-        let back = read(&control, "p", text, &ReadOptions::default()).unwrap();
-        verify(&program, &back.program, &start, of)
-    };
+    let judged =
+        |text: &str| verify(&program, &read(&control, "p", text, &ReadOptions::default()).unwrap().program, &start, of);
     assert!(judged(&written).is_ok());
     let lines: Vec<&str> = written.lines().collect();
     let block = lines.iter().rposition(|line| line.starts_with("G1 ")).unwrap() - 20;

@@ -67,7 +67,6 @@ impl PointsDraft {
         Some([x?, y?, z?])
     }
 
-    /// The point before span `i`.
     pub(super) fn before_span(&self, i: usize) -> &Row {
         self.spans[..i].iter().rev().find_map(|span| span.rows.last()).unwrap_or(&self.start)
     }

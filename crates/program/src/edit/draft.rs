@@ -39,14 +39,12 @@ pub(super) enum Body {
     Points(Box<PointsDraft>),
 }
 
-/// A span along the seam.
 #[derive(Debug, Clone)]
 pub(super) struct SeamSpan {
     pub(super) span: Span,
     pub(super) from: Option<usize>,
 }
 
-/// The points of a pass.
 #[derive(Debug, Clone)]
 pub(super) struct PointsDraft {
     pub(super) columns: Vec<String>,
@@ -128,8 +126,7 @@ impl<'a> Draft<'a> {
 
     /// The program as it is to be.
     pub(super) fn program(&self) -> Result<Program, DocumentError> {
-        let passes = self.passes.iter().map(PassDraft::pass).collect::<Option<Vec<Pass>>>();
-        let passes = passes.ok_or_else(|| {
+        let passes = self.passes.iter().map(PassDraft::pass).collect::<Option<Vec<Pass>>>().ok_or_else(|| {
             let allowed = Message::new("program-positions-within").value("max", FARTHEST_MM, Unit::Mm);
             self.wrong(Message::new("program-number-not-finite"), allowed)
         })?;
@@ -346,7 +343,6 @@ impl RowSpan {
 }
 
 impl Row {
-    /// A point that is new.
     pub(super) fn new(numbers: Vec<f64>) -> Self {
         Self { numbers, speeds: Vec::new(), from: None }
     }

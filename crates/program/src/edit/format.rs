@@ -164,13 +164,11 @@ fn dress_rows(new: &mut Array, old: &Array) -> Vec<String> {
         if i + 1 < before.len() {
             above.extend(text_comments(&after[i]));
         }
-        let prefix = format!("{}\n{}    ", behind_text(&tail), lines(&above, "    "));
-        value.decor_mut().set_prefix(prefix);
+        value.decor_mut().set_prefix(format!("{}\n{}    ", behind_text(&tail), lines(&above, "    ")));
         value.decor_mut().set_suffix("");
         tail = split(before.get(i + 1).unwrap_or(&end)).0;
     }
-    let rest = split(&end).1;
-    new.set_trailing(format!("{}\n{}", behind_text(&tail), lines(&rest, "    ")));
+    new.set_trailing(format!("{}\n{}", behind_text(&tail), lines(&split(&end).1, "    ")));
     opening
 }
 
@@ -211,7 +209,6 @@ pub(super) fn lines(comments: &[String], indent: &str) -> String {
     comments.iter().map(|comment| format!("{indent}{comment}\n")).collect()
 }
 
-/// Every comment of an item.
 pub(super) fn all_comments(item: &Item) -> Vec<String> {
     let mut out = Vec::new();
     match item {

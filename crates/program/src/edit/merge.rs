@@ -39,8 +39,7 @@ fn keep(table: &mut dyn TableLike, said: &[String]) {
 
 fn merge_item(item: &mut Item, old: Option<&New>, new: &New) {
     if let (Some(table), New::Table(new)) = (item.as_table_like_mut(), new) {
-        let none = toml::Table::new();
-        return merge_table(table, old.and_then(New::as_table).unwrap_or(&none), new);
+        return merge_table(table, old.and_then(New::as_table).unwrap_or(&toml::Table::new()), new);
     }
     match item {
         Item::Value(there) => merge_value(there, old, new),
@@ -65,7 +64,6 @@ fn merge_value(there: &mut Value, old: Option<&New>, new: &New) {
     replace(there, value(new));
 }
 
-/// Replaces a value in place.
 pub(super) fn replace(there: &mut Value, mut new: Value) {
     *new.decor_mut() = there.decor().clone();
     *there = new;

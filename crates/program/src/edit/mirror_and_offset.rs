@@ -72,8 +72,7 @@ impl Mirror {
             }
             (Some(_), None) if self.at_mm.is_none() => None,
             _ => {
-                let message = Message::new("program-mirror-unclear");
-                return Err(draft.wrong(message, Message::new("program-mirror-keys")));
+                return Err(draft.wrong(Message::new("program-mirror-unclear"), Message::new("program-mirror-keys")));
             }
         };
         for pass in draft.numbers(self.pass)? {
@@ -228,8 +227,7 @@ impl PointsDraft {
                 let part = way.part_of(via);
                 let (a, b) = (self.direction(start), self.direction(end));
                 let direction = a.lerp(b, part).normalize_or(a);
-                let there = moved(via, way.tangent(part).normalize(), direction).ok_or(first + 1)?;
-                self.spans[span].via = Some(there);
+                self.spans[span].via = Some(moved(via, way.tangent(part).normalize(), direction).ok_or(first + 1)?);
             }
             first += self.spans[span].rows.len();
         }

@@ -110,7 +110,6 @@ impl Editor {
         Ok(reports)
     }
 
-    /// The text, the program and the report after an edit.
     fn edited(&self, operation: &Operation) -> Result<(String, Document<Program>, Report), DocumentError> {
         let mut draft = Draft::new(&self.program);
         let report = operation.apply(&mut draft)?;
@@ -154,7 +153,6 @@ impl Editor {
         if self.history.undone().is_empty() { Ok(None) } else { self.step(History::redo).map(Some) }
     }
 
-    /// A step in the history; its name.
     fn step(&mut self, step: fn(&mut History, &str) -> Option<(String, Message)>) -> Result<Message, DocumentError> {
         let mut history = std::mem::take(&mut self.history);
         let before = history.done;

@@ -120,8 +120,8 @@ impl PointsDraft {
         let count = self.count();
         self.split(k);
         let (span, _) = self.place(k);
-        let at = self.rows().nth(k).cloned().unwrap_or_else(|| self.start.clone());
-        self.start = self.with_way(&at, &self.start);
+        let at = self.rows().nth(k).unwrap_or(&self.start);
+        self.start = self.with_way(at, &self.start);
         self.spans.rotate_left(span + 1);
         let new_point = |after: usize| if after < k { after + count - k } else { after - k };
         self.events = reordered(&self.events, count, |i| (i + k) % count, new_point);
@@ -135,8 +135,7 @@ impl ShiftStart {
             (Some(pass), None, Some(begin), None) => {
                 let there = draft.pass(pass)?;
                 if matches!(there.body, Body::Points(_)) {
-                    let allowed = Message::new("program-start-point");
-                    return Err(draft.wrong_in(pass, through_points(pass), allowed));
+                    return Err(draft.wrong_in(pass, through_points(pass), Message::new("program-start-point")));
                 }
                 there.pass.begin_mm = begin;
                 let words =
@@ -150,10 +149,7 @@ impl ShiftStart {
                 draft.head.start.phi_deg = phi;
                 Ok(Report::new(Message::new("program-edit-weld-start").value("phi", phi.get(), Unit::Deg)))
             }
-            _ => {
-                let message = Message::new("program-start-unclear");
-                Err(draft.wrong(message, Message::new("program-start-keys")))
-            }
+            _ => Err(draft.wrong(Message::new("program-start-unclear"), Message::new("program-start-keys"))),
         }
     }
 

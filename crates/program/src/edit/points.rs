@@ -164,8 +164,7 @@ impl InsertPoint {
         }
         draft.points(self.pass)?.move_events(|event| if event > after { event + 1 } else { event });
         let words = Message::new("program-edit-point-inserted").pass("pass", self.pass);
-        let words = words.number("after", after as f64, 0);
-        Ok(Report::new(words).points(self.pass, after + 1, after + 1))
+        Ok(Report::new(words.number("after", after as f64, 0)).points(self.pass, after + 1, after + 1))
     }
 }
 
@@ -230,7 +229,6 @@ impl PointsDraft {
         self.directions().map_or(-DVec3::Z, |columns| row.place(columns).normalize_or_zero())
     }
 
-    /// Gives events other points.
     pub(super) fn move_events(&mut self, to: impl Fn(usize) -> usize) {
         self.events.iter_mut().for_each(|event| event.event.after = to(event.event.after));
     }
@@ -254,8 +252,7 @@ impl PointsDraft {
 
 impl DeletePoints {
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
-        let last = self.to.unwrap_or(self.from);
-        let PointRange { from, to } = draft.range(self.pass, Some([self.from, last]), 1)?;
+        let PointRange { from, to } = draft.range(self.pass, Some([self.from, self.to.unwrap_or(self.from)]), 1)?;
         let points = draft.points(self.pass)?;
         let deleted = to - from + 1;
         if deleted == points.count() {

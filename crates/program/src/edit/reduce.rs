@@ -43,8 +43,7 @@ impl Reduce {
         }
         let after = draft.points(self.pass)?.count();
         let words = Message::new("program-edit-reduced").pass("pass", self.pass);
-        let words = words.count("before", before).count("after", after);
-        Ok(Report::new(words).points(self.pass, 0, after))
+        Ok(Report::new(words.count("before", before).count("after", after)).points(self.pass, 0, after))
     }
 }
 

@@ -37,17 +37,14 @@ impl Report {
         Self { words, changed: true, touched: Vec::new() }
     }
 
-    /// A whole pass.
     pub(super) fn pass(self, pass: usize) -> Self {
         self.at(Touched { pass, spans: None, points: None })
     }
 
-    /// Spans of a pass.
     pub(super) fn spans(self, pass: usize, first: usize, last: usize) -> Self {
         self.at(Touched { pass, spans: Some([first, last]), points: None })
     }
 
-    /// Points of a pass.
     pub(super) fn points(self, pass: usize, first: usize, last: usize) -> Self {
         self.at(Touched { pass, spans: None, points: Some([first, last]) })
     }

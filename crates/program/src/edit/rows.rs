@@ -26,7 +26,6 @@ pub(super) struct Written {
 /// Rows of a document that follow each other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RowRun {
-    /// Index of the first one.
     pub(super) first: usize,
     pub(super) count: usize,
 }

@@ -97,8 +97,7 @@ impl Interpolate {
             return Err(draft.wrong_in(self.pass, message, Message::new("program-pace")));
         }
         if self.pace.is_some() && (!rapid || self.along == Along::Rapid) {
-            let message = Message::new("program-pace-given");
-            return Err(draft.wrong_in(self.pass, message, Message::new("program-no-pace")));
+            return Err(draft.wrong_in(self.pass, Message::new("program-pace-given"), Message::new("program-no-pace")));
         }
         (span.along, span.via, span.normal) = (self.along, self.via_mm.map(Point::get), self.normal);
         let pace = if self.along == Along::Rapid { Some(0.0) } else { self.pace.map(Positive::get) };
@@ -113,8 +112,7 @@ impl Interpolate {
             None => span.forget_speeds(),
         }
         let words = Message::new("program-edit-along").pass("pass", self.pass).number("span", self.span as f64, 0);
-        let words = words.text("along", self.along.name());
-        Ok(Report::new(words).spans(self.pass, self.span, self.span))
+        Ok(Report::new(words.text("along", self.along.name())).spans(self.pass, self.span, self.span))
     }
 }
 
@@ -163,8 +161,7 @@ impl PointsDraft {
         }
         let rest: Vec<Row> = rows.drain(k + 1..).collect();
         let begin_speeds = rows[k].speeds.clone();
-        let second = RowSpan { rows: rest, begin_speeds, ..self.spans[span].clone() };
-        self.spans.insert(span + 1, second);
+        self.spans.insert(span + 1, RowSpan { rows: rest, begin_speeds, ..self.spans[span].clone() });
         Some(span)
     }
 }
@@ -183,8 +180,7 @@ impl super::draft::PassDraft {
         let first = Span { from_mm: spans[i].span.from_mm, to_mm: Positive::new(s)?, ..first };
         let second = Span { from_mm: NonNegative::new(s)?, to_mm: spans[i].span.to_mm, ..second };
         spans[i].span = first;
-        let second = SeamSpan { span: second, from: spans[i].from };
-        spans.insert(i + 1, second);
+        spans.insert(i + 1, SeamSpan { span: second, from: spans[i].from });
         Some(i)
     }
 }
@@ -202,13 +198,10 @@ impl JoinSpans {
         };
         let i = index(draft, self.pass, self.span, count.saturating_sub(1))?;
         let joined = match &mut draft.pass(self.pass)?.body {
-            Body::Seam(spans) => {
-                let joined = joined(&spans[i].span, &spans[i + 1].span);
-                joined.map(|span| {
-                    spans[i].span = span;
-                    spans.remove(i + 1);
-                })
-            }
+            Body::Seam(spans) => joined(&spans[i].span, &spans[i + 1].span).map(|span| {
+                spans[i].span = span;
+                spans.remove(i + 1);
+            }),
             Body::Points(points) => points.join(i),
         };
         if joined.is_none() {

@@ -19,7 +19,6 @@ pub(super) fn row_runs(counts: impl Iterator<Item = usize>) -> Vec<RowRun> {
 /// The speeds of a pass as they are written: all of its cubics in a row.
 pub(super) struct WrittenSpeeds {
     written: Written,
-    /// Points of each span.
     points: Vec<RowRun>,
     /// Rows of speeds of each span.
     speeds: Vec<RowRun>,

@@ -175,8 +175,7 @@ impl SetProcess {
             return Ok(Report::new(words).points(self.pass, range.from, range.to));
         }
         let range = draft.seam_range(self.pass, self.s_mm)?;
-        let there = draft.pass(self.pass)?;
-        let Body::Seam(spans) = &mut there.body else { return Ok(Report::new(words)) };
+        let Body::Seam(spans) = &mut draft.pass(self.pass)?.body else { return Ok(Report::new(words)) };
         let spans = &mut spans[range.clone()];
         let ends = (spans[0].span.from_mm.get(), spans[spans.len() - 1].span.to_mm.get());
         for span in spans {

@@ -10,7 +10,6 @@ use crate::program::Program;
 use seamwright_document::DocumentError;
 use toml_edit::{Array, DocumentMut, Item, Table, TomlError, Value};
 
-/// `text` with the changes of the draft.
 pub(super) fn write(text: &str, draft: &Draft) -> Result<String, DocumentError> {
     let unwritable = |e: TomlError| draft.file.error_at("", e.message().to_owned(), "");
     let mut document: DocumentMut = text.parse().map_err(unwritable)?;
@@ -107,8 +106,7 @@ fn write_points(table: &mut Table, before: &Points, after: &PointsDraft) {
     if let (Some(new), Some(item)) = (written.start(&after.start), table.get_mut("start")) {
         *item = Item::Value(new);
     }
-    let speeds = WrittenSpeeds::new(before, after, &of_speeds);
-    write_rows(table, before, after, &written, speeds);
+    write_rows(table, before, after, &written, WrittenSpeeds::new(before, after, &of_speeds));
 }
 
 /// The arrays at `key` of each span as they are written.

@@ -115,8 +115,7 @@ impl Run {
         }
         if self.positions.as_ref().is_some_and(Vec::is_empty) {
             let message = Message::new("program-run-without-position");
-            let allowed = Message::new("program-run-positions");
-            return Err(file.error_at(&format!("{path}.positions"), message, allowed));
+            return Err(file.error_at(&format!("{path}.positions"), message, Message::new("program-run-positions")));
         }
         for (name, window) in &self.ranges {
             let key = format!("{path}.ranges.{name}");

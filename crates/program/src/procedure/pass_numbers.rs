@@ -22,10 +22,6 @@ impl PassNumbers {
         self.0.iter().flat_map(|a| other.0.iter().filter_map(|b| common(a, b))).min()
     }
 
-    /// The numbers that `text` names.
-    ///
-    /// # Errors
-    /// The fault.
     fn parse(text: &str) -> Result<Self, Message> {
         let mut ranges: Vec<RangeInclusive<usize>> = Vec::new();
         for part in text.split(',').map(str::trim) {
@@ -62,8 +58,7 @@ impl fmt::Display for PassNumbers {
 
 impl<'de> Deserialize<'de> for PassNumbers {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        Self::parse(&text)
+        Self::parse(&String::deserialize(deserializer)?)
             .map_err(|wrong| D::Error::custom(fault_in_serde(&wrong, &Message::new("program-pass-numbers"))))
     }
 }

@@ -223,10 +223,8 @@ impl PositionLimits {
         all
     }
 
-    /// Checks the limits at `path` of a file: they increase and leave every position a range.
-    ///
-    /// # Errors
-    /// With the key's address.
+    /// Checks the limits at `path` of a file: they increase and leave every position a range. Fails with the key's
+    /// address.
     pub(super) fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         let (butt, fillet) = (&self.butt, &self.fillet);
         let rising: [&[(&str, NonNegative)]; 3] = [

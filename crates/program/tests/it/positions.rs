@@ -157,8 +157,7 @@ fn positions_along_a_pass_change_where_the_limits_are_passed_and_do_not_flicker(
     // Beyond the limit of PA by 3.9 degrees at most: still PA; by 4.1: PB, from the limit on.
     let swing = |most: f64| move |s: f64| inclination(0.0, 30.0 + most * s.to_radians().sin());
     check(&limits.along(FilletOrButt::Fillet, &places, swing(3.9)), &[(Pa, 0.0, 360.0)]);
-    let found = limits.along(FilletOrButt::Fillet, &places, swing(4.2));
-    check(&found, &[(Pb, 0.0, 180.0), (Pa, 180.0, 360.0)]);
+    check(&limits.along(FilletOrButt::Fillet, &places, swing(4.2)), &[(Pb, 0.0, 180.0), (Pa, 180.0, 360.0)]);
     let none = PositionLimits { hysteresis_deg: Default::default(), ..limits };
     check(&none.along(FilletOrButt::Fillet, &places, swing(0.1)), &[(Pb, 0.0, 180.0), (Pa, 180.0, 360.0)]);
 }

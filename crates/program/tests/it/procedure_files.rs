@@ -21,7 +21,6 @@ fn wrong(from: &str, to: &str) -> DocumentError {
     e
 }
 
-/// A pass of this name and role.
 fn pass(name: &str, role: Option<Role>) -> Pass {
     let text = format!(
         "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n[seam.nozzle.body.cylinder]\n\
@@ -45,8 +44,7 @@ fn runs_are_found_by_name_and_by_number() {
     let of = |name, role| p.run_of(9, &pass(name, Some(role))).and_then(label);
     assert_eq!(of("north, part 1", Role::Root).as_deref(), Some("root"));
     assert_eq!(of("root, part 1", Role::Fill), None);
-    let again = toml::to_string(&p).unwrap();
-    assert_eq!(Procedure::read("w.toml", &again).unwrap().value, p);
+    assert_eq!(Procedure::read("w.toml", &toml::to_string(&p).unwrap()).unwrap().value, p);
     assert_eq!(p.runs[0].name, Some(Role::Root));
     assert_eq!(p.runs[0].ranges["voltage_v"].ends(), (18.0, 20.5));
     for shipped in PROCEDURES {

@@ -104,8 +104,7 @@ pub fn joint_gates(seeds: Range<u64>, mut done: impl FnMut(Kind, u64, &Outcome))
         gates_of(kind, &outcomes, &mut rows);
     }
     let value = 100.0 * all.0 as f64 / all.1.max(1) as f64;
-    let what = "confident rows off by more than 2 px";
-    rows.push(Gate::at_most("all", what, value, 0.01, "%"));
+    rows.push(Gate::at_most("all", "confident rows off by more than 2 px", value, 0.01, "%"));
     Table { title: "The joint in a frame".to_owned(), rows }
 }
 
@@ -114,8 +113,7 @@ fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
         |what, value, limit, unit| rows.push(Gate { frames: kind.name().to_owned(), what, value, limit, unit });
     let count = |test: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| test(o)).count() as f64;
     if matches!(kind, Kind::Blank | Kind::OnlyScratches) {
-        let phantom = outcomes.iter().map(|o| o.phantom).sum::<usize>();
-        gate("confident rows", phantom as f64, Limit::Most(0.0), "");
+        gate("confident rows", outcomes.iter().map(|o| o.phantom).sum::<usize>() as f64, Limit::Most(0.0), "");
         if kind == Kind::Blank {
             gate("frames that end otherwise than lost", count(&|o| o.end != End::Lost), Limit::Most(0.0), "");
         }

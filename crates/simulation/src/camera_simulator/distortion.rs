@@ -64,7 +64,6 @@ impl Bend {
     }
 }
 
-/// Returns a uniformly distributed direction.
 fn direction(random: &mut Pcg64Mcg) -> DVec3 {
     let z = 2.0 * uniform(random) - 1.0;
     let (sin, cos) = (TAU * uniform(random)).sin_cos();

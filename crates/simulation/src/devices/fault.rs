@@ -2,7 +2,7 @@ use glam::DVec2;
 use seamwright_executive::devices::{Drives, InputBits, Inputs, Sensors, Source};
 use seamwright_executive::{DriveReport, Orders, ProcessOrders, SeamOrders, SensorReport, Slack, SourceReport};
 use seamwright_machine::Joints;
-use seamwright_message::{Message, display_by_message};
+use seamwright_message::{Message, display_by_message, named_enum};
 use seamwright_tracking::beam::Picture;
 use std::fmt;
 use std::str::FromStr;
@@ -24,21 +24,23 @@ pub enum Device {
     Cycle,
 }
 
-/// Kind of fault.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum FaultKind {
-    /// The device executes orders but its reports stop.
-    Silent,
-    /// Reports are delayed by some periods.
-    Slow,
-    /// Reports are wrong: a jump of a position, an inverted arc state, an inverted input, a random joint deviation.
-    Wrong,
-    /// The connection is cut: no orders, no reports. The device's watchdog switches it off.
-    Disconnect,
-    /// The device restarts and loses its state.
-    Reboot,
-    /// The connection is cut for one second.
-    Reconnect,
+named_enum! {
+    /// Kind of fault.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum FaultKind {
+        /// The device executes orders but its reports stop.
+        Silent => "silent",
+        /// Reports are delayed by some periods.
+        Slow => "slow",
+        /// Reports are wrong: a jump of a position, an inverted arc state, an inverted input, a random joint deviation.
+        Wrong => "wrong",
+        /// The connection is cut: no orders, no reports. The device's watchdog switches it off.
+        Disconnect => "disconnect",
+        /// The device restarts and loses its state.
+        Reboot => "reboot",
+        /// The connection is cut for one second.
+        Reconnect => "reconnect",
+    }
 }
 
 /// Start of a fault.
@@ -82,24 +84,9 @@ impl Device {
 }
 
 impl FaultKind {
-    /// All kinds.
-    pub const ALL: [Self; 6] = [Self::Silent, Self::Slow, Self::Wrong, Self::Disconnect, Self::Reboot, Self::Reconnect];
-
     /// True if no report arrives from the device.
     fn is_mute(self) -> bool {
         matches!(self, Self::Silent | Self::Disconnect | Self::Reboot | Self::Reconnect)
-    }
-
-    /// Name in a fault plan.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Silent => "silent",
-            Self::Slow => "slow",
-            Self::Wrong => "wrong",
-            Self::Disconnect => "disconnect",
-            Self::Reboot => "reboot",
-            Self::Reconnect => "reconnect",
-        }
     }
 }
 
@@ -256,44 +243,45 @@ impl<T, R: Copy + Default> Faulty<T, R> {
         found
     }
 
-    /// Stores `fresh`; returns the report of `LATE` periods ago if `slow`.
-    fn delayed(&mut self, fresh: R, slow: bool) -> R {
+    /// Starts a period: returns its fault, and counts a restart that begins.
+    fn begin(&mut self) -> Option<Fault> {
+        let (fault, first) = self.now()?;
+        if first && fault.kind == FaultKind::Reboot {
+            (self.starts, self.forgotten) = (self.starts + 1, true);
+        }
+        Some(fault)
+    }
+
+    /// Stores `fresh`; returns the report of `LATE` periods ago if the fault is slow.
+    fn delayed(&mut self, fresh: R, fault: Option<Fault>) -> R {
         if self.late.len() > LATE {
             self.late.remove(0);
         }
         self.late.push(fresh);
-        if slow { self.late[0] } else { fresh }
+        if fault.is_some_and(|f| f.kind == FaultKind::Slow) { self.late[0] } else { fresh }
     }
 }
 
 impl<T: Drives> Drives for Faulty<T, DriveReport> {
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
-        let fault = self.now();
-        let kind = fault.map(|(f, _)| f.kind);
-        let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot | FaultKind::Reconnect));
+        let fault = self.begin();
+        let cut = fault.is_some_and(|f| f.kind.is_mute() && f.kind != FaultKind::Silent);
         // Without orders the drives' own watchdog switches the power off.
         let orders = if cut { Orders { power: false, ..*orders } } else { *orders };
         let mut fresh = self.own.unwrap_or(*report);
         self.device.exchange(&orders, &mut fresh);
         self.own = Some(fresh);
-        if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
-            (self.starts, self.forgotten) = (self.starts + 1, true);
-        }
         fresh.starts += self.starts;
         // A restarted drive needs homing.
         self.forgotten &= !(orders.home && fresh.powered);
         if self.forgotten {
             fresh.referenced = 0;
         }
-        let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
+        let delayed = self.delayed(fresh, fault);
         *report = match fault {
-            Some((Fault { kind: k, .. }, _)) if k.is_mute() => {
-                DriveReport { age_s: report.age_s + self.period, ..*report }
-            }
-            Some((Fault { kind: FaultKind::Slow, .. }, _)) => {
-                DriveReport { age_s: LATE as f64 * self.period, ..delayed }
-            }
-            Some((Fault { kind: FaultKind::Wrong, which, .. }, _)) => {
+            Some(Fault { kind: k, .. }) if k.is_mute() => DriveReport { age_s: report.age_s + self.period, ..*report },
+            Some(Fault { kind: FaultKind::Slow, .. }) => DriveReport { age_s: LATE as f64 * self.period, ..delayed },
+            Some(Fault { kind: FaultKind::Wrong, which, .. }) => {
                 let mut wrong = fresh;
                 wrong.position[usize::from(which)] += JUMP;
                 wrong.following_error[usize::from(which)] -= JUMP;
@@ -318,19 +306,15 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
 
 impl<T: Source> Source for Faulty<T, SourceReport> {
     fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
-        let fault = self.now();
-        let kind = fault.map(|(f, _)| f.kind);
-        let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot | FaultKind::Reconnect));
+        let fault = self.begin();
+        let cut = fault.is_some_and(|f| f.kind.is_mute() && f.kind != FaultKind::Silent);
         let orders = if cut { ProcessOrders::default() } else { *orders };
         let mut fresh = self.own.unwrap_or(*report);
         self.device.exchange(&orders, &mut fresh);
         self.own = Some(fresh);
-        if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
-            self.starts += 1;
-        }
         fresh.starts += self.starts;
-        let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
-        *report = match kind {
+        let delayed = self.delayed(fresh, fault);
+        *report = match fault.map(|f| f.kind) {
             Some(k) if k.is_mute() => SourceReport { age_s: report.age_s + self.period, ..*report },
             Some(FaultKind::Slow) => SourceReport { age_s: LATE as f64 * self.period, ..delayed },
             Some(FaultKind::Wrong) => SourceReport { burning: !fresh.burning, ..fresh },
@@ -341,22 +325,18 @@ impl<T: Source> Source for Faulty<T, SourceReport> {
 
 impl<T: Inputs> Inputs for Faulty<T, InputBits> {
     fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) {
-        let fault = self.now();
-        let kind = fault.map(|(f, _)| f.kind);
+        let fault = self.begin();
         let mut fresh = self.own.unwrap_or(*inputs);
         self.device.exchange(watchdog, &mut fresh);
         self.own = Some(fresh);
-        if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
-            self.starts += 1;
-        }
         fresh.starts += self.starts;
-        let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
+        let delayed = self.delayed(fresh, fault);
         match fault {
-            Some((Fault { kind: k, .. }, _)) if k.is_mute() => inputs.age_s += self.period,
-            Some((Fault { kind: FaultKind::Slow, .. }, _)) => {
+            Some(Fault { kind: k, .. }) if k.is_mute() => inputs.age_s += self.period,
+            Some(Fault { kind: FaultKind::Slow, .. }) => {
                 *inputs = InputBits { age_s: LATE as f64 * self.period, ..delayed };
             }
-            Some((Fault { kind: FaultKind::Wrong, which, .. }, _)) => {
+            Some(Fault { kind: FaultKind::Wrong, which, .. }) => {
                 *inputs = InputBits { bits: fresh.bits ^ (1 << which), ..fresh };
             }
             _ => *inputs = fresh,
@@ -366,18 +346,14 @@ impl<T: Inputs> Inputs for Faulty<T, InputBits> {
 
 impl<T: Sensors> Sensors for Faulty<T, SensorReport> {
     fn exchange(&mut self, orders: &SeamOrders, truth: Option<&Joints>, report: &mut SensorReport) {
-        let fault = self.now();
-        let kind = fault.map(|(f, _)| f.kind);
+        let fault = self.begin();
         let mut fresh = *report;
         self.device.exchange(orders, truth, &mut fresh);
-        if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
-            self.starts += 1;
-        }
         fresh.starts = 1 + self.starts;
-        let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
+        let delayed = self.delayed(fresh, fault);
         // Every sensor fault drops the pictures.
-        self.dark = kind.is_some();
-        *report = match kind {
+        self.dark = fault.is_some();
+        *report = match fault.map(|f| f.kind) {
             Some(k) if k.is_mute() => {
                 SensorReport { measured: [None; 2], age_s: report.age_s + self.period, ..*report }
             }

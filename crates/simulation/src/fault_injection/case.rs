@@ -1,73 +1,40 @@
 use crate::devices::fault::{Device, FaultKind};
+use seamwright_message::named_enum;
 
-/// State of a cell at the start of a fault.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Situation {
-    /// Without power.
-    Off,
-    /// With power, references unknown.
-    Idle,
-    /// Homing.
-    Homing,
-    /// At rest.
-    Ready,
-    /// Jogging.
-    Jog,
-    /// In a pass without process.
-    DryRun,
-    /// On the approach to a weld.
-    Approach,
-    /// Gas flows.
-    Preflow,
-    /// Arc or beam is igniting or on, the torch rests.
-    Strike,
-    /// Welding.
-    Travel,
-    /// The crater is filled.
-    Crater,
-    /// Held on the path.
-    Hold,
-    /// After another fault.
-    Fault,
+named_enum! {
+    /// State of a cell at the start of a fault.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Situation {
+        /// Without power.
+        Off => "off",
+        /// With power, references unknown.
+        Idle => "idle",
+        /// Homing.
+        Homing => "homing",
+        /// At rest.
+        Ready => "ready",
+        /// Jogging.
+        Jog => "jog",
+        /// In a pass without process.
+        DryRun => "dry run",
+        /// On the approach to a weld.
+        Approach => "approach",
+        /// Gas flows.
+        Preflow => "gas",
+        /// Arc or beam is igniting or on, the torch rests.
+        Strike => "strike",
+        /// Welding.
+        Travel => "travel",
+        /// The crater is filled.
+        Crater => "crater",
+        /// Held on the path.
+        Hold => "hold",
+        /// After another fault.
+        Fault => "fault",
+    }
 }
 
 impl Situation {
-    /// All situations.
-    pub const ALL: [Self; 13] = [
-        Self::Off,
-        Self::Idle,
-        Self::Homing,
-        Self::Ready,
-        Self::Jog,
-        Self::DryRun,
-        Self::Approach,
-        Self::Preflow,
-        Self::Strike,
-        Self::Travel,
-        Self::Crater,
-        Self::Hold,
-        Self::Fault,
-    ];
-
-    /// Name in a word or two.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Off => "off",
-            Self::Idle => "idle",
-            Self::Homing => "homing",
-            Self::Ready => "ready",
-            Self::Jog => "jog",
-            Self::DryRun => "dry run",
-            Self::Approach => "approach",
-            Self::Preflow => "gas",
-            Self::Strike => "strike",
-            Self::Travel => "travel",
-            Self::Crater => "crater",
-            Self::Hold => "hold",
-            Self::Fault => "fault",
-        }
-    }
-
     /// Returns true in a program with process.
     pub fn welds(self) -> bool {
         matches!(self, Self::Approach | Self::Preflow | Self::Strike | Self::Travel | Self::Crater)

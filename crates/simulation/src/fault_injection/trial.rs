@@ -105,8 +105,7 @@ impl<'a> Trial<'a> {
         let first =
             Fault { device: Device::Inputs, kind: FaultKind::Wrong, when: When::At(BEFORE_S), lasts_s: 0.05, which: 0 };
         let before: &[Fault] = if situation == Situation::Fault { &[first] } else { &[] };
-        let inputs = SimulatedInputs::all_met(machine);
-        let inputs = Faulty::new(inputs, Device::Inputs, before, period);
+        let inputs = Faulty::new(SimulatedInputs::all_met(machine), Device::Inputs, before, period);
         let devices = DeviceSet {
             drives: Faulty::new(SimulatedDrives::new(machine, seed)?, Device::Drives, &fault, period).flagged_by(&told),
             source: Faulty::new(SimulatedSource::new(seed, period), Device::Source, &fault, period).flagged_by(&told),

@@ -95,8 +95,7 @@ impl<'a> SimulatedCell<'a> {
     pub fn sensors(&self) -> Result<SimulatedSensors<'_>, Error> {
         let simulated_heads = self.seams.iter().zip(&self.motion.passes).map(|(seams, planned)| match seams {
             Some(seams) if self.conditions.tracking => {
-                let correction = seams.correction(self.machine, planned)?;
-                Ok(self.scene(seams).simulated_heads(&correction, self.conditions.seed))
+                Ok(self.scene(seams).simulated_heads(&seams.correction(self.machine, planned)?, self.conditions.seed))
             }
             _ => Ok(ArrayVec::new()),
         });

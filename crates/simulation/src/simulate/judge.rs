@@ -111,7 +111,6 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// Returns the true phase of the process.
 fn phase(cycle: &Cycle<'_>) -> Phase {
     let burns = cycle.reports.source.burning && cycle.process != ProcessState::Off;
     match cycle.phase {

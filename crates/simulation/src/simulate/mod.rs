@@ -7,7 +7,6 @@ use crate::conditions::Conditions;
 use crate::error::Error;
 use crate::sample::Sample;
 use crate::summary::Summary;
-use operator::Operator;
 use seamwright_executive::{Command, Cycle, Executive, Note, Place, Port, Start};
 use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
@@ -15,6 +14,7 @@ use seamwright_program::{Pass, TorchPath};
 
 pub use cell::{CellDevices, SimulatedCell};
 pub use judge::Judge;
+pub use operator::WeldOperator;
 
 /// Runs `motion`, whose passes are `passes`, under the executive on simulated devices in virtual time, from power-on
 /// through the weld to home. Shows every period's [`Sample`] to `observer`. Returns a summary of each pass.
@@ -39,7 +39,7 @@ pub fn simulate<E: From<Error>>(
     let mut devices = cell.devices()?;
     let mut tracking = cell.tracking(Place::default())?;
     let judge = cell.judge()?;
-    let mut watched = Watched { judge, observer, failed: None, operator: Operator::default() };
+    let mut watched = Watched { judge, observer, failed: None, operator: WeldOperator::default() };
     let guide = tracking.as_mut().map(|tracking| tracking as _);
     Executive::new(machine, &mut devices, &mut watched).with_guide(guide).serve(Some(&work));
     let Watched { judge, failed, .. } = watched;
@@ -54,7 +54,7 @@ struct Watched<'a, F, E> {
     judge: Judge<'a>,
     observer: F,
     failed: Option<E>,
-    operator: Operator,
+    operator: WeldOperator,
 }
 
 impl<E, F: FnMut(&Sample) -> Result<(), E>> Port for Watched<'_, F, E> {

@@ -1,9 +1,9 @@
 use seamwright_executive::{Ask, Command, Cycle, Missing, Mode, Note, Port, Reaction};
 use seamwright_motion::feed_override::RunPhase;
 
-/// The operator of a simulated weld: from power-on to home; any stop ends the run.
+/// The operator of a simulated weld: from power-on to home, once; any stop ends the run.
 #[derive(Debug, Default)]
-pub(super) struct Operator {
+pub struct WeldOperator {
     mode: Option<Mode>,
     armed: bool,
     powered: bool,
@@ -14,7 +14,7 @@ pub(super) struct Operator {
     asked: bool,
 }
 
-impl Port for Operator {
+impl Port for WeldOperator {
     fn command(&mut self, _t: f64) -> Option<Command> {
         if std::mem::replace(&mut self.asked, true) {
             return None;

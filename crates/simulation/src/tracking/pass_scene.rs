@@ -41,7 +41,6 @@ impl Whole {
 }
 
 impl<'a> PassScene<'a> {
-    /// Returns the simulated devices that see the joint of each head.
     pub(crate) fn simulated_heads(self, correction: &Correction<'_>, seed: u64) -> ArrayVec<SimulatedHead<'a>, 2> {
         let simulated_heads = self.seams.seams().iter().enumerate().map(|(number, seam)| {
             let own = seed.wrapping_mul(8).wrapping_add(number as u64);
@@ -54,10 +53,7 @@ impl<'a> PassScene<'a> {
         simulated_heads.collect()
     }
 
-    /// Returns the true positions of each head's weld and joint.
-    ///
-    /// # Errors
-    /// A torch that does not follow the seam's line.
+    /// Returns the true positions of each head's weld and joint. Errors: a torch that does not follow the seam's line.
     pub(crate) fn truths(
         self,
         machine: &Machine,

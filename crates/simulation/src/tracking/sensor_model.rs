@@ -80,7 +80,6 @@ impl SensorModel {
     }
 }
 
-/// A sensor in operation.
 #[derive(Debug)]
 pub(super) struct Sensor {
     model: SensorModel,
@@ -147,8 +146,7 @@ impl Sensor {
 
     /// Returns the next measurement that has arrived at `t`; the inner `None` means that the sensor saw no joint.
     pub(super) fn arrived(&mut self, t: f64) -> Option<Option<Measurement>> {
-        let i = self.under_way.iter().position(|(due, _)| *due <= t + 1e-9)?;
-        self.under_way.remove(i).map(|(_, m)| m)
+        self.under_way.remove(self.under_way.iter().position(|(due, _)| *due <= t + 1e-9)?).map(|(_, m)| m)
     }
 
     fn seen(&mut self, world: &World<'_>, s: f64, slide: DVec2) -> Option<(DVec2, f64)> {
@@ -190,8 +188,7 @@ impl Sensor {
         let task = StripeTask::in_mm(kind);
         let found = self.reader.read_image(&frame, Some(&scene.to_mm), &task).ok()?;
         // The sensor's zero is at the joint point.
-        let zero = section.truth(&Placement::default()).joint()?;
-        Some((found.joint() - zero, found.confidence))
+        Some((found.joint() - section.truth(&Placement::default()).joint()?, found.confidence))
     }
 
     fn anything(&mut self, size: f64) -> DVec2 {

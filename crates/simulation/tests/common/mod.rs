@@ -12,10 +12,15 @@ use seamwright_motion::feed_override::RunPhase;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_simulation::devices::{Fault, simulated_devices};
 use seamwright_simulation::tracking::Distortion;
-use seamwright_simulation::{Conditions, Judge, Sample, SimulatedCell};
+use seamwright_simulation::{Conditions, Error, Judge, Sample, SimulatedCell, Summary, simulate};
 use seamwright_weld::Welding;
 
 pub(crate) const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
+
+/// Factor of the number of cases, if `SEAMWRIGHT_SOAK` requests one.
+pub(crate) fn soak() -> Option<u64> {
+    std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|factor| factor.parse().ok())
+}
 
 /// The example weld, planned.
 pub(crate) struct Planned {
@@ -52,6 +57,23 @@ impl Planned {
         let s_mm = self.motion.passes[0].path.length() - 5.0;
         Start::at_place(&self.machine, &around, &self.motion, &self.machine.home(), Place { pass: 1, s_mm }).unwrap()
     }
+}
+
+/// Plans passes on a machine and simulates them: the motion, a summary of each pass, and all samples.
+pub(crate) fn simulated(
+    machine: &Machine,
+    passes: &[(&dyn TorchPath, &Pass)],
+    conditions: Conditions<'_>,
+) -> Result<(WeldMotion, Vec<Summary>, Vec<Sample>), Error> {
+    let planned_on = machine.with_reserve(if conditions.tracking { RESERVE } else { 0.0 });
+    let around = Surroundings::new(&planned_on, &Clamped::default()).unwrap();
+    let motion = WeldMotion::plan(&planned_on, &around, passes, 30.0).unwrap();
+    let mut samples = Vec::new();
+    let summaries = simulate(machine, passes, &motion, conditions, |s| {
+        samples.push(*s);
+        Ok::<(), Error>(())
+    })?;
+    Ok((motion, summaries, samples))
 }
 
 /// A tracked weld on a displaced part; it lives as long as the test.
@@ -96,6 +118,28 @@ impl Tracked {
     }
 }
 
+/// Largest shares of speed, acceleration and jerk that any axis uses between set-points, by differences; each with its
+/// time and axis. Set-points are not followed before the references are found, or without power.
+pub(crate) fn limit_use<'a>(machine: &'a Machine, samples: &[Sample]) -> [(f64, f64, &'a str); 3] {
+    let period = machine.servo_period_s;
+    let mut worst = [(0.0, 0.0, ""); 3];
+    let follows = |s: &Sample| matches!(s.mode, Mode::Weld | Mode::Hold | Mode::DryRun);
+    for four in samples.windows(4).filter(|four| four.iter().all(follows)) {
+        for (i, axis) in machine.axes.iter().enumerate() {
+            let [a, b, c, d] = std::array::from_fn(|k| four[k].set.q[i]);
+            let speed = (d - c) / (period * axis.max_speed);
+            let acceleration = (d - 2.0 * c + b) / (period.powi(2) * axis.max_acceleration);
+            let jerk = (d - 3.0 * c + 3.0 * b - a) / (period.powi(3) * axis.jerk());
+            for (worst, used) in worst.iter_mut().zip([speed, acceleration, jerk].map(f64::abs)) {
+                if used > worst.0 {
+                    *worst = (used, four[3].set.t, &axis.name);
+                }
+            }
+        }
+    }
+    worst
+}
+
 /// A script, and the judge of its weld.
 struct Judged<'a, 'b, 'c> {
     pub(crate) judge: Judge<'a>,
@@ -125,7 +169,6 @@ pub(crate) struct Script<'a> {
     pub(crate) asked: bool,
     pub(crate) cycles: Vec<Seen>,
     pub(crate) notes: Vec<Note>,
-    /// The list of alarms, derived from notes.
     alarms: AlarmList,
 }
 
@@ -223,14 +266,16 @@ pub(crate) fn down<'a>() -> Vec<(When<'a>, Ask)> {
     vec![(in_mode(Mode::Ready), Ask::SwitchOff), (in_mode(Mode::Off), Ask::Quit)]
 }
 
-/// Runs a script on simulated devices; returns the position at which the program was left.
-pub(crate) fn play(planned: &Planned, start: Start, script: &mut Script<'_>) -> Option<Place> {
+/// Runs a script on simulated devices; returns its record, and the position at which the program was left.
+pub(crate) fn play<'a>(planned: &Planned, start: Start, lines: Vec<(When<'a>, Ask)>) -> (Script<'a>, Option<Place>) {
     let machine = &planned.machine;
-    let mut devices = simulated_devices(machine, 1).unwrap();
+    let (mut devices, mut script) = (simulated_devices(machine, 1).unwrap(), Script::new(lines));
     let work = planned.work(start);
-    let mut executive = Executive::new(machine, &mut devices, script);
+    let mut executive = Executive::new(machine, &mut devices, &mut script);
     executive.serve(Some(&work));
-    executive.left()
+    let left = executive.left();
+    drop(executive);
+    (script, left)
 }
 
 pub(crate) fn short() -> Planned {

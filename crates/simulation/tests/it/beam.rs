@@ -1,5 +1,6 @@
 //! Beam mode on half an oblique ring on a cylinder, as in EBW-2004: misplaced, tracked, and replayed on a later pass.
 
+use crate::common::soak;
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_simulation::tracking::beam::{BeamJob, beam_rows, moved_since};
@@ -52,8 +53,7 @@ impl Ring {
 /// it; the later pass lies on the first one.
 #[test]
 fn half_a_ring() {
-    let soak: u64 = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|s| s.parse().ok()).unwrap_or(1);
-    let rows = Ring::new(30, 42, 210).with(|job| beam_rows("half ring", job, 3 * soak)).unwrap();
+    let rows = Ring::new(30, 42, 210).with(|job| beam_rows("half ring", job, 3 * soak().unwrap_or(1))).unwrap();
     assert_eq!(rows.len(), 2 * 9);
     for row in rows {
         assert!(row.is_kept(), "{row:?}");

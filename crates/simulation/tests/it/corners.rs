@@ -1,12 +1,13 @@
 //! Simulated welds round a right angle: with a stop, and blended.
 
+use crate::common::simulated;
 use glam::DVec3;
 use seamwright_document::{NonNegative, Positive};
 use seamwright_geometry::Pose;
-use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_machine::{Machine, shipped};
 use seamwright_motion::WeldMotion;
 use seamwright_program::{AtCorner, Pass, TorchPath};
-use seamwright_simulation::{Conditions, Error, Sample, Summary, simulate};
+use seamwright_simulation::{Conditions, Sample, Summary};
 use seamwright_weld::Welding;
 
 const SIDE: f64 = 60.0;
@@ -36,14 +37,8 @@ fn weld(corner: AtCorner) -> (WeldMotion, Summary, Vec<Sample>, Pass) {
     (span.from_mm, span.to_mm) = (NonNegative::default(), Positive::new(2.0 * SIDE).unwrap());
     span.speed_mm_s = Positive::new(10.0).unwrap().into();
     let machine = Machine::read("m", shipped("ellipse-xy").unwrap().text).unwrap();
-    let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
-    let motion = WeldMotion::plan(&machine, &around, &[(&RightAngle, &pass)], 30.0).unwrap();
-    let mut samples = Vec::new();
-    let mut summaries = simulate(&machine, &[(&RightAngle, &pass)], &motion, Conditions::default(), |s| {
-        samples.push(*s);
-        Ok::<(), Error>(())
-    })
-    .unwrap();
+    let welded = simulated(&machine, &[(&RightAngle, &pass)], Conditions::default());
+    let (motion, mut summaries, samples) = welded.unwrap();
     (motion, summaries.remove(0), samples, pass)
 }
 

@@ -86,7 +86,6 @@ impl<S: Source, I: Inputs> Bench<S, I> {
     }
 }
 
-/// Checks the conformance of any process source and inputs.
 fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
     assert!(!bench.is_fresh(), "nothing is known yet");
     assert!(bench.cycles(2000, Bench::is_fresh));
@@ -139,6 +138,12 @@ fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
 
 const EVENTS: [Event; 3] = [Event::Silence, Event::Restart, Event::Loss];
 
+/// A device with a fault that begins when it is told.
+fn faulty<T, R: Copy + Default>(it: T, device: Device, kind: FaultKind, told: &Arc<AtomicBool>) -> Faulty<T, R> {
+    let fault = Fault { device, kind, when: When::Flagged, lasts_s: 0.4, which: 1 };
+    Faulty::new(it, device, &[fault], PERIOD_S).flagged_by(told)
+}
+
 /// Simulated devices fail by fault plans: the same kind before source and inputs.
 fn simulated(event: Event) -> Bench<impl Source, impl Inputs> {
     let kind = match event {
@@ -147,11 +152,8 @@ fn simulated(event: Event) -> Bench<impl Source, impl Inputs> {
         Event::Loss => FaultKind::Disconnect,
     };
     let told = Arc::new(AtomicBool::new(false));
-    let faults = |device| [Fault { device, kind, when: When::Flagged, lasts_s: 0.4, which: 0 }];
-    let source = SimulatedSource::new(1, PERIOD_S);
-    let source = Faulty::new(source, Device::Source, &faults(Device::Source), PERIOD_S).flagged_by(&told);
-    let inputs =
-        Faulty::new(SimulatedInputs::new(MET), Device::Inputs, &faults(Device::Inputs), PERIOD_S).flagged_by(&told);
+    let source = faulty(SimulatedSource::new(1, PERIOD_S), Device::Source, kind, &told);
+    let inputs = faulty(SimulatedInputs::new(MET), Device::Inputs, kind, &told);
     Bench {
         set: DeviceSet { drives: NoDrives, source, inputs },
         orders: Orders::default(),
@@ -205,19 +207,16 @@ type FaultyInputs = Faulty<ModbusInputs, InputBits>;
 /// A fault plan works before devices on Modbus as before simulated ones: without effect until a fault comes ..
 #[test]
 fn modbus_conforms_behind_a_plan_of_faults() {
-    let (bench, _) = faulty(FaultKind::Silent);
+    let (bench, _) = faulty_modbus(FaultKind::Silent);
     conforms(bench, &EVENTS);
 }
 
-fn faulty(kind: FaultKind) -> (Bench<FaultySource, FaultyInputs>, Arc<AtomicBool>) {
+fn faulty_modbus(kind: FaultKind) -> (Bench<FaultySource, FaultyInputs>, Arc<AtomicBool>) {
     let server = TestServer::new(welder);
     let parts = parts(&server);
     let told = Arc::new(AtomicBool::new(false));
-    let faults = |device| [Fault { device, kind, when: When::Flagged, lasts_s: 0.4, which: 1 }];
-    let source =
-        Faulty::new(parts.source.unwrap(), Device::Source, &faults(Device::Source), PERIOD_S).flagged_by(&told);
-    let inputs =
-        Faulty::new(parts.inputs.unwrap(), Device::Inputs, &faults(Device::Inputs), PERIOD_S).flagged_by(&told);
+    let source = faulty(parts.source.unwrap(), Device::Source, kind, &told);
+    let inputs = faulty(parts.inputs.unwrap(), Device::Inputs, kind, &told);
     (on_modbus(server, source, inputs), told)
 }
 
@@ -225,7 +224,7 @@ fn faulty(kind: FaultKind) -> (Bench<FaultySource, FaultyInputs>, Arc<AtomicBool
 #[test]
 fn faults_come_over_modbus_devices() {
     for kind in FaultKind::ALL {
-        let (mut bench, told) = faulty(kind);
+        let (mut bench, told) = faulty_modbus(kind);
         bench.strike();
         let starts = bench.reports.source.starts;
         told.store(true, Ordering::Relaxed);

@@ -4,9 +4,9 @@
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]
 
-use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
-use seamwright_motion::WeldMotion;
-use seamwright_simulation::{Conditions, Error, Summary, simulate, tune_axis};
+use crate::common::simulated;
+use seamwright_machine::{Machine, shipped};
+use seamwright_simulation::{Conditions, Summary, tune_axis};
 use seamwright_weld::Welding;
 
 /// Returns the shipped saddle welder with elastic drives. The first mode of the whole box is the lowest.
@@ -31,7 +31,6 @@ fn elastic() -> String {
     text
 }
 
-/// Returns the same machine with every position loop tuned.
 fn tuned(mut machine: Machine) -> Machine {
     for axis in &mut machine.axes {
         let found = tune_axis(axis, machine.servo_period_s).unwrap();
@@ -49,14 +48,8 @@ fn tuned(mut machine: Machine) -> Machine {
 fn weld(machine: &Machine) -> Summary {
     let welding = Welding::read("saddle", include_str!("../../../../examples/saddle.toml")).unwrap();
     assert!((welding.program.value.passes[0].speed_at(0.0) - 10.0).abs() < 1e-9);
-    let around = Surroundings::new(machine, &Clamped::default()).unwrap();
-    let path = welding.path(0);
-    let motion = WeldMotion::plan(machine, &around, &[(&path, &welding.program.value.passes[0])], 30.0).unwrap();
-    simulate(machine, &[(&path, &welding.program.value.passes[0])], &motion, Conditions::default(), |_| {
-        Ok::<(), Error>(())
-    })
-    .unwrap()
-    .remove(0)
+    let (path, pass) = (welding.path(0), &welding.program.value.passes[0]);
+    simulated(machine, &[(&path, pass)], Conditions::default()).unwrap().1.remove(0)
 }
 
 #[test]

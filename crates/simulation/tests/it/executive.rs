@@ -12,10 +12,12 @@ use seamwright_simulation::devices::simulated_devices;
 #[test]
 fn a_weld_is_the_planned_one() {
     let planned = short();
-    let mut script = Script::new(up().into_iter().chain(weld()).collect());
-    script.lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 20.0), Ask::Override(1.0)));
-    script.lines.extend(down());
-    assert_eq!(play(&planned, Start::at_home(&planned.motion), &mut script), None);
+    let mut lines = up();
+    lines.extend(weld());
+    lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 20.0), Ask::Override(1.0)));
+    lines.extend(down());
+    let (script, left) = play(&planned, Start::at_home(&planned.motion), lines);
+    assert_eq!(left, None);
     assert_eq!(script.modes(), [Mode::Idle, Mode::Homing, Mode::Ready, Mode::Weld, Mode::Ready, Mode::Off]);
     let (motion, period) = (&planned.motion.passes[0], planned.machine.servo_period_s);
     let time = |is: &dyn Fn(&Seen) -> bool| script.cycles.iter().filter(|c| is(c)).count() as f64 * period;
@@ -34,8 +36,7 @@ fn a_weld_is_the_planned_one() {
         assert!(!c.on || (c.current - 240.0).abs() < 1e-9);
     }
     let last = script.cycles.iter().rfind(|c| c.mode == Mode::Ready).unwrap();
-    let home = planned.machine.home();
-    assert!(last.q.iter().zip(home).all(|(a, b)| (a - b).abs() < 1e-6));
+    assert!(last.q.iter().zip(planned.machine.home()).all(|(a, b)| (a - b).abs() < 1e-6));
     assert!(
         script.notes.iter().any(|n| matches!(n, Note::PassEnds(p) if (p.s_mm - motion.path.length()).abs() < 1e-9))
     );
@@ -57,8 +58,8 @@ fn held_welds_go_on_with_overlap() {
     lines.push((held(), Ask::Resume));
     lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 20.0), Ask::Override(1.0)));
     lines.extend(down());
-    let mut script = Script::new(lines);
-    assert_eq!(play(&planned, Start::at_home(&planned.motion), &mut script), None);
+    let (script, left) = play(&planned, Start::at_home(&planned.motion), lines);
+    assert_eq!(left, None);
     assert_eq!(script.refused(), [Missing::Arming, Missing::Arming]);
     let overlap = planned.motion.passes[0].sequence.overlap_mm.get();
     let stopped = script.cycles.iter().find(|c| c.mode == Mode::Hold && c.phase == Some(RunPhase::Held)).unwrap();
@@ -84,8 +85,8 @@ fn a_stopped_weld_is_gone_on_with() {
     lines.push((at(20.0), Ask::Stop));
     // Refused until it has come to rest and the gas is off.
     lines.extend((0..9000).map(|k| -> (When<'_>, Ask) { (Box::new(|_| true), [Ask::SwitchOff, Ask::Quit][k % 2]) }));
-    let mut script = Script::new(lines);
-    let left = play(&planned, Start::at_home(&planned.motion), &mut script).unwrap();
+    let (script, left) = play(&planned, Start::at_home(&planned.motion), lines);
+    let left = left.unwrap();
     assert!(left.pass == 1 && left.s_mm > 20.0 && left.s_mm < 21.0, "{left:?}");
     let stop = script.cycles.iter().position(|c| c.mode == Mode::Ready && c.place.s_mm > 20.0).unwrap();
     assert!(script.cycles[stop + 1..].iter().all(|c| !c.on));
@@ -96,8 +97,8 @@ fn a_stopped_weld_is_gone_on_with() {
     lines.extend(weld());
     lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 10.0), Ask::Override(1.0)));
     lines.extend(down());
-    let mut script = Script::new(lines);
-    assert_eq!(play(&planned, start, &mut script), None);
+    let (script, left_again) = play(&planned, start, lines);
+    assert_eq!(left_again, None);
     let first = script.cycles.iter().find(|c| c.on).unwrap();
     assert!((first.place.s_mm - (left.s_mm - 6.0)).abs() < 1e-6, "{first:?}");
 }
@@ -120,8 +121,7 @@ fn hands_on_the_keys() {
     lines.push((in_mode(Mode::Jog), Ask::Hold));
     lines.push((in_mode(Mode::Ready), Ask::Arm));
     lines.extend(down());
-    let mut script = Script::new(lines);
-    play(&planned, Start::at_home(&planned.motion), &mut script);
+    let (script, _) = play(&planned, Start::at_home(&planned.motion), lines);
     let refused = script.refused();
     assert!(
         matches!(refused[..], [Missing::Value, Missing::Mode(_), Missing::Mode(_), Missing::NotAtStart(1)]),
@@ -129,8 +129,7 @@ fn hands_on_the_keys() {
     );
     let moved = script.cycles.last().unwrap().q[1] - planned.machine.home()[1];
     assert!(moved > 5.0 && moved < 12.0, "{moved}");
-    let silent = script.notes.iter().any(|n| matches!(n, Note::Alarm(r) if r.alarm == Alarm::PanelSilent));
-    assert!(silent);
+    assert!(script.notes.iter().any(|n| matches!(n, Note::Alarm(r) if r.alarm == Alarm::PanelSilent)));
 }
 
 /// The operator sends the axes to a position: they arrive there and stand. Without requests, or on a hold, they stop
@@ -153,10 +152,8 @@ fn a_hand_sends_the_axes_to_a_place() {
         // Power can be switched off only at rest.
         lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 6.0), Ask::Override(1.0)));
         lines.extend(down());
-        let mut script = Script::new(lines);
-        play(&planned, Start::at_home(&planned.motion), &mut script);
-        let last = script.cycles.last().unwrap();
-        let moved = last.q[1] - home[1];
+        let (script, _) = play(&planned, Start::at_home(&planned.motion), lines);
+        let moved = script.cycles.last().unwrap().q[1] - home[1];
         let silent = script.notes.iter().any(|n| matches!(n, Note::Alarm(r) if r.alarm == Alarm::PanelSilent));
         assert_eq!(silent, ends == "silent", "{ends}");
         match ends {
@@ -238,8 +235,7 @@ fn no_command_does_harm() {
             (0..9000)
                 .map(|k| -> (When<'_>, Ask) { (Box::new(|_| true), [Ask::Stop, Ask::SwitchOff, Ask::Quit][k % 3]) }),
         );
-        let mut script = Script::new(lines);
-        play(&planned, Start::at_home(&planned.motion), &mut script);
+        let (script, _) = play(&planned, Start::at_home(&planned.motion), lines);
         for w in script.cycles.windows(3) {
             let [a, b, c] = w else { unreachable!() };
             assert!(!c.on || matches!(b.mode, Mode::Weld | Mode::Hold), "seed {seed}: {c:?}");

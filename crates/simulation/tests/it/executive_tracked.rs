@@ -1,6 +1,6 @@
 //! Tracking under the executive: holds, going back, failing sensors, on a displaced part.
 
-use crate::common::{SADDLE, Script, Tracked, When, at, down, held, in_mode, up, weld};
+use crate::common::{SADDLE, Script, Tracked, When, at, down, held, in_mode, limit_use, up, weld};
 use seamwright_executive::{Alarm, Ask, Mode, Note, Reaction};
 use seamwright_motion::Phase;
 use seamwright_simulation::Sample;
@@ -14,30 +14,21 @@ fn part() -> Tracked {
     Tracked::new(&job)
 }
 
-/// Checks that set-points of all axes keep speed, acceleration and jerk, by differences.
-fn keeps_limits(part: &Tracked, samples: &[Sample]) {
-    let machine = &part.planned.machine;
-    let period = machine.servo_period_s;
-    for four in samples.windows(4) {
-        if !four.iter().all(|s| matches!(s.mode, Mode::Weld | Mode::Hold | Mode::DryRun)) {
-            continue;
-        }
-        for (i, axis) in machine.axes.iter().enumerate() {
-            let [a, b, c, d] = std::array::from_fn(|k| four[k].set.q[i]);
-            let (v, dv) = ((d - c) / period, (d - 2.0 * c + b) / period.powi(2));
-            let ddv = (d - 3.0 * c + 3.0 * b - a) / period.powi(3);
-            let t = (four[3].set.t, four[3].pass, four[3].set.profile.s, four[3].set.phase);
-            assert!(v.abs() <= axis.max_speed * 1.001, "{} at {t:?}: {v}", axis.name);
-            assert!(dv.abs() <= axis.max_acceleration * 1.001, "{} at {t:?}: {dv}", axis.name);
-            assert!(ddv.abs() <= axis.jerk() * 1.01, "{} at {t:?}: {ddv} of {}", axis.name, axis.jerk());
-        }
-    }
-}
-
 fn ends<'a>(mut lines: Vec<(When<'a>, Ask)>) -> Vec<(When<'a>, Ask)> {
     lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 40.0), Ask::Override(1.0)));
     lines.extend(down());
     lines
+}
+
+/// Plays a script to its end: nothing is refused, the program is not left, and set-points of all axes keep speed,
+/// acceleration and jerk.
+fn play<'a>(part: &Tracked, faults: &[Fault], lines: Vec<(When<'a>, Ask)>) -> (Script<'a>, Vec<Sample>) {
+    let mut script = Script::new(ends(lines));
+    let (samples, left) = part.play(faults, &mut script);
+    assert_eq!((left, script.refused()), (None, vec![]), "{:?}", script.notes);
+    let used = limit_use(&part.planned.machine, &samples);
+    assert!(used[0].0 <= 1.001 && used[1].0 <= 1.001 && used[2].0 <= 1.01, "{used:?}");
+    (script, samples)
 }
 
 /// A hold, a way back and a resume with overlap. The correction belongs to the position, no set-point steps, held
@@ -56,14 +47,11 @@ fn what_is_held_keeps_its_corrections() {
     lines.push((Box::new(|c| c.mode == Mode::Hold && c.place.s_mm < 90.0), Ask::Hold));
     lines.push((held(), Ask::Arm));
     lines.push((held(), Ask::Resume));
-    let mut script = Script::new(ends(lines));
-    let (samples, left) = part.play(&[], &mut script);
-    assert_eq!((left, script.refused()), (None, vec![]), "{:?}", script.notes);
+    let (script, samples) = play(&part, &[], lines);
     // The part is shifted along its seam too: the joint ends before the plan.
     let length = part.planned.motion.passes[0].path.length();
     let early = |n: &Note| matches!(n, Note::Alarm(r) if r.reaction != Reaction::Tell || r.place.s_mm < length - 3.0);
     assert!(!script.notes.iter().any(early), "{:?}", script.notes);
-    keeps_limits(&part, &samples);
     let welded: Vec<&Sample> = samples.iter().filter(|s| s.travels()).collect();
     assert!((welded.last().unwrap().set.profile.s - length).abs() < 0.1);
     let head = |s: &Sample| s.heads[0].unwrap();
@@ -108,10 +96,7 @@ fn a_sensor_that_falls_silent_and_is_mended() {
     lines.push((Box::new(|c| c.mode == Mode::Hold && c.place.s_mm < 30.0), Ask::Hold));
     lines.push((held(), Ask::Arm));
     lines.push((held(), Ask::Resume));
-    let mut script = Script::new(ends(lines));
-    let (samples, left) = part.play(&[silent], &mut script);
-    assert_eq!((left, script.refused()), (None, vec![]), "{:?}", script.notes);
-    keeps_limits(&part, &samples);
+    let (script, samples) = play(&part, &[silent], lines);
     let alarms: Vec<_> =
         script.notes.iter().filter_map(|n| if let Note::Alarm(r) = n { Some(*r) } else { None }).collect();
     assert!(alarms.iter().all(|r| r.alarm == Alarm::Tracking), "{alarms:?}");
@@ -128,16 +113,12 @@ fn a_sensor_that_falls_silent_and_is_mended() {
     assert!(count > 5000 && worst < 0.1, "{count} {worst}");
 }
 
-/// A dry run follows the joint as the weld will.
 #[test]
 fn a_dry_run_follows_the_joint() {
     let part = part();
     let mut lines = up();
     lines.push((in_mode(Mode::Ready), Ask::StartDryRun));
-    let mut script = Script::new(ends(lines));
-    let (samples, left) = part.play(&[], &mut script);
-    assert_eq!((left, script.refused()), (None, vec![]), "{:?}", script.notes);
-    keeps_limits(&part, &samples);
+    let (script, samples) = play(&part, &[], lines);
     assert!(script.cycles.iter().all(|c| !c.on));
     let along: Vec<&Sample> = samples.iter().filter(|s| s.pass == 1 && s.set.profile.s > 1.0).collect();
     let off = along.iter().map(|s| s.heads[0].unwrap().miss.length()).fold(0.0, f64::max);

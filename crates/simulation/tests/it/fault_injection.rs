@@ -1,6 +1,6 @@
 //! Injects every fault in every situation of the executive.
 
-use crate::common::{Planned, SADDLE, Tracked};
+use crate::common::{Planned, SADDLE, Tracked, soak};
 use seamwright_executive::{Place, Start};
 use seamwright_simulation::devices::Device;
 use seamwright_simulation::fault_injection;
@@ -97,9 +97,4 @@ fn moments(stage: Stage<'_>, seed: u64) -> Vec<Outcome> {
         fault_injection::run(stage, case, seed, anywhere).unwrap()
     };
     cases.map(run).collect()
-}
-
-/// Returns the factor of the soak, if one is requested.
-fn soak() -> Option<u64> {
-    std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|n| n.parse().ok())
 }

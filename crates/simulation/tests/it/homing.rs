@@ -1,6 +1,6 @@
 //! Axes that move home once their references are found.
 
-use crate::common::{Script, Seen, When, in_mode, up};
+use crate::common::{Script, Seen, When, down, in_mode, up};
 use seamwright_executive::devices::DeviceSet;
 use seamwright_executive::{Alarm, Ask, Executive, Missing, Mode, Note, Work};
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
@@ -20,7 +20,8 @@ fn beside(machine: &Machine) -> Joints {
     q
 }
 
-fn play(machine: &Machine, script: &mut Script<'_>) {
+/// Plays a homing with `more` in it, and the end.
+fn play(machine: &Machine, more: Vec<(When<'static>, Ask)>) -> Script<'static> {
     let around = Surroundings::new(machine, &Clamped::default()).unwrap();
     let work = Work::none(machine, &around);
     let mut devices = DeviceSet {
@@ -28,24 +29,16 @@ fn play(machine: &Machine, script: &mut Script<'_>) {
         source: SimulatedSource::new(1, machine.servo_period_s),
         inputs: SimulatedInputs::all_met(machine),
     };
-    Executive::new(machine, &mut devices, &mut *script).serve(Some(&work));
-}
-
-/// Returns the lines of a homing with `more` in it, and the end.
-fn lines(more: Vec<(When<'static>, Ask)>) -> Script<'static> {
-    let mut lines: Vec<(When<'static>, Ask)> = up().into_iter().collect();
-    lines.extend(more);
-    lines.push((in_mode(Mode::Ready), Ask::SwitchOff));
-    lines.push((in_mode(Mode::Off), Ask::Quit));
-    Script::new(lines)
+    let mut script = Script::new(up().into_iter().chain(more).chain(down()).collect());
+    Executive::new(machine, &mut devices, &mut script).serve(Some(&work));
+    script
 }
 
 /// Axes move one after another in the order of the file, within the limits; unnamed axes stay.
 #[test]
 fn axes_go_home_in_order() {
     let machine = machine("home_order = [\"z\", \"x\", \"a\"]");
-    let mut script = lines(Vec::new());
-    play(&machine, &mut script);
+    let script = play(&machine, Vec::new());
     assert_eq!(script.modes(), [Mode::Idle, Mode::Homing, Mode::Ready, Mode::Off]);
     let (home, from, period) = (machine.home(), beside(&machine), machine.servo_period_s);
     let ready = script.cycles.iter().position(|c| c.mode == Mode::Ready).unwrap();
@@ -79,8 +72,7 @@ fn it_stands_where_it_is_held() {
     let (home, from) = (machine.home()[0], beside(&machine)[0]);
     let middle = 0.5 * (home + from);
     let hold: When<'static> = Box::new(move |c| c.mode == Mode::Homing && (c.q[0] - middle).abs() < 0.2);
-    let mut script = lines(vec![(hold, Ask::Hold)]);
-    play(&machine, &mut script);
+    let script = play(&machine, vec![(hold, Ask::Hold)]);
     assert_eq!(script.modes(), [Mode::Idle, Mode::Homing, Mode::Idle, Mode::Ready, Mode::Off]);
     let ready = script.cycles.iter().find(|c| c.mode == Mode::Ready).unwrap();
     // From 100 mm/s at 500 mm/s^2 and 5000 mm/s^3: 15 mm.
@@ -88,8 +80,7 @@ fn it_stands_where_it_is_held() {
     assert!(!script.notes.iter().any(|n| matches!(n, Note::Alarm(a) if a.alarm != Alarm::JogStopped)));
 
     let machine = self::machine("");
-    let mut script = lines(Vec::new());
-    play(&machine, &mut script);
+    let script = play(&machine, Vec::new());
     let ready = script.cycles.iter().find(|c| c.mode == Mode::Ready).unwrap();
     assert!(ready.q.iter().zip(beside(&machine)).all(|(q, from)| (q - from).abs() < 0.01));
 }
@@ -107,8 +98,7 @@ fn orders_that_cannot_be() {
 #[test]
 fn one_axis_goes_home_alone() {
     let machine = machine("home_order = [\"z\", \"x\"]");
-    let mut script = lines(vec![(in_mode(Mode::Ready), Ask::HomeAxis(0))]);
-    play(&machine, &mut script);
+    let script = play(&machine, vec![(in_mode(Mode::Ready), Ask::HomeAxis(0))]);
     assert_eq!(script.modes(), [Mode::Idle, Mode::Homing, Mode::Ready, Mode::Homing, Mode::Ready, Mode::Off]);
     let (home, from) = (machine.home(), beside(&machine));
     let first = script.cycles.iter().position(|c| c.mode == Mode::Ready).unwrap();
@@ -130,8 +120,7 @@ fn one_axis_keeps_to_the_order_of_the_file() {
     let asked = [4, 99, 0, 4];
     let mut more = vec![(hold, Ask::Hold)];
     more.extend(asked.map(|axis| (in_mode(Mode::Ready), Ask::HomeAxis(axis))));
-    let mut script = lines(more);
-    play(&machine, &mut script);
+    let script = play(&machine, more);
     let refused: Vec<Missing> = script
         .notes
         .iter()

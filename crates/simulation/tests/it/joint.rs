@@ -1,5 +1,6 @@
 //! Acceptance tests of the follower on simulated frames: those of `bench vision`.
 
+use crate::common::soak;
 use seamwright_simulation::acceptance::Gate;
 use seamwright_simulation::camera_simulator::acceptance::{follow, joint_gates};
 use seamwright_simulation::camera_simulator::scene::{Kind, scene};
@@ -7,7 +8,7 @@ use seamwright_vision::joint::{End, Follower, Options, Start};
 
 /// Frames per kind: 50, or 1000 with SEAMWRIGHT_SOAK=20.
 fn frames() -> u64 {
-    50 * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse::<u64>().ok()).unwrap_or(1).min(20)
+    50 * soak().unwrap_or(1).min(20)
 }
 
 #[test]

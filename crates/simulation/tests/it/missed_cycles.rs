@@ -76,15 +76,13 @@ fn dead_inputs_end_a_weld_although_cycles_are_missed_all_the_time() {
     // Refused until everything has come to rest.
     lines.extend((0..5000).map(|_| (in_mode(Mode::Fault), Ask::Quit)));
     let mut script = Script::new(lines);
-    let work = planned.work(Start::at_home(&planned.motion));
-    Executive::new(machine, &mut devices, &mut script).serve(Some(&work));
+    Executive::new(machine, &mut devices, &mut script).serve(Some(&planned.work(Start::at_home(&planned.motion))));
     let raised = |alarm: Alarm| script.notes.iter().any(|n| matches!(n, Note::Alarm(raised) if raised.alarm == alarm));
     assert!(raised(Alarm::InputsSilent) && !raised(Alarm::Overrun), "{:?}", script.notes);
     let age_s = devices.age_s.unwrap();
     assert!(age_s < 0.2, "the arc burns {age_s} s after the inputs died");
 }
 
-/// Too many missed cycles are noted once, when they become too many.
 #[test]
 fn too_many_missed_cycles_are_noted_once() {
     let planned = short();
@@ -92,6 +90,5 @@ fn too_many_missed_cycles_are_noted_once() {
     let mut devices = Gappy { slack: Some(Slack::stored(3)), ..gappy(machine, 5, 10) };
     let mut script = Script::new(vec![(Box::new(|c| c.t > 1.0), Ask::Quit)]);
     Executive::new(machine, &mut devices, &mut script).serve(None);
-    let noted = script.notes.iter().filter(|n| matches!(n, Note::Missed(..))).count();
-    assert_eq!(noted, 1, "{:?}", script.notes);
+    assert_eq!(script.notes.iter().filter(|n| matches!(n, Note::Missed(..))).count(), 1, "{:?}", script.notes);
 }

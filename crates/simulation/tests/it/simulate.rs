@@ -1,10 +1,10 @@
 //! The simulated cell on the example saddle: repeatable, with realistic drives.
 
+use crate::common::simulated;
 use seamwright_executive::Mode;
-use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
-use seamwright_motion::WeldMotion;
+use seamwright_machine::{Machine, shipped};
 use seamwright_program::TorchPath;
-use seamwright_simulation::{Conditions, Error, Sample, Summary, simulate};
+use seamwright_simulation::{Conditions, Error, Sample, Summary};
 use seamwright_weld::Welding;
 
 fn run(machine_text: &str, seed: u64) -> Result<(Summary, Vec<Sample>), Error> {
@@ -15,14 +15,8 @@ fn run_job(job: &str, machine_text: &str, seed: u64) -> Result<(Summary, Vec<Sam
     let welding = Welding::read("job.toml", job).unwrap();
     let (program, path) = (&welding.program.value, welding.path(0));
     let machine = Machine::read("m.toml", machine_text).unwrap();
-    let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
-    let motion = WeldMotion::plan(&machine, &around, &[(&path, &program.passes[0])], 30.0).unwrap();
-    let mut samples = Vec::new();
     let conditions = Conditions { seed, ..Conditions::default() };
-    let mut summaries = simulate(&machine, &[(&path, &program.passes[0])], &motion, conditions, |s| {
-        samples.push(*s);
-        Ok::<(), Error>(())
-    })?;
+    let (_, mut summaries, samples) = simulated(&machine, &[(&path, &program.passes[0])], conditions)?;
     Ok((summaries.remove(0), samples))
 }
 

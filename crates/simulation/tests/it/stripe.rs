@@ -1,5 +1,6 @@
 //! Stripes of known truth: the acceptance tests, and a comparison with a simpler reader.
 
+use crate::common::soak;
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -14,7 +15,7 @@ use seamwright_vision::stripe::{JointKind, Quantity, StripeReader, StripeTask};
 
 /// Scenes per kind: 50, or 1000 with SEAMWRIGHT_SOAK=20.
 fn cases() -> u64 {
-    50 * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse::<u64>().ok()).unwrap_or(1).min(20)
+    50 * soak().unwrap_or(1).min(20)
 }
 
 /// First seed. No threshold was chosen on seeds from 3000 on.

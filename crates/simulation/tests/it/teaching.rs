@@ -1,5 +1,6 @@
 //! Teaching in simulation: the shipped machines, misplaced seams, the hidden truth at the end.
 
+use crate::common::soak;
 use glam::DVec3;
 use seamwright_frames::FrameError;
 use seamwright_geometry::reduce::Method;
@@ -48,8 +49,7 @@ impl Bench {
 
     /// Returns the axis positions of the planned weld nearest to a point.
     fn guide(&self, point: DVec3) -> Option<Joints> {
-        let way = self.nominal.foot(point)?.way;
-        Some(self.planned.path.at(way.min(self.planned.path.length())))
+        Some(self.planned.path.at(self.nominal.foot(point)?.way.min(self.planned.path.length())))
     }
 }
 
@@ -82,7 +82,7 @@ fn teach_actual(
     let around = Surroundings::new(machine, &Clamped::default()).unwrap();
     let guide = |point| bench.guide(point);
     let carrier = Carrier::new(machine, sensor, &around, Some(&guide), bench.planned.path.at(0.0));
-    let mut rig = SimulatedRig::new(machine, sensor, carrier, eye);
+    let mut rig = SimulatedRig::new(carrier, eye);
     // The operator puts the cross on the joint's start, with a realistic error.
     let (start, _) = actual.at(0.0);
     let (_, along) = nominal.at(0.0);
@@ -111,14 +111,9 @@ fn teach_actual(
     if !run.asked.is_empty() {
         walk.notes().iter().rev().take(4).for_each(|n| println!("{n:?}"));
     }
-    let closed = matches!(run.end, Some(End::Closed { .. }));
-    let smooth = smoothed(&walk.levelled(), 0.5, 2.5, closed);
+    let smooth = smoothed(&walk.levelled(), 0.5, 2.5, matches!(run.end, Some(End::Closed { .. })));
     let truth = truth(&actual, &smooth);
     Taught { run, line: walk.line().clone(), smooth, truth, actual, frames, a_frame }
-}
-
-fn soak() -> u64 {
-    std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|s| s.parse().ok()).unwrap_or(1)
 }
 
 fn no_one() -> NoOperator {
@@ -130,7 +125,6 @@ fn lean(p: &LinePoint) -> Lean {
     Lean { work: 0.2 * (0.01 * p.way).sin(), travel: 0.1, first_is_left: true }
 }
 
-/// Checks every taught line, and its programs.
 fn check(name: &str, seed: u64, bench: &Bench, taught: &Taught) {
     let t = &taught.truth;
     let axes = torch_axes(&taught.smooth, &lean);
@@ -222,7 +216,7 @@ fn half_ring() -> String {
 #[test]
 fn half_an_oblique_ring_on_a_cylinder() {
     let bench = Bench::new(&half_ring(), None);
-    for seed in 1..=soak() {
+    for seed in 1..=soak().unwrap_or(1) {
         let taught = teach(&bench, &[(80.0, 86.0), (200.0, 204.0)], seed, &mut no_one());
         assert_eq!(taught.run.end, Some(End::JointEnd), "seed {seed}: {:?}", taught.run.asked);
         // At least four axes move, as in the paper.
@@ -241,7 +235,7 @@ fn half_an_oblique_ring_on_a_cylinder() {
 fn a_closed_saddle() {
     let job = include_str!("../../../../examples/saddle.toml").replace("procedure = ", "# procedure = ");
     let bench = Bench::new(&job, None);
-    for seed in 1..=soak() {
+    for seed in 1..=soak().unwrap_or(1) {
         let taught = teach(&bench, &[(100.0, 106.0), (900.0, 905.0)], seed, &mut no_one());
         assert!(matches!(taught.run.end, Some(End::Closed { gap_mm }) if gap_mm < 0.1), "{:?}", taught.run.end);
         check("saddle", seed, &bench, &taught);
@@ -265,7 +259,7 @@ beam_ma = 30
 #[test]
 fn an_s_with_tacks() {
     let bench = Bench::new(S_CURVE, None);
-    for seed in 1..=soak() {
+    for seed in 1..=soak().unwrap_or(1) {
         let taught = teach(&bench, &[(30.0, 35.0), (120.0, 128.0), (220.0, 223.0)], seed, &mut no_one());
         assert_eq!(taught.run.end, Some(End::JointEnd), "seed {seed}: {:?}", taught.run.asked);
         check("S", seed, &bench, &taught);
@@ -332,8 +326,7 @@ fn the_end_is_found_by_sight() {
         assert_eq!(taught.run.end, Some(End::JointEnd), "-{less}: {:?}", taught.run.asked);
         assert!(taught.truth.end <= 0.3, "-{less}: {:?}", taught.truth);
     }
-    let whole = PLACED_WRONG.of(&bench.nominal, 4);
-    let half = SeamLine::through(whole.stations()[..300].to_vec(), false);
+    let half = SeamLine::through(PLACED_WRONG.of(&bench.nominal, 4).stations()[..300].to_vec(), false);
     let taught = teach_actual(&bench, half, &[], 4, &mut no_one());
     assert_eq!(taught.run.end, Some(End::Operator));
     assert!(taught.run.asked[0].to_string().contains("it ends here") && taught.truth.end <= 0.3, "{:?}", taught.truth);
@@ -369,6 +362,5 @@ fn the_same_seed_teaches_the_same() {
     let (a, b) = (again(), again());
     assert_eq!(a.line, b.line);
     assert_eq!(a.actual.stations(), b.actual.stations());
-    let other = teach(&bench, &[(30.0, 35.0)], 6, &mut no_one());
-    assert!(other.line != a.line);
+    assert!(teach(&bench, &[(30.0, 35.0)], 6, &mut no_one()).line != a.line);
 }

@@ -1,13 +1,13 @@
 //! Jobs with displaced parts, welded on simulated machines with tracking and without.
 
-use seamwright_executive::Mode;
+use crate::common::{limit_use, simulated};
 use seamwright_executive::tracking::RESERVE;
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, Tolerance, TorchPath};
 use seamwright_simulation::tracking::Distortion;
 use seamwright_simulation::tracking::acceptance::cross_talk;
-use seamwright_simulation::{Conditions, Error, Sample, Summary, simulate};
+use seamwright_simulation::{Conditions, Error, Sample, Summary};
 use seamwright_tracking::beam::DeviationRecord;
 use seamwright_weld::Welding;
 
@@ -40,21 +40,14 @@ fn replayed(
     let program = &welding.program.value;
     let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
     let distortion = Distortion::read("d.toml", distortion).unwrap();
-    let planned_on = machine.with_reserve(if tracking { RESERVE } else { 0.0 });
-    let around = Surroundings::new(&planned_on, &Clamped::default()).unwrap();
     let paths: Vec<_> = (0..program.passes.len()).map(|i| welding.path(i)).collect();
     let once = paths.iter().zip(&program.passes).map(|(path, pass)| (path as &dyn TorchPath, pass));
     let passes: Vec<(&dyn TorchPath, &Pass)> = std::iter::repeat_n(once, times).flatten().collect();
-    let motion = WeldMotion::plan(&planned_on, &around, &passes, 30.0).unwrap();
-    let mut samples = Vec::new();
     let solid = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap();
     let around = Surroundings::new(&machine, &solid).unwrap();
     let conditions =
         Conditions { seed, distortion: Some(&distortion), tracking, replay, around: Some(&around), faults: &[] };
-    let summaries = simulate(&machine, &passes, &motion, conditions, |s| {
-        samples.push(*s);
-        Ok::<(), Error>(())
-    })?;
+    let (_, summaries, samples) = simulated(&machine, &passes, conditions)?;
     Ok(Weld { machine, summary: summaries[0].clone(), summaries, samples })
 }
 
@@ -62,42 +55,9 @@ const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
 const T_JOINT: &str = include_str!("../../../../examples/t-joint.toml");
 const MISPLACED: &str = include_str!("../../../../examples/distortions/misplaced.toml");
 
-/// Returns the maximum share of a limit that any axis uses between set-points, by differences: speed and
-/// acceleration.
-fn used(weld: &Weld) -> (f64, f64) {
-    let period = weld.machine.servo_period_s;
-    let mut used = (0.0f64, 0.0f64);
-    for three in weld.samples.windows(3).filter(|three| followed(three)) {
-        for (i, axis) in weld.machine.axes.iter().enumerate() {
-            let q = |k: usize| three[k].set.q[i];
-            let v = (q(2) - q(1)) / period;
-            let a = (q(2) - 2.0 * q(1) + q(0)) / (period * period);
-            used.0 = used.0.max(v.abs() / axis.max_speed);
-            used.1 = used.1.max(a.abs() / axis.max_acceleration);
-        }
-    }
-    used
-}
-
-/// Set-points are not followed before the references are found, or without power.
-fn followed(samples: &[Sample]) -> bool {
-    samples.iter().all(|s| matches!(s.mode, Mode::Weld | Mode::Hold))
-}
-
-/// Returns the maximum share of its jerk that any axis uses between set-points, by differences: share, time and axis.
-fn jerk(weld: &Weld) -> (f64, f64, String) {
-    let period = weld.machine.servo_period_s;
-    let mut worst = (0.0, 0.0, String::new());
-    for four in weld.samples.windows(4).filter(|four| followed(four)) {
-        for (i, axis) in weld.machine.axes.iter().enumerate() {
-            let q = |k: usize| four[k].set.q[i];
-            let part = (q(3) - 3.0 * q(2) + 3.0 * q(1) - q(0)).abs() / (period.powi(3) * axis.jerk());
-            if part > worst.0 {
-                worst = (part, four[0].set.t, axis.name.clone());
-            }
-        }
-    }
-    worst
+fn keeps_speed_and_acceleration(weld: &Weld) {
+    let used = limit_use(&weld.machine, &weld.samples);
+    assert!(used[0].0 <= 1.0 && used[1].0 <= 1.0, "{used:?}");
 }
 
 /// The jerk of set-points of tracked passes, with the moves before and after them, stays within every axis' limit.
@@ -109,7 +69,7 @@ fn jerk_stays_within_its_limit() {
     {
         let weld = weld(job, distortion, true, 1).unwrap();
         let begins: Vec<f64> = weld.samples.windows(2).filter(|w| w[0].pass != w[1].pass).map(|w| w[1].set.t).collect();
-        let worst = jerk(&weld);
+        let [.., worst] = limit_use(&weld.machine, &weld.samples);
         println!("{name}: {worst:?}, passes change at {begins:?}");
         assert!(worst.0 <= 1.0, "{name}: {worst:?}");
     }
@@ -129,8 +89,7 @@ fn a_misplaced_saddle_over_the_machines_axes() {
     // The tracked weld's figures for a weld without tracking match that weld.
     assert!((head.untracked_p99_mm - other.miss_p99_mm).abs() < 0.02, "{head:?} {other:?}");
     assert!(plain.summary.path_error_mm.max > 2.0 && tracked.summary.path_error_mm.max < 0.3);
-    let (speed, acceleration) = used(&tracked);
-    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    keeps_speed_and_acceleration(&tracked);
 }
 
 /// On a part that lies a little back, an open seam ends before the plan does: no alarm. An end unseen over more than
@@ -165,8 +124,7 @@ fn two_fillets_with_their_own_slides() {
         assert!(head.miss_p99_mm < 0.05 && head.untracked_p99_mm > 0.7, "{head:?}");
         assert!(head.stopped_mm.is_none() && head.used.unwrap().iter().all(|used| *used <= 1.0001), "{head:?}");
     }
-    let (speed, acceleration) = used(&first);
-    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    keeps_speed_and_acceleration(&first);
     let second = weld(T_JOINT, apart, true, 3).unwrap();
     assert_eq!(format!("{:?}", first.summary), format!("{:?}", second.summary));
     assert_eq!(first.samples.len(), second.samples.len());
@@ -179,8 +137,7 @@ fn two_passes_without_a_jump() {
     let far = "schema = 1\n[placement]\nshift_mm = [1, -1.5, 1]\nturn = [0, 0, 1]\nangle_deg = 0.3\n\
                [[displacement]]\nbend = { most_mm = 1 }\n";
     let weld = welds(SADDLE, far, true, 4, 2).unwrap();
-    let (speed, acceleration) = used(&weld);
-    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    keeps_speed_and_acceleration(&weld);
     let [first, second] = &weld.summaries[..] else { panic!() };
     let (first, second) = (&first.heads[0], &second.heads[0]);
     assert!(first.miss_p99_mm < 0.05 && second.miss_p99_mm < 0.05, "{first:?} {second:?}");
@@ -201,17 +158,14 @@ fn heads_that_drift_too_far_apart_stop() {
     let told = |what: &str| first.heads.iter().any(|head| head.alarms.iter().any(|a| a.alarm.code == what));
     assert!(told("tracking-near-stroke-end") && told("tracking-stroke-end"), "{first:?}");
     assert!(first.heads.iter().all(|head| head.miss_most_mm < 0.3), "{:?}", first.heads);
-    let (speed, acceleration) = used(&weld);
-    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    keeps_speed_and_acceleration(&weld);
     assert!(first.findings(&Tolerance::default(), 1).iter().any(|f| f.kind == "stopped" && !f.allowed));
     assert!(second.heads.is_empty() && weld.samples.iter().all(|s| s.pass < 2));
 }
 
-/// A joint that the sensor never sees: an alarm, and a stop.
 #[test]
 fn a_joint_that_is_never_seen() {
-    let hidden = "schema = 1\n[placement]\nshift_mm = [0, 0, 14]\n";
-    let weld = weld(SADDLE, hidden, true, 1).unwrap();
+    let weld = weld(SADDLE, "schema = 1\n[placement]\nshift_mm = [0, 0, 14]\n", true, 1).unwrap();
     let head = &weld.summary.heads[0];
     assert!(head.stopped_mm.is_some_and(|at| at < 50.0), "{head:?}");
     assert!(
@@ -232,8 +186,7 @@ fn axes_take_over_from_slides_near_their_ends() {
     for head in &weld.summary.heads {
         assert!(head.miss_p99_mm < 0.05 && head.untracked_p99_mm > 9.0 && head.stopped_mm.is_none(), "{head:?}");
     }
-    let (speed, acceleration) = used(&weld);
-    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    keeps_speed_and_acceleration(&weld);
 }
 
 /// One head's corrections hardly affect the other, although the carrier of both takes its part.
@@ -264,12 +217,10 @@ fn what_cannot_be_reached_stops_the_weld() {
     let far = "schema = 1\n[[displacement]]\nwave = { length_mm = 1600, by = { lateral_mm = 12 } }\n";
     let weld = weld(SADDLE, far, true, 1).unwrap();
     let head = &weld.summary.heads[0];
-    let stopped = head.stopped_mm.expect("stopped");
-    assert!((100.0..400.0).contains(&stopped), "{head:?}");
+    assert!((100.0..400.0).contains(&head.stopped_mm.expect("stopped")), "{head:?}");
     assert!(head.alarms.iter().any(|a| a.alarm.code == "tracking-stroke-end"), "{head:?}");
     assert!(head.miss_most_mm < 0.5, "{head:?}");
-    let (speed, acceleration) = used(&weld);
-    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    keeps_speed_and_acceleration(&weld);
     let after = weld.samples.iter().skip_while(|s| !s.arc()).skip_while(|s| s.arc());
     assert!(after.clone().count() > 0 && after.clone().all(|s| !s.arc()), "the arc is off for good");
 }
@@ -315,8 +266,7 @@ fn a_beam_tracks_and_its_cosmetic_pass_replays() {
         let there = a.1 + (s - a.0) / (b.0 - a.0) * (b.1 - a.1);
         assert!((lateral - there).abs() < 0.02 || s > b.0, "{s}: {lateral} {there}");
     }
-    let (speed, acceleration) = used(&weld);
-    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    keeps_speed_and_acceleration(&weld);
 }
 
 /// An axis that the job holds stands still while a beam tracks too; the others bring the weld into the joint.
@@ -390,12 +340,8 @@ fn a_woven_pass_is_tracked() {
     let head = &tracked.summary.heads[0];
     assert!(head.miss_p99_mm < 0.05 && head.untracked_p99_mm > 2.0, "{head:?}");
     assert!(head.stopped_mm.is_none() && head.alarms.is_empty(), "{head:?}");
-    let (speed, acceleration) = used(&tracked);
-    assert!(
-        speed <= 1.0 && acceleration <= 1.0 && jerk(&tracked).0 <= 1.0,
-        "{speed} {acceleration} {:?}",
-        jerk(&tracked)
-    );
+    let used = limit_use(&tracked.machine, &tracked.samples);
+    assert!(used.iter().all(|used| used.0 <= 1.0), "{used:?}");
     // The weave swings on top of the correction, 2 mm to each side.
     let welding = Welding::read("job.toml", &job).unwrap();
     let path = welding.path(0);

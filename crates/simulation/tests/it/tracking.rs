@@ -1,5 +1,6 @@
 //! Simulated welding with tracking: quick versions of the tests that `seamwright tools bench tracking` runs in full.
 
+use crate::common::soak;
 use glam::DVec2;
 use seamwright_machine::{Machine, shipped};
 use seamwright_simulation::tracking::acceptance::{
@@ -41,12 +42,6 @@ fn no_cross_talk() {
     let (still, moving) = (weld(quiet.clone()), weld(Displacement::of(wave)));
     assert!(still[0].places != moving[0].places);
     assert_eq!(still[1], moving[1]);
-}
-
-/// Extent of the tests: `SEAMWRIGHT_SOAK` requests everything that `seamwright tools bench tracking` prints, with many
-/// seeds.
-fn soak() -> Option<u64> {
-    std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|s| s.parse().ok())
 }
 
 /// Every scenario of the acceptance tests at 100 mm/s, or all of them: each head within its limit, never stopped, all

@@ -4,7 +4,7 @@ use super::preview::softened;
 use super::slide::Slide;
 use crate::lead::{Error, Estimate, Measurement, Moment, OwnCurve, Refusal, Settings, Sight, Tracker, Verdict};
 use glam::DVec2;
-use seamwright_message::Message;
+use seamwright_message::{Message, named_enum};
 
 /// Fraction of a slide's speed and stroke that is used before the torch slows down with a warning.
 const RESERVE: f64 = 0.8;
@@ -13,31 +13,33 @@ const BLIND_PERIODS: f64 = 10.0;
 /// Minimum feed override while a correction fades out or nears the end of its stroke, as a fraction.
 const FADING_SPEED: f64 = 0.25;
 
-/// Tracking alarm; from [`Alarm::Blind`] on each is more severe than the previous one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Alarm {
-    /// The seam, here or ahead, needs more than 80 % of the stroke of a slide or of the axes that carry the gun.
-    NearStroke,
-    /// The seam is beyond the beam's deflection range: the axes that carry the gun correct the rest.
-    AxesCarry,
-    /// The seam ahead leaves the taught path faster than a slide can follow: the torch slows down.
-    Slowed,
-    /// No usable measurement for several periods. The weld still follows earlier measurements.
-    Blind,
-    /// The torch is beyond the last measurement and follows the last slope.
-    Coasting,
-    /// The torch has reversed beyond the stored range: the slide stays in place.
-    Unknown,
-    /// The correction fades out to the taught path.
-    FadingOut,
-    /// A slide is at the end of its stroke: the weld misses the joint.
-    StrokeEnd,
-    /// The correction has faded out: stop.
-    Lost,
-    /// A slide does not follow its set-point: stop.
-    SlideStuck,
-    /// The stored deviation no longer fits the part: stop.
-    Misfit,
+named_enum! {
+    /// Tracking alarm; from [`Alarm::Blind`] on each is more severe than the previous one.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Alarm {
+        /// The seam, here or ahead, needs more than 80 % of the stroke of a slide or of the axes that carry the gun.
+        NearStroke: "tracking-near-stroke-end",
+        /// The seam is beyond the beam's deflection range: the axes that carry the gun correct the rest.
+        AxesCarry: "tracking-axes-carry",
+        /// The seam ahead leaves the taught path faster than a slide can follow: the torch slows down.
+        Slowed: "tracking-slowed",
+        /// No usable measurement for several periods. The weld still follows earlier measurements.
+        Blind: "tracking-blind",
+        /// The torch is beyond the last measurement and follows the last slope.
+        Coasting: "tracking-coasting",
+        /// The torch has reversed beyond the stored range: the slide stays in place.
+        Unknown: "tracking-beyond-history",
+        /// The correction fades out to the taught path.
+        FadingOut: "tracking-fading-out",
+        /// A slide is at the end of its stroke: the weld misses the joint.
+        StrokeEnd: "tracking-stroke-end",
+        /// The correction has faded out: stop.
+        Lost: "tracking-joint-lost",
+        /// A slide does not follow its set-point: stop.
+        SlideStuck: "tracking-slide-stuck",
+        /// The stored deviation no longer fits the part: stop.
+        Misfit: "tracking-stored-deviation-misfit",
+    }
 }
 
 /// Cause of a lack of usable measurements.
@@ -64,41 +66,6 @@ impl Cause {
             Self::Refused(Refusal::Clock) => "tracking-sensor-clock",
             Self::Refused(Refusal::Late) => "tracking-sensor-late",
             Self::Refused(Refusal::Frozen) => "tracking-sensor-frozen",
-        })
-    }
-}
-
-impl Alarm {
-    /// All alarms.
-    pub const ALL: [Self; 11] = [
-        Self::NearStroke,
-        Self::AxesCarry,
-        Self::Slowed,
-        Self::Blind,
-        Self::Coasting,
-        Self::Unknown,
-        Self::FadingOut,
-        Self::StrokeEnd,
-        Self::Lost,
-        Self::SlideStuck,
-        Self::Misfit,
-    ];
-
-    /// Returns the description.
-    #[must_use]
-    pub fn message(self) -> Message {
-        Message::new(match self {
-            Self::NearStroke => "tracking-near-stroke-end",
-            Self::AxesCarry => "tracking-axes-carry",
-            Self::Slowed => "tracking-slowed",
-            Self::Blind => "tracking-blind",
-            Self::Coasting => "tracking-coasting",
-            Self::Unknown => "tracking-beyond-history",
-            Self::FadingOut => "tracking-fading-out",
-            Self::StrokeEnd => "tracking-stroke-end",
-            Self::Lost => "tracking-joint-lost",
-            Self::SlideStuck => "tracking-slide-stuck",
-            Self::Misfit => "tracking-stored-deviation-misfit",
         })
     }
 }
@@ -209,8 +176,7 @@ impl HeadTracking {
         if !self.stuck {
             self.aim(&now, speed, &settings);
         }
-        let orders = [self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)];
-        self.ordered = DVec2::from_array(orders);
+        self.ordered = DVec2::from_array([self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)]);
         let (feed_override, alarm, carried) = self.judge(&now, speed, &estimate);
         Orders { slide: self.ordered, feed_override, alarm, carried, cause: self.cause(&now), estimate }
     }

@@ -28,8 +28,7 @@ impl SlideAuthority {
     /// Invalid limits or an invalid cycle.
     pub fn new(slide: SlideLimits, axes: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
         slide.check()?;
-        let quick = SlideLimits { motion: axes.motion.min(slide.motion.scaled(SHARE)), ..axes };
-        let one = Slide::new(quick, cycle_s)?;
+        let one = Slide::new(SlideLimits { motion: axes.motion.min(slide.motion.scaled(SHARE)), ..axes }, cycle_s)?;
         Ok(Self { slide, axes: [one.clone(), one], range_mm: axes.stroke_mm })
     }
 
@@ -87,8 +86,7 @@ mod tests {
                 let u = (0.25 * t).min(1.0);
                 let rise = u.powi(4) * (35.0 - 84.0 * u + 70.0 * u * u - 20.0 * u * u * u);
                 let wanted = rise * size * DVec2::new((w * t).sin(), 0.5 * (0.7 * w * t).sin());
-                let excess = authority.excess(wanted);
-                let axes = authority.step(excess);
+                let axes = authority.step(authority.excess(wanted));
                 let slide = wanted - axes;
                 last = [last[1], last[2], last[3], [slide, axes]];
                 if i < 3 {

@@ -101,8 +101,7 @@ mod tests {
         let new = |period, scan| Schedule::new(Allowed::EBW_2004, period, scan);
         assert!(new(0.3, 0.005).is_ok());
         assert_eq!(new(0.299, 0.005), Err(Error::TooOften { period_s: 0.299, every_s: 0.3 }));
-        let long = new(0.3, 0.0051);
-        assert_eq!(long, Err(Error::TooLong { scan_s: 0.0051, longest_s: 0.005 }));
+        assert_eq!(new(0.3, 0.0051), Err(Error::TooLong { scan_s: 0.0051, longest_s: 0.005 }));
         for (period, scan) in [(f64::NAN, 0.005), (0.3, 0.0), (0.3, -1.0), (f64::INFINITY, 0.005)] {
             assert!(matches!(new(period, scan), Err(Error::Value(_))), "{period} {scan}");
         }

@@ -153,8 +153,7 @@ impl<'a> BeamTracking<'a> {
         }
         let again = before.is_some_and(|before| (before - median).abs() <= ELSEWHERE_MM);
         if again {
-            let first = places.iter().map(|place| place.0).fold(f64::INFINITY, f64::min);
-            self.tracker.forget_from(first);
+            self.tracker.forget_from(places.iter().map(|place| place.0).fold(f64::INFINITY, f64::min));
         } else {
             self.elsewhere = Some(median);
         }

@@ -117,8 +117,7 @@ mod tests {
                 assert!(needs.zone(0.98 * slow - 0.1).is_err() && needs.zone(1.02 * fast + 0.1).is_err());
             }
         }
-        let blind = ZoneNeeds { reach_mm: 7.0, ..STEEL };
-        let error = blind.zone(10.0).unwrap_err();
+        let error = ZoneNeeds { reach_mm: 7.0, ..STEEL }.zone(10.0).unwrap_err();
         assert_eq!(error.message().code, "tracking-zone-outside-at-any-speed", "{error}");
     }
 }

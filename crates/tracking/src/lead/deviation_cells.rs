@@ -105,7 +105,6 @@ impl Cells {
         self.breaks = [f64::NAN; BREAKS];
     }
 
-    /// Removes the measurements from `s` on.
     pub(super) fn clear_from(&mut self, s: f64) {
         let Some(front) = self.front else { return };
         let first = self.index(s);

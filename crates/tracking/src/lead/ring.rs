@@ -25,7 +25,6 @@ impl<T: Copy> Ring<T> {
         self.slots[slot] = Some((i, value));
     }
 
-    /// Removes cell `i`.
     pub(super) fn remove(&mut self, i: i64) {
         let slot = self.slot(i);
         self.slots[slot] = self.slots[slot].filter(|(at, _)| *at != i);

@@ -181,8 +181,7 @@ impl Tracker {
     pub fn ahead(&self, s_mm: f64) -> Ahead {
         let from = self.cells.index(s_mm);
         let nodes = (from..from + CELLS as i64).filter_map(|i| self.nodes.get(i));
-        let none = Ahead { value: DVec2::ZERO, slope: DVec2::ZERO };
-        nodes.fold(none, |most, node| Ahead {
+        nodes.fold(Ahead { value: DVec2::ZERO, slope: DVec2::ZERO }, |most, node| Ahead {
             value: most.value.max(node.value.abs()),
             slope: most.slope.max(node.slope.abs()),
         })
@@ -243,8 +242,7 @@ impl Tracker {
         } else if s - front < REACH * self.settings.lead_mm {
             let end = self.cells.index(front) + 1;
             let jumps = |cells: Range<i64>, bend: f64| {
-                let before = self.cells.fit(s, cells, bend);
-                before.is_none_or(|fit| fit.value.distance(value) > JUMP_MM)
+                self.cells.fit(s, cells, bend).is_none_or(|fit| fit.value.distance(value) > JUMP_MM)
             };
             match (jumps(end - REACH_CELLS..end, BENT), jumps(end - 2 * REACH_CELLS..end - 1, GENTLE)) {
                 (true, true) => self.cells.add_break(0.5 * (s + front)),

@@ -65,7 +65,6 @@ struct Weld {
 
 type Wrong<'a> = &'a mut dyn FnMut(f64, &mut f64, &mut f64, &mut Vec<Point>);
 
-/// Stretch of a weld from where it stands.
 #[derive(Clone, Copy)]
 struct Stretch {
     to_mm: f64,
@@ -91,8 +90,7 @@ impl Weld {
                 let (_, exposed_s, points) = self.under_way.remove(i);
                 self.taken.push(head.take(&Picture { exposed_s, height_mm: 0.0, points: &points }, t));
             }
-            let moment = Moment { t_s: t, s_mm: self.s, slide: DVec2::new(self.carried, 0.0) };
-            let orders = head.cycle(moment, v, welds);
+            let orders = head.cycle(Moment { t_s: t, s_mm: self.s, slide: DVec2::new(self.carried, 0.0) }, v, welds);
             if let Beam::Seen(mut exposed) = orders.beam {
                 let then = self.s - v * (t - exposed);
                 let random = &mut self.random;
@@ -142,7 +140,6 @@ fn a_ring_is_met() {
     }
 }
 
-/// Outliers and tacks cause only small errors.
 #[test]
 fn outliers_and_tacks() {
     for seed in 0..40 {
@@ -188,8 +185,7 @@ fn other_lines_and_parts_that_move() {
             weld.alarms.last()
         );
         let off = |from: f64, to: f64, by: f64| {
-            let misses = weld.misses.iter().filter(|m| (from..to).contains(&m.0));
-            misses.map(|m| (m.1 - by).abs()).fold(0.0, f64::max)
+            weld.misses.iter().filter(|m| (from..to).contains(&m.0)).map(|m| (m.1 - by).abs()).fold(0.0, f64::max)
         };
         assert!(off(0.0, 100.0, 0.0) < 0.08);
         if moves {
@@ -252,8 +248,7 @@ fn eyes_that_fail() {
             let first = weld.alarms.iter().find(|(s, alarm)| *s > THERE && *alarm >= Alarm::Blind).unwrap();
             // 2.5 periods, plus up to one for the age of the last picture.
             assert!(first.0 - THERE < 3.6 * 0.3 * 10.0, "{name}: {first:?}");
-            let told = weld.taken.iter().rev().find_map(|t| t.refused);
-            assert_eq!(told, refusal, "{name}");
+            assert_eq!(weld.taken.iter().rev().find_map(|t| t.refused), refusal, "{name}");
             // The weld meets the known part, then drifts by at most the seam's turn and fades out to the taught path.
             let off = |from: f64, to: f64| {
                 let misses = weld.misses.iter().filter(|m| (from..to).contains(&(m.0 - THERE)));
@@ -353,7 +348,6 @@ fn what_cannot_be_replayed_is_refused() {
     assert_eq!(head.judged().unwrap().unwrap_err(), Misfit::Unseen { points: 0, frames: 0 });
 }
 
-/// Axes that do not follow their set-points stop the weld.
 #[test]
 fn axes_that_are_stuck_stop_it() {
     let mut head = BeamTracking::new(Settings::usual(10.0), &ring, BEAM, AXES).unwrap();

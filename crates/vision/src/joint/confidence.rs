@@ -186,7 +186,6 @@ fn turns(rows: &[Row], first: &Range<usize>, second: &Range<usize>) -> [f32; 2] 
     [bend::turn(into, over).abs(), bend::turn(over, out).abs()]
 }
 
-/// Returns the vector from one row to another.
 fn way(from: Row, to: Row) -> [f32; 2] {
     [to.x - from.x, to.y - from.y]
 }

@@ -37,7 +37,6 @@ impl Lattice {
         }
     }
 
-    /// Returns the evidence of a row for a joint in a column.
     pub(super) fn evidence(&self, row: usize, column: usize) -> f32 {
         self.evidence[row][column - FROM]
     }

@@ -75,7 +75,6 @@ impl Levels {
         }
     }
 
-    /// Starts the next frame.
     pub(super) fn begin_frame(&mut self) {
         (self.prepared, self.covered, self.taken) = (None, None, None);
     }
@@ -150,11 +149,9 @@ impl Levels {
             (width, height) = (width / 2, height / 2);
             make_room(&mut level.pixels, width * height);
         }
-        let half = Size { width: frame.width() / 2, height: frame.height() / 2 };
-        self.top_hat.make_room(half, widest.round() as usize);
+        self.top_hat.make_room(Size { width: frame.width() / 2, height: frame.height() / 2 }, widest.round() as usize);
     }
 
-    /// Returns the coarsest usable level.
     pub(super) fn coarsest(frame: &Frame) -> usize {
         let side = frame.width().min(frame.height());
         (0..=MAX_HALVINGS).rev().find(|l| side >> l >= MIN_SIDE).unwrap_or(0)

@@ -44,8 +44,7 @@ impl Strip {
             let (a, b) = (path[i], path[i + APART]);
             let left = (a.min(b) + 1).saturating_sub(first + away);
             let right = (last + 1).saturating_sub(a.max(b) + away);
-            let from = [a, b].map(|j| (j + 1).saturating_sub(away + left));
-            [from, [a + away, b + away]].into_iter().zip([left, right])
+            [[a, b].map(|j| (j + 1).saturating_sub(away + left)), [a + away, b + away]].into_iter().zip([left, right])
         });
         if joint.contrast > CLEAR * moved { moved } else { noise }
     }

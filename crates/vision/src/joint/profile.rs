@@ -12,7 +12,6 @@ const PARTS: [f32; 3] = [0.3, 0.5, 0.7];
 /// Columns about the middle of a row, in whole lanes.
 pub(super) const ROOM: usize = 4 * LANES;
 
-/// Index of the middle.
 pub(super) const MIDDLE: usize = ROOM / 2;
 
 /// A row's grey values about a middle, from left to right.
@@ -70,7 +69,6 @@ impl Shape {
         Self(self.0.map(|v| part * v))
     }
 
-    /// Returns the dot product with another shape.
     #[inline(always)]
     pub(super) fn dot(&self, simd: impl Simd, other: &Self) -> f32 {
         self.0.dot(simd, &other.0)

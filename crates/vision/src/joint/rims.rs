@@ -43,7 +43,6 @@ pub(super) struct Rims {
     widths: Vec<f32>,
 }
 
-/// A rim of one row.
 #[derive(Debug, Clone, Copy, Default)]
 struct Rim {
     /// Columns to the right of the middle.
@@ -181,7 +180,6 @@ fn rim(edges: &[Line], ways: &mut Vec<Line>, flank: Flank, rims: &mut Vec<Rim>) 
     }
 }
 
-/// Returns the mean of the rims about row `i`.
 fn about(rims: &[Rim], i: usize) -> Rim {
     let near = &rims[i.saturating_sub(SMOOTH)..(i + SMOOTH + 1).min(rims.len())];
     let part = 1.0 / near.len() as f32;

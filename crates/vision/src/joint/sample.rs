@@ -22,7 +22,6 @@ pub(super) trait Pixel: Copy {
     fn pair(self, right: Self) -> Self::Pair;
     /// Returns the grey values, 0 to 255, of the left and of the right pixels of pairs.
     fn greys(pairs: &[Self::Pair; LANES]) -> ([f32; LANES], [f32; LANES]);
-    /// Returns the grey value of one pixel.
     fn grey(self) -> f32;
 }
 

@@ -194,7 +194,6 @@ pub(super) fn same_within(row: &Row) -> f32 {
     SAME.0.max(SAME.1 * row.width)
 }
 
-/// Returns the last confident row.
 pub(super) fn last_sure(rows: &[Row]) -> Option<usize> {
     rows.iter().rposition(|row| row.confidence >= CONFIDENT)
 }

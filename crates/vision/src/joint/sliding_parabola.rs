@@ -44,7 +44,6 @@ impl Rows {
         [&mut self.x, &mut self.y, &mut self.seen].into_iter().for_each(|list| list.resize(behind, 0.0));
     }
 
-    /// Returns the positions of rows in the picture.
     pub(super) fn places(&self, rows: Range<usize>) -> impl Iterator<Item = [f32; 2]> {
         let rows = BEFORE + rows.start..BEFORE + rows.end;
         self.x[rows.clone()].iter().zip(&self.y[rows]).map(|(x, y)| [*x, *y])
@@ -141,8 +140,7 @@ impl SlidingParabola {
             squares = std::array::from_fn(|k| squares[k] + w0 * seen[k] * off[k]);
         }
         std::array::from_fn(|k| {
-            let moments = moments.each_ref().map(|sum| sum[k]);
-            Parabola::of(moments, [r0[k], r1[k], r2[k]], squares[k], stiff)
+            Parabola::of(moments.each_ref().map(|sum| sum[k]), [r0[k], r1[k], r2[k]], squares[k], stiff)
         })
     }
 }
@@ -215,8 +213,7 @@ mod tests {
                 for (row, found) in (i..i + several.len()).zip(found) {
                     let near = (row.saturating_sub(reach)..count.min(row + reach + 1)).filter(|k| seen[*k]);
                     let weight = |k: usize| 1.0 - (k.abs_diff(row) as f32 / (reach + 1) as f32).powi(2);
-                    let near = near.map(|k| (k as f32 - row as f32, across[k], weight(k)));
-                    let told = Parabola::through(near, 100.0);
+                    let told = Parabola::through(near.map(|k| (k as f32 - row as f32, across[k], weight(k))), 100.0);
                     // For a few points far aside one method may give a parabola and the other none.
                     let Some((found, told)) = found.zip(told).filter(|(_, told)| told.variance < 10.0) else {
                         assert!(told.is_none_or(|told| told.variance > 3.0), "{row} of {count}: {told:?}");

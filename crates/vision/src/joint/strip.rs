@@ -249,7 +249,6 @@ pub(super) struct Strip {
     pub(super) depth: Vec<Line>,
     /// Standard deviation of a depth without a joint.
     pub(super) noise: f32,
-    /// Columns with a depth.
     pub(super) columns: Columns,
     pub(super) magnitudes: Vec<f32>,
 }

@@ -105,7 +105,6 @@ fn steps(count: usize) -> impl Iterator<Item = usize> + Clone {
 /// upper left pixel of each group holds the result.
 struct Take<'a> {
     pixels: &'a [f32],
-    /// Size of the picture.
     size: Size,
     smooth: &'a mut [i16],
     metal: &'a mut [i16],
@@ -161,7 +160,6 @@ fn put_within(row: &mut [i16], from: &[f32], margin: usize) {
     behind.fill(parts(from[from.len() - 1]));
 }
 
-/// A row in a buffer.
 #[derive(Debug, Clone, Copy)]
 struct RowAt {
     /// Pixels from one row of the buffer to the next.

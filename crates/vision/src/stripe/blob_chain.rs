@@ -50,7 +50,6 @@ struct Node {
     before: u32,
 }
 
-/// The end of a chain.
 #[derive(Debug, Clone, Copy)]
 struct End {
     score: f32,

@@ -115,8 +115,7 @@ pub(super) fn lit_columns(strip: &[f64], usual: &Usual) -> usize {
 /// one.
 pub(super) fn is_hidden(strip: &[f64], usual: &Usual, end: usize) -> bool {
     let after = strip[end..].iter().take_while(|v| !usual.is_dark(**v));
-    let about = strip[end.saturating_sub(BEFORE)..end].iter().chain(after);
-    about.filter(|v| v.is_infinite()).count() > HIDING
+    strip[end.saturating_sub(BEFORE)..end].iter().chain(after).filter(|v| v.is_infinite()).count() > HIDING
 }
 
 /// Locates the end to a fraction of a column: the mean over all positions of the end, weighted by the likelihood of the

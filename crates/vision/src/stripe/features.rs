@@ -2,7 +2,7 @@
 
 use arrayvec::ArrayVec;
 use glam::DVec2;
-use seamwright_message::{Message, display_by_message};
+use seamwright_message::{Message, display_by_message, named_enum};
 use serde::Serialize;
 
 /// Joint types that can be detected, as seen by a sensor from above.
@@ -70,82 +70,55 @@ impl StripeTask {
     }
 }
 
-/// Feature points of a joint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Feature {
-    /// Target of the torch: a fillet's corner, the middle of a groove's root or butt joint's gap, or the foot of a lap
-    /// joint's upper edge.
-    Joint,
-    /// End of the left plate's surface at the groove, the gap or the step.
-    LeftEdge,
-    /// End of the right plate's surface.
-    RightEdge,
-    /// Root of a groove's left side.
-    LeftRoot,
-    /// Root of a groove's right side.
-    RightRoot,
-    /// End of a lap joint's upper sheet.
-    UpperEdge,
-}
-
-impl Feature {
-    /// Returns its name in tables.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Joint => "joint",
-            Self::LeftEdge => "left_edge",
-            Self::RightEdge => "right_edge",
-            Self::LeftRoot => "left_root",
-            Self::RightRoot => "right_root",
-            Self::UpperEdge => "upper_edge",
-        }
+named_enum! {
+    /// Feature points of a joint.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Feature {
+        /// Target of the torch: a fillet's corner, the middle of a groove's root or butt joint's gap, or the foot of a lap
+        /// joint's upper edge.
+        Joint => "joint",
+        /// End of the left plate's surface at the groove, the gap or the step.
+        LeftEdge => "left_edge",
+        /// End of the right plate's surface.
+        RightEdge => "right_edge",
+        /// Root of a groove's left side.
+        LeftRoot => "left_root",
+        /// Root of a groove's right side.
+        RightRoot => "right_root",
+        /// End of a lap joint's upper sheet.
+        UpperEdge => "upper_edge",
     }
 }
 
-/// Measured lengths, areas and angles of a joint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Quantity {
-    /// Root gap; for a lap joint the distance between the sheets, for a fillet the distance of the web's end from the
-    /// other face.
-    Gap,
-    /// Height of the right plate's surface above the left one's.
-    Mismatch,
-    /// Cross-section of the groove below the line between its edges.
-    Area,
-    /// Angle between a fillet's faces, a V groove's walls, or a U or J groove's wall and the upright, rad.
-    Angle,
-    /// Turn from the left plate's surface to the right one's, rad; positive if they make a valley.
-    Bend,
-    /// Distance between a groove's edges.
-    Width,
-    /// Depth of a groove's root below the line between its edges.
-    Depth,
-    /// Height of a lap joint's upper surface above the lower one.
-    Height,
-    /// Radius of a U or J groove's arcs.
-    Radius,
+named_enum! {
+    /// Measured lengths, areas and angles of a joint.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Quantity {
+        /// Root gap; for a lap joint the distance between the sheets, for a fillet the distance of the web's end from the
+        /// other face.
+        Gap => "gap",
+        /// Height of the right plate's surface above the left one's.
+        Mismatch => "mismatch",
+        /// Cross-section of the groove below the line between its edges.
+        Area => "area",
+        /// Angle between a fillet's faces, a V groove's walls, or a U or J groove's wall and the upright, rad.
+        Angle => "angle",
+        /// Turn from the left plate's surface to the right one's, rad; positive if they make a valley.
+        Bend => "bend",
+        /// Distance between a groove's edges.
+        Width => "width",
+        /// Depth of a groove's root below the line between its edges.
+        Depth => "depth",
+        /// Height of a lap joint's upper surface above the lower one.
+        Height => "height",
+        /// Radius of a U or J groove's arcs.
+        Radius => "radius",
+    }
 }
 
 impl Quantity {
-    /// Returns its name in tables.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Gap => "gap",
-            Self::Mismatch => "mismatch",
-            Self::Area => "area",
-            Self::Angle => "angle",
-            Self::Bend => "bend",
-            Self::Width => "width",
-            Self::Depth => "depth",
-            Self::Height => "height",
-            Self::Radius => "radius",
-        }
-    }
-
     /// Returns the power of its unit of length; `None` for angles.
     #[must_use]
     pub fn power(self) -> Option<u8> {
@@ -172,37 +145,24 @@ pub struct Features {
     pub doubt: Option<Doubt>,
 }
 
-/// Reason for a low confidence of a detected joint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Doubt {
-    /// Points lie off the joint's lines, or something as bright lies beside them.
-    Clutter,
-    /// A part of the joint is visible in few columns only.
-    Short,
-    /// A part of the joint is not straight.
-    Uneven,
-    /// The light on a part has holes, continues beyond its end, or the end is hidden.
-    Light,
-    /// The shape is nearly that of another joint.
-    Shape,
-    /// The joint is far from its expected position.
-    Moved,
-    /// A point or value is not finite.
-    Unknown,
-}
-
-impl Doubt {
-    /// Returns the description of the reason.
-    pub fn message(&self) -> Message {
-        Message::new(match self {
-            Self::Clutter => "vision-doubt-clutter",
-            Self::Short => "vision-doubt-short",
-            Self::Uneven => "vision-doubt-uneven",
-            Self::Light => "vision-doubt-light",
-            Self::Shape => "vision-doubt-shape",
-            Self::Moved => "vision-doubt-moved",
-            Self::Unknown => "vision-doubt-unknown",
-        })
+named_enum! {
+    /// Reason for a low confidence of a detected joint.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Doubt {
+        /// Points lie off the joint's lines, or something as bright lies beside them.
+        Clutter: "vision-doubt-clutter",
+        /// A part of the joint is visible in few columns only.
+        Short: "vision-doubt-short",
+        /// A part of the joint is not straight.
+        Uneven: "vision-doubt-uneven",
+        /// The light on a part has holes, continues beyond its end, or the end is hidden.
+        Light: "vision-doubt-light",
+        /// The shape is nearly that of another joint.
+        Shape: "vision-doubt-shape",
+        /// The joint is far from its expected position.
+        Moved: "vision-doubt-moved",
+        /// A point or value is not finite.
+        Unknown: "vision-doubt-unknown",
     }
 }
 

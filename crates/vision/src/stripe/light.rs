@@ -95,8 +95,7 @@ impl<'a> Light<'a> {
         let columns = (0..=(to - from).abs()).map(|i| f64::from(from + step * i));
         if let Course::Line(line) = course {
             // The line is straight in the image too.
-            let ends = [line.at - line.along, line.at + line.along].map(|p| self.px(p));
-            let [Some(a), Some(b)] = ends else { return };
+            let [Some(a), Some(b)] = [line.at - line.along, line.at + line.along].map(|p| self.px(p)) else { return };
             let slope = (b.y - a.y) / (b.x - a.x);
             strip.extend(columns.map(|c| profile.image_column(c)).map(|x| self.strip(x, a.y + (x - a.x) * slope)));
             return;

@@ -171,7 +171,6 @@ impl StripeReader {
         self.profile.pitch
     }
 
-    /// Cuts the profile into segments.
     fn cut(&mut self) -> Result<(), NoFeatures> {
         let found = self.profile.samples.len();
         if found < FEWEST || self.profile.pitch <= 0.0 {

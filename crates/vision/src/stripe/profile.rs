@@ -129,22 +129,19 @@ impl Profile {
         self.all.extend_from_slice(&self.samples);
     }
 
-    /// Returns the image's column of a profile column.
     pub(super) fn image_column(&self, column: f64) -> f64 {
         self.first + self.direction * column
     }
 
     /// Returns the approximate y of a column, mm, from the nearest point before it.
     pub(super) fn y_at(&self, column: f64) -> f64 {
-        let next = self.samples.partition_point(|s| f64::from(s.column) <= column);
-        let near = self.samples.get(next.saturating_sub(1));
+        let near = self.samples.get(self.samples.partition_point(|s| f64::from(s.column) <= column).saturating_sub(1));
         near.map_or(0.0, |s| s.at.x + (column - f64::from(s.column)) * self.pitch)
     }
 
     /// Returns the approximate column at `y`.
     pub(super) fn column_at(&self, y: f64) -> f64 {
-        let next = self.samples.partition_point(|s| s.at.x <= y);
-        let near = self.samples.get(next.saturating_sub(1));
+        let near = self.samples.get(self.samples.partition_point(|s| s.at.x <= y).saturating_sub(1));
         near.map_or(0.0, |s| f64::from(s.column) + (y - s.at.x) / self.pitch)
     }
 

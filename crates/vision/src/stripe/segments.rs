@@ -142,8 +142,7 @@ impl Cutter {
         self.moments.clear();
         self.moments.push(Moments::default());
         for bin in &self.bins {
-            let last = self.moments[self.moments.len() - 1];
-            self.moments.push(last.with(bin.at - origin, 1.0));
+            self.moments.push(self.moments[self.moments.len() - 1].with(bin.at - origin, 1.0));
         }
         let n = self.bins.len();
         let weight = 1.0 / (deviation * deviation);
@@ -205,8 +204,7 @@ impl Cutter {
             segments[i].columns.from = first;
         }
         for segment in segments.iter_mut() {
-            let refit = self.fit(profile, segment.columns, ROUNDED, Some(segment.line));
-            *segment = refit.unwrap_or(*segment);
+            *segment = self.fit(profile, segment.columns, ROUNDED, Some(segment.line)).unwrap_or(*segment);
         }
         segments.iter_mut().for_each(|s| shrink(profile, s));
         segments.retain(|s| s.columns.to > s.columns.from);
@@ -229,8 +227,7 @@ impl Profile {
             let end = self.samples.partition_point(|s| s.column <= to).max(first);
             let mut rest = within(&self.all, segment.columns);
             for sample in &mut self.samples[first..end] {
-                let passed = rest.iter().take_while(|s| s.column < sample.column).count();
-                rest = &rest[passed..];
+                rest = &rest[rest.iter().take_while(|s| s.column < sample.column).count()..];
                 let mut own = rest.iter().take_while(|s| s.column == sample.column);
                 if let Some(other) = own.find(|s| s.at != sample.at && on_longer(s.at)) {
                     *sample = *other;

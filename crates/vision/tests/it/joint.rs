@@ -77,7 +77,6 @@ fn a_square_end_is_found_where_it_is() {
     }
 }
 
-/// Noise of a pixel from its index.
 fn noise(i: usize) -> f64 {
     let hash = (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let hash = (hash ^ (hash >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -110,8 +109,7 @@ fn sixteen_bits_show_what_eight_do_and_the_same_frame_gives_the_same_joint() {
         &Frame::new(200, 200, Pixels::U8(&other)).unwrap(),
         &Start { x: 9.0, y: 77.0, direction: 0.0, width: None },
     );
-    let again = follower.follow(&Frame::new(300, 300, Pixels::U8(&eight)).unwrap(), &begin(300)).clone();
-    assert_eq!(first, again);
+    assert_eq!(first, follower.follow(&Frame::new(300, 300, Pixels::U8(&eight)).unwrap(), &begin(300)).clone());
     let wide = Follower::new(Options::default())
         .follow(&Frame::new(300, 300, Pixels::U16(&sixteen)).unwrap(), &begin(300))
         .clone();

@@ -165,10 +165,8 @@ pub(crate) struct Asked {
 }
 
 impl Beads {
-    /// Settings of the run `name`: its own values over those of `weld`.
-    ///
-    /// # Errors
-    /// With the key's address: no area, or an area and a wire.
+    /// Settings of the run `name`: its own values over those of `weld`. Fails with the key's address: no area, or an
+    /// area and a wire.
     pub(crate) fn asked<T>(
         &self,
         file: &Document<T>,
@@ -215,10 +213,7 @@ impl Beads {
         Ok(Asked { area, layer, speed, process: all, travel_angle_deg: run.travel_angle_deg, weave: run.weave.clone() })
     }
 
-    /// Checks the weave of a finished pass against its own process values and speeds.
-    ///
-    /// # Errors
-    /// With the key's address.
+    /// Checks the weave of a finished pass against its own process values and speeds. Fails with the key's address.
     pub(crate) fn check_weave<T>(&self, file: &Document<T>, pass: &Pass) -> Result<(), DocumentError> {
         let (Some(weave), Some(role)) = (&pass.weave, pass.role) else { return Ok(()) };
         let run = match role {
@@ -229,15 +224,11 @@ impl Beads {
         let (name, run) = run.unwrap_or(("fill", &self.fill));
         let own = run.weave.is_some().then(|| format!("beads.{name}.weave"));
         let path = own.unwrap_or_else(|| "weld.weave".to_owned());
-        let corner = Keyed { key: "weld.corner", value: &pass.corner };
-        weave.check(file, &path, &pass.spans[0].process, corner)?;
+        weave.check(file, &path, &pass.spans[0].process, Keyed { key: "weld.corner", value: &pass.corner })?;
         weave.check_speeds(file, &path, &pass.spans, |_| path.clone())
     }
 
-    /// Checks the settings that do not depend on the groove.
-    ///
-    /// # Errors
-    /// With the key's address.
+    /// Checks the settings that do not depend on the groove. Fails with the key's address.
     pub(crate) fn check<T>(&self, file: &Document<T>) -> Result<(), DocumentError> {
         if self.deposition.get() > 1.0 {
             let allowed = Message::new("document-more-than-up-to").value("min", 0.0, Unit::One);

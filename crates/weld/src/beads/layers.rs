@@ -47,10 +47,7 @@ pub(crate) const MAX_BEADS: usize = 5_000;
 ///
 /// A single bead is used if it is large enough. Otherwise a root pass of its own, if there is one, then layers of beads
 /// side by side. Their number gives a height near to the wanted one. The cap layer has the area above the line from toe
-/// to toe.
-///
-/// # Errors
-/// The number of beads it would take, if that is more than [`MAX_BEADS`].
+/// to toe. Errors: the number of beads it would take, if that is more than [`MAX_BEADS`].
 pub(crate) fn layers(section: &Section, runs: &Runs) -> Result<Vec<Layer>, f64> {
     let (_, high) = section.slices.heights();
     let total = section.total();

@@ -42,9 +42,7 @@ pub(crate) struct Filled {
 impl Beads {
     /// Fills the joint of `seam`; speed and process values missing from the runs are those of `weld`, all others those of
     /// `template`.
-    ///
-    /// # Errors
-    /// With the key's address: no area of a bead, ramps, a station without a groove.
+    /// Fails with the key's address: no area of a bead, ramps, a station without a groove.
     pub(crate) fn filled<T>(
         &self,
         file: &Document<T>,

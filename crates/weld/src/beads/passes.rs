@@ -76,8 +76,7 @@ fn pass(plan: &BeadPlan, beads: &Beads, runs: &Runs, run: &Run, template: &Pass)
     if let Some(weave) = &asked.weave {
         pass.weave = Some(weave.clone());
     }
-    let follows = pass.weave.as_ref().filter(|_| beads.adapt == Adapt::WeaveWidth);
-    pass.bead = Some(columns(plan, run.bead, follows));
+    pass.bead = Some(columns(plan, run.bead, pass.weave.as_ref().filter(|_| beads.adapt == Adapt::WeaveWidth)));
     pass.spans = spans(plan, beads.adapt, asked, run);
     pass
 }

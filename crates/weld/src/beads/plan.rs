@@ -69,10 +69,8 @@ impl BeadPlan {
     /// Lays out the beads of `beads` along a seam with a joint. The layers are chosen for the mean area along the seam
     /// (the largest if layers may be left out). They fill the groove everywhere.
     ///
-    /// Guarantee: at every station the beads' areas sum to that of groove and cap.
-    ///
-    /// # Errors
-    /// A station without a groove, and plans that would be too large: found before they are made.
+    /// Guarantee: at every station the beads' areas sum to that of groove and cap. Errors: a station without a groove,
+    /// and plans that would be too large: found before they are made.
     pub(crate) fn new(seam: &SeamCurve, joint: &SeamJoint, beads: &Beads, runs: &Runs) -> Result<Self, NoPlan> {
         let period = seam.all_round().then(|| seam.length());
         let length = period.unwrap_or_else(|| seam.weld_length());

@@ -8,13 +8,22 @@ use seamwright_program::Preparation;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum NoPlan {
     /// A position (mm) without a groove.
-    NoGroove { s: f64, why: NoGroove },
+    NoGroove {
+        s: f64,
+        why: NoGroove,
+    },
     /// Number of beads, and the areas of groove and smallest bead, mm^2.
-    Beads { groove: f64, beads: f64, smallest: f64 },
-    /// Number of stations.
+    Beads {
+        groove: f64,
+        beads: f64,
+        smallest: f64,
+    },
     Stations(usize),
     /// Numbers of passes and of stations of each.
-    Positions { passes: usize, stations: usize },
+    Positions {
+        passes: usize,
+        stations: usize,
+    },
 }
 
 seamwright_message::display_by_message!(NoPlan);
@@ -50,8 +59,7 @@ impl NoPlan {
                 (run.to_owned(), up_to("weld-allowed-larger-beads", MAX_BEADS))
             }
             Self::Beads { .. } => {
-                let key = format!("{groove}.{}", preparation.size_key());
-                (key, up_to("weld-allowed-smaller-groove", MAX_BEADS))
+                (format!("{groove}.{}", preparation.size_key()), up_to("weld-allowed-smaller-groove", MAX_BEADS))
             }
             Self::Stations(_) => (stations.to_owned(), up_to("weld-allowed-stations", MAX_STATIONS)),
             Self::Positions { .. } => (stations.to_owned(), up_to("weld-allowed-bead-positions", MAX_BEAD_STATIONS)),

@@ -152,8 +152,7 @@ proptest! {
         let rank = |r: &Role| match r { Role::Root | Role::Tack => 0, Role::Fill => 1, Role::Cap | Role::Cosmetic => 2 };
         prop_assert!(roles.windows(2).all(|w| rank(&w[0]) <= rank(&w[1])));
         let section: Section = planned.joint.section(&planned.seam.at(10.0)).unwrap();
-        let again = layers(&section, &planned.runs).unwrap();
-        prop_assert_eq!(again.len(), planned.plan.layers.len());
+        prop_assert_eq!(layers(&section, &planned.runs).unwrap().len(), planned.plan.layers.len());
         let mut order = planned.plan.order.clone();
         order.sort_unstable();
         prop_assert!(order.into_iter().eq(0..planned.plan.count()));

@@ -99,8 +99,7 @@ impl SeamJoint {
     /// The section at a station of the seam, or the reason for its absence.
     pub(crate) fn try_section(&self, p: &SeamPoint) -> Result<Section, NoGroove> {
         let (gap, mismatch) = self.fit_up(p.s);
-        let place = Place { dihedral: p.dihedral, gap, mismatch };
-        Section::new(&self.joint.preparation, self.joint.cap_mm.get(), place)
+        Section::new(&self.joint.preparation, self.joint.cap_mm.get(), Place { dihedral: p.dihedral, gap, mismatch })
     }
 
     /// The section at a station of the seam; `None` without a groove.

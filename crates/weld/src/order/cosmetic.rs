@@ -34,10 +34,8 @@ pub struct Cosmetic {
 const SHORTEST_MM: f64 = 1.0;
 
 impl Cosmetic {
-    /// Checks the settings that do not depend on the seam; `sequence` and `process` are those of the weld.
-    ///
-    /// # Errors
-    /// With the key's address: a process value that the weld does not have, or that is a ramp.
+    /// Checks the settings that do not depend on the seam; `sequence` and `process` are those of the weld. Fails with
+    /// the key's address: a process value that the weld does not have, or that is a ramp.
     pub(crate) fn check<T>(
         &self,
         file: &Document<T>,
@@ -49,10 +47,8 @@ impl Cosmetic {
         self.oscillation.as_ref().map_or(Ok(()), |oscillation| oscillation.check(file, "cosmetic.oscillation"))
     }
 
-    /// The pass on `seam`; `weld` is the pass along the whole of it.
-    ///
-    /// # Errors
-    /// With the key's address: a start beyond the end of the weld.
+    /// The pass on `seam`; `weld` is the pass along the whole of it. Fails with the key's address: a start beyond the
+    /// end of the weld.
     pub(crate) fn pass<T>(&self, file: &Document<T>, seam: &SeamCurve, weld: &Pass) -> Result<Pass, DocumentError> {
         let last = weld.length() - SHORTEST_MM;
         if is_beyond(self.from_mm.get(), last) {

@@ -33,10 +33,8 @@ use tour::{Leg, Stop, in_rows, tour};
 type Visit = Vec<Vec<Pass>>;
 
 impl WeldOrder {
-    /// Checks the rule against the copies.
-    ///
-    /// # Errors
-    /// With the key's address: missing rows to go back and forth between, a skip over none or all.
+    /// Checks the rule against the copies. Fails with the key's address: missing rows to go back and forth between, a
+    /// skip over none or all.
     pub(crate) fn check_rule<T>(&self, file: &Document<T>, copies: &[SeamCopy]) -> Result<(), DocumentError> {
         let rows = in_rows(&copies.iter().map(|copy| Stop { row: row(copy), ways: Vec::new() }).collect::<Vec<_>>());
         match self.rule {
@@ -64,10 +62,8 @@ fn row(copy: &SeamCopy) -> u32 {
     copy.row.map_or(1, std::num::NonZeroU32::get)
 }
 
-/// The copies of a job: listed or in rows; empty if the seam is welded once.
-///
-/// # Errors
-/// With the key's address: copies given twice, and all faults in them.
+/// The copies of a job: listed or in rows; empty if the seam is welded once. Fails with the key's address: copies given
+/// twice, and all faults in them.
 pub(crate) fn copies(job: &Document<Job>) -> Result<Vec<SeamCopy>, DocumentError> {
     let j = &job.value;
     let copies = match &j.rows {
@@ -91,10 +87,8 @@ pub(crate) fn copies(job: &Document<Job>) -> Result<Vec<SeamCopy>, DocumentError
 }
 
 /// The passes of `job` on all its copies in the order of welding. Each has the index of its origin among `passes`
-/// (those along one seam); tacks have `None`. `weld` is the pass along the whole seam.
-///
-/// # Errors
-/// With the key's address: parts or tacks that the seam has no room for.
+/// (those along one seam); tacks have `None`. `weld` is the pass along the whole seam. Fails with the key's address:
+/// parts or tacks that the seam has no room for.
 pub(crate) fn ordered(
     job: &Document<Job>,
     seam: &SeamCurve,
@@ -151,7 +145,6 @@ struct Extent {
 }
 
 impl Extent {
-    /// Adds `passes` passes of `rows` rows each.
     fn add(&mut self, passes: usize, rows: usize) {
         self.passes = self.passes.saturating_add(passes);
         self.rows = self.rows.saturating_add(passes.saturating_mul(rows));
@@ -219,7 +212,6 @@ impl Ordering<'_> {
         self.last = legs.last().map(|&(copy, way)| stops[copy].ways[way].1);
     }
 
-    /// Start and end of a visit on the seam.
     fn ends(&self, visit: &Visit) -> Option<(DVec3, DVec3)> {
         let (first, last) = (visit.first()?.first()?, visit.last()?.last()?);
         Some((self.seam.at(first.seam_s(0.0)).point, self.seam.at(last.seam_s(last.length())).point))
@@ -237,7 +229,6 @@ impl Naming<'_> {
     fn name(&self, pass: &Pass, copy: usize, part: Option<usize>) -> String {
         let copy = self.copies.get(copy).map(|copy| copy.name.clone());
         let own = (!self.one || copy.is_none() || pass.role.is_some()).then(|| pass.name.clone());
-        let words = [own, copy, part.map(|k| format!("part {k}"))];
-        words.into_iter().flatten().collect::<Vec<_>>().join(", ")
+        [own, copy, part.map(|k| format!("part {k}"))].into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 }

@@ -19,11 +19,8 @@ const MAX_PIECES: usize = 1000;
 const STRAIGHT: f64 = 1.0 - 1.5e-6;
 
 impl WeldOrder {
-    /// Checks the parts against the seam.
-    ///
-    /// # Errors
-    /// With the key's address: quarters of a seam that is not welded all round, pieces longer than the weld, a tie-in
-    /// as long as a part. Also two ends on a seam without ends.
+    /// Checks the parts against the seam. Fails with the key's address: quarters of a seam that is not welded all
+    /// round, pieces longer than the weld, a tie-in as long as a part. Also two ends on a seam without ends.
     pub(crate) fn check_parts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<(), DocumentError> {
         let part = match self.parts {
             Parts::Whole => f64::INFINITY,

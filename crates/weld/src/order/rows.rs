@@ -27,10 +27,8 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// Checks the table `rows` of a job with the seam's frame `placement`.
-    ///
-    /// # Errors
-    /// With the key's address: no copies or very many, copies at the same position or too far away.
+    /// Checks the table `rows` of a job with the seam's frame `placement`. Fails with the key's address: no copies or
+    /// very many, copies at the same position or too far away.
     pub(crate) fn check<T>(&self, file: &Document<T>, placement: &Transform) -> Result<(), DocumentError> {
         for (key, count) in [("rows.rows", self.rows), ("rows.columns", self.columns)] {
             if count == 0 || count > MAX_COPIES {

@@ -62,10 +62,8 @@ impl ShortSequence {
         }
     }
 
-    /// Checks the slopes of the table `path`; `weld` is the weld's sequence, `process` are its process values.
-    ///
-    /// # Errors
-    /// With the key's address: slopes longer than the time for them, values that the weld has not.
+    /// Checks the slopes of the table `path`; `weld` is the weld's sequence, `process` are its process values. Fails
+    /// with the key's address: slopes longer than the time for them, values that the weld has not.
     pub(crate) fn check<T>(
         &self,
         file: &Document<T>,

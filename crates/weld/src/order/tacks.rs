@@ -42,10 +42,8 @@ fn clear() -> NonNegative {
 }
 
 impl Tacks {
-    /// Checks the settings that do not depend on the seam; `sequence` and `process` are those of the weld.
-    ///
-    /// # Errors
-    /// With the key's address: neither number nor pitch or both, fewer than two, a process value that the weld does not
+    /// Checks the settings that do not depend on the seam; `sequence` and `process` are those of the weld. Fails with
+    /// the key's address: neither number nor pitch or both, fewer than two, a process value that the weld does not
     /// have.
     pub(crate) fn check<T>(
         &self,
@@ -103,10 +101,8 @@ impl Tacks {
     }
 
     /// Path lengths of the tacks' starts, increasing, mm: evenly, with the start in the middle between two on a seam
-    /// welded all round, else from end to end.
-    ///
-    /// # Errors
-    /// With the key's address: tacks longer than the pitch or too near to the start.
+    /// welded all round, else from end to end. Fails with the key's address: tacks longer than the pitch or too near to
+    /// the start.
     pub(crate) fn starts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<Vec<f64>, DocumentError> {
         let (length, clear) = (self.length_mm.get(), self.clear_mm.get());
         let round = seam.all_round();

@@ -71,8 +71,7 @@ fn the_shortest_way_is_seldom_longer_than_the_best_of_all_and_never_much() {
         let legs = tour(&stops, Rule::Shortest, from);
         assert!(once(&legs, stops.len()));
         let (found, wanted) = (length(&stops, &legs, from), least(&stops, from));
-        let listed = tour(&stops, Rule::InTurn, from);
-        assert!(found <= length(&stops, &listed, from) + 1e-9, "longer than the list");
+        assert!(found <= length(&stops, &tour(&stops, Rule::InTurn, from), from) + 1e-9, "longer than the list");
         assert!(found >= wanted - 1e-9, "shorter than the best of all");
         worst = worst.max(found / wanted.max(1e-9));
         best += u32::from(found <= wanted + 1e-9);
@@ -94,8 +93,7 @@ proptest! {
         let within = legs.windows(2).filter(|w| stops[w[0].0].row == stops[w[1].0].row).count();
         let most = (1..4).map(|row| stops.iter().filter(|s| s.row == row).count()).max().unwrap_or(0);
         prop_assert_eq!(within, (2 * most).saturating_sub(stops.len() + 1));
-        let listed = tour(&stops, Rule::InTurn, None);
-        prop_assert!(listed.iter().map(|l| l.0).eq(0..stops.len()));
+        prop_assert!(tour(&stops, Rule::InTurn, None).iter().map(|l| l.0).eq(0..stops.len()));
     }
 
     #[test]
@@ -222,8 +220,7 @@ fn from_corner_to_corner_no_direction_jumps() {
     }
     assert!(before.distance(after) > 0.1, "{before} {after}");
     // A start at a corner counts as one of the corners.
-    let program = whole.program.value.to_toml().unwrap();
-    assert!(Welding::read("p.toml", &program).is_ok());
+    assert!(Welding::read("p.toml", &whole.program.value.to_toml().unwrap()).is_ok());
 }
 
 #[test]
@@ -263,8 +260,7 @@ fn an_open_seam_is_welded_from_either_end_if_it_may_be() {
         let ends = |i| (welding.path(i).pose(0.0).point, welding.path(i).pose(welding.path(i).length()).point);
         (1..5).map(|i| ends(i - 1).1.distance(ends(i).0)).sum::<f64>()
     };
-    let one = read(&format!("{LINE}{rows}"));
-    assert!((sum(&one) - 4.0 * 100.0_f64.hypot(30.0)).abs() < 1e-9);
+    assert!((sum(&read(&format!("{LINE}{rows}"))) - 4.0 * 100.0_f64.hypot(30.0)).abs() < 1e-9);
     let either = read(&format!("{LINE}{rows}either_end = true\n"));
     assert!((sum(&either) - 120.0).abs() < 1e-9);
     assert_eq!(either.program.value.passes.iter().filter(|pass| pass.reverse).count(), 2);

@@ -140,7 +140,6 @@ impl Search<'_> {
         steps.fold(self.enter(before, *first), |sum, step| sum + step)
     }
 
-    /// The best way found.
     fn best(&self) -> Vec<Leg> {
         let n = self.stops.len();
         let count = STARTS.min(STOPS / n.max(1)).max(1).min(n);

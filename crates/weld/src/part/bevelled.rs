@@ -54,7 +54,6 @@ impl Making<'_> {
             }
             triangles.push([next[count - 1], ring[count - 1], lower]);
         }
-        let shape = Shape::Mesh(Arc::new(Mesh::new(&triangles)?));
-        Ok(Solid::new("nozzle", shape, DAffine3::IDENTITY)?)
+        Ok(Solid::new("nozzle", Shape::Mesh(Arc::new(Mesh::new(&triangles)?)), DAffine3::IDENTITY)?)
     }
 }

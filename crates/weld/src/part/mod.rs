@@ -158,8 +158,7 @@ impl Making<'_> {
             Impossible::Document(e) => e,
             Impossible::Solid(e) => {
                 let message = Message::new("weld-part-from-seam").message("why", e.message());
-                let allowed = Message::new("weld-allowed-part-sizes").value("max", 1e7, Unit::Mm);
-                file.error_at("seam", message, allowed)
+                file.error_at("seam", message, Message::new("weld-allowed-part-sizes").value("max", 1e7, Unit::Mm))
             }
         })
     }
@@ -170,8 +169,7 @@ impl Making<'_> {
         let (mut step, mut best) = (length / f64::from(PLACES), (f64::INFINITY, 0.5 * length));
         for half in [PLACES / 2, 10, 10, 10, 10] {
             let places = (-half..=half).map(|i| (best.1 + f64::from(i) * step).clamp(0.0, length));
-            let values = places.map(|s| (f(self.seam.at(s).point), s));
-            best = values.fold(best, |b, v| if v.0 < b.0 { v } else { b });
+            best = places.map(|s| (f(self.seam.at(s).point), s)).fold(best, |b, v| if v.0 < b.0 { v } else { b });
             step *= 0.1;
         }
         best.0

@@ -187,8 +187,7 @@ impl Builder<'_> {
             let message = Message::new("weld-arc-points-in-line");
             return Err(self.program.error_at(&at, message, Message::new("weld-allowed-arc-points")));
         };
-        let shape = Shape::Arc(arc, self.reader.places);
-        Ok(self.timed(span, 0, here, end, shape))
+        Ok(self.timed(span, 0, here, end, Shape::Arc(arc, self.reader.places)))
     }
 
     /// The way to point `k` of a span.
@@ -221,8 +220,7 @@ impl Builder<'_> {
     /// Cubics in time with given speeds.
     fn cubics(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Vec<Timed> {
         let speeds: Vec<Row> = span.speeds.iter().map(|speeds| self.reader.speeds(speeds)).collect();
-        let starts = std::iter::once(here).chain(rows);
-        let each = starts.zip(rows).zip(&span.points).enumerate();
+        let each = std::iter::once(here).chain(rows).zip(rows).zip(&span.points).enumerate();
         each.map(|(k, ((start, end), point))| {
             let seconds = point[point.len() - 1].get();
             let slopes = [speeds[k], speeds[k + 1]].map(|row| row.map(|speed| speed * seconds));

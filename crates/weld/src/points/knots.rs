@@ -11,7 +11,6 @@ pub(super) struct Timed {
     pub(super) point: usize,
 }
 
-/// Knots of a spline.
 pub(super) struct Knots {
     pub(super) rows: Vec<Row>,
     /// Their numbers among the span's points, 0 at its start.

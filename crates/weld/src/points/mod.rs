@@ -82,8 +82,7 @@ impl PointPath {
 
     /// The block at `s`: the later one where two meet.
     fn block(&self, s: f64) -> &Block {
-        let i = self.blocks.partition_point(|b| b.from <= s);
-        &self.blocks[i.saturating_sub(1)]
+        &self.blocks[self.blocks.partition_point(|b| b.from <= s).saturating_sub(1)]
     }
 
     fn row(&self, s: f64) -> Row {

@@ -75,8 +75,7 @@ fn tacks_and_welds_are_counted_together() {
     assert_eq!(e.key, "order");
     assert_eq!(e.message, Message::new("weld-too-many-passes").count("passes", 12_000));
     // Two tacks less are as many passes as a program holds.
-    let welding = read(&job.replace("count = 8", "count = 6"));
-    assert_eq!(welding.program.value.passes.len(), 10_000);
+    assert_eq!(read(&job.replace("count = 8", "count = 6")).program.value.passes.len(), 10_000);
     // Of tacks in a groove each has the rows of the root bead: counted before they are made.
     let groove = line(3000.0, "square = { thickness_mm = 3, root_gap_mm = 1 }", "fill = { area_mm2 = 3 }");
     let e = refusal(&format!("{groove}{ROWS}[tacks]\nlength_mm = 1\ncount = 7\n"));
@@ -143,8 +142,7 @@ fn seams_of_more_than_a_kilometre_are_refused() {
         "[seam.line]\nstart_mm = [-9e6, 0, 0]\nend_mm = [9e6, 0, 0]\nfirst_normal = [0, 0, 1]\nsecond_normal = [0, 0, 1]",
     ));
     assert_eq!(e.key, "seam");
-    let e = refusal(&job("[seam.helix]\nradius_mm = 1000\npitch_mm = 10\nturns = 900"));
-    assert_eq!(e.key, "seam");
+    assert_eq!(refusal(&job("[seam.helix]\nradius_mm = 1000\npitch_mm = 10\nturns = 900")).key, "seam");
     assert_eq!(refusal(&job("[seam.circle]\nradius_mm = 1e7")).key, "seam.circle.radius_mm");
 }
 

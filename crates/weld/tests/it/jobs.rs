@@ -4,7 +4,6 @@ use glam::DVec3;
 use seamwright_document::DocumentError;
 use seamwright_weld::{SeamCurve, Welding};
 
-/// A job with this seam.
 pub(crate) fn job(seam: &str) -> String {
     format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{seam}\n[weld]\nspeed_mm_s = 5\n")
 }
@@ -13,7 +12,6 @@ pub(crate) fn read(text: &str) -> Welding {
     Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
-/// A job with this seam, as it is read.
 pub(crate) fn with_seam(seam: &str) -> Welding {
     read(&job(seam))
 }

@@ -157,16 +157,14 @@ fn a_body_that_is_added_does_not_take_the_place_of_the_part() {
     assert_eq!(names(solids), made);
     assert_eq!(names(&format!("[part]\nreplace = true\n{solids}")), ["lug"]);
     assert!(names(&format!("[part]\nwatched = false\n{solids}")).is_empty());
-    let nothing = part("[part]\nreplace = true\n").unwrap_err();
-    assert_eq!(nothing.key, "part.replace");
+    assert_eq!(part("[part]\nreplace = true\n").unwrap_err().key, "part.replace");
 }
 
 #[test]
 fn a_part_that_is_left_out_needs_no_files() {
     let solids = "[[part.solids]]\nshape.stl = { file = \"gone.stl\" }\n";
     let job = format!("{}[part]\nwatched = false\n{solids}", EXAMPLES[0]);
-    let clamped = read(&job).clamped(NO_STL).unwrap();
-    assert!(clamped.part.is_empty());
+    assert!(read(&job).clamped(NO_STL).unwrap().part.is_empty());
 }
 
 #[test]

@@ -17,8 +17,7 @@ const SLACK: f64 = 1e-5;
 
 /// A unit vector up to `angle` rad off `axis`.
 fn near(random: &mut Random, axis: DVec3, angle: f64) -> DVec3 {
-    let about = axis.cross(random.direction()).normalize();
-    DQuat::from_axis_angle(about, random.within(0.0, angle)) * axis
+    DQuat::from_axis_angle(axis.cross(random.direction()).normalize(), random.within(0.0, angle)) * axis
 }
 
 fn place(random: &mut Random) -> DVec3 {

@@ -330,8 +330,7 @@ fn mistakes_in_beads_have_an_address() {
     let rows = [[0.0, 1.0, 2.0, 3.0], [200.0, -1.5, 2.5, -3.0], [400.0, 0.0, 0.0, 0.0]];
     let edited = |from: &str, to: &str| {
         let edit = |text: String| {
-            let at = text.find("[passes.bead]").unwrap();
-            let (head, tail) = text.split_at(at);
+            let (head, tail) = text.split_at(text.find("[passes.bead]").unwrap());
             assert!(tail.contains(from), "{tail}");
             head.to_owned() + &tail.replacen(from, to, 1)
         };
@@ -359,8 +358,7 @@ fn mistakes_in_beads_have_an_address() {
     assert!(key == "passes[0].bead.s_mm" && message.contains("no rows"), "{key} {message}");
     assert!(edited("s_mm = [0, 200, 400]", "x_mm = [0, 200, 400]").0.contains("bead"));
     // Within a turn of a closed seam.
-    let length = read(SADDLE).seam().length();
-    let late = [[0.0, 1.0, 2.0, 3.0], [length, -1.5, 2.5, -3.0]];
+    let late = [[0.0, 1.0, 2.0, 3.0], [read(SADDLE).seam().length(), -1.5, 2.5, -3.0]];
     let (key, message, allowed) = wrong(SADDLE, |pass| pass.bead = Some(bead(&late)), |text| text);
     assert!(key == "passes[0].bead.s_mm[1]" && message.contains("not on the weld"), "{key} {message}");
     assert!(allowed.starts_with("0 mm or more, less than"), "{allowed}");

@@ -40,8 +40,7 @@ proptest! {
         let mut heading = 0.0f64;
         for (step, left, turn, climb) in &steps {
             heading += if *left { *turn } else { -turn };
-            let last = places[places.len() - 1];
-            places.push(last + *step * DVec3::new(heading.cos(), heading.sin(), *climb));
+            places.push(places[places.len() - 1] + *step * DVec3::new(heading.cos(), heading.sin(), *climb));
         }
         let speeds = if one_speed { vec![speeds[0]; 9] } else { speeds };
         let text = spline(if taught { "taught" } else { "spline" }, &places, &speeds);

@@ -216,20 +216,14 @@ fn joint(random: &mut Random, faces: Faces) -> String {
     text
 }
 
+#[rustfmt::skip]
+const ADAPT: [&str; 9] =
+    ["speed", "speed", "wire_feed", "wire_feed", "passes", "passes", "passes", "passes", "weave_width"];
+
 fn beads(random: &mut Random) -> String {
     let mut text = format!(
         "[beads]\nadapt = \"{}\"\norder = \"{}\"\nstagger_mm = {}\nalternate = {}\nshortest_mm = {}\n",
-        random.one(&[
-            "speed",
-            "speed",
-            "wire_feed",
-            "wire_feed",
-            "passes",
-            "passes",
-            "passes",
-            "passes",
-            "weave_width"
-        ]),
+        random.one(&ADAPT),
         random.one(&["walls_first", "from_first", "from_second"]),
         written(random, 0.0, 90.0),
         random.one_in(2),

@@ -120,8 +120,7 @@ fn closed_ones_come_round_and_tables_are_taken_along() {
     assert!(from_table.seam().knots().len() > 4 && from_table.seam().at(30.0).n2.distance(DVec3::Z) < 1e-9);
     let program = from_table.program.value.to_toml().unwrap();
     assert!(program.contains("points_mm") && !program.contains("joint.csv"));
-    let again = read(&program);
-    assert_eq!(again.seam().at(100.0), from_table.seam().at(100.0));
+    assert_eq!(read(&program).seam().at(100.0), from_table.seam().at(100.0));
 }
 
 #[test]

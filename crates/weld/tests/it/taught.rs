@@ -206,8 +206,7 @@ fn recorded_positions_go_through_offset_and_placement() {
     let (good, points) = span(&nominal, (300.0, 500.0), &[(1.0, 0.5), (2.0, 0.0), (1.0, -0.5)]);
     let places = "[placement]\nmove_mm = [10, 20, -30]\nturn = [1, 2, 3]\nangle_deg = 40\n\
                   [offsets.table]\nmove_mm = [1, 2, 3]\nangle_deg = -70\n";
-    let by_points = job(SADDLE, &format!("{places}{good}")).replace("machine", "offset = \"table\"\nmachine");
-    let by_points = read(&by_points);
+    let by_points = read(&job(SADDLE, &format!("{places}{good}")).replace("machine", "offset = \"table\"\nmachine"));
     let to_work = by_points.program.value.seam_in_work();
     let rows: Vec<DVec3> = points.iter().map(|p| to_work.transform_point3(*p)).collect();
     let recorded = format!("[[taught]]\nfrom_mm = 300\nto_mm = 500\naxes = {}\n", vectors(&rows));

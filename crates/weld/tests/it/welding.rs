@@ -36,8 +36,7 @@ fn seams_agree_with_the_reference() {
         let welding = Welding::read(name, &job_of(case)).unwrap_or_else(|e| panic!("{e}"));
         assert!((welding.seam().length() - case["length_mm"].as_f64().unwrap()).abs() <= 1e-8);
         for row in case["rows"].as_array().unwrap() {
-            let s = welding.seam().s_of_phi(row["phi_deg"].as_f64().unwrap().to_radians()).unwrap();
-            let p = welding.seam().at(s);
+            let p = welding.seam().at(welding.seam().s_of_phi(row["phi_deg"].as_f64().unwrap().to_radians()).unwrap());
             assert!((p.point - vector(&row["point_mm"])).length() <= 1e-9, "{name}");
             for (found, key) in
                 [(p.tangent, "tangent"), (p.n1, "nozzle_normal"), (p.n2, "body_normal"), (p.bisector, "bisector")]
@@ -92,8 +91,7 @@ fn clockwise_is_the_mirror_image() {
 fn parts_and_overlaps() {
     let part = read(&SADDLE.replace("overlap_mm = 20 ", "end_phi_deg = 110 "));
     assert!(!part.seam().all_round());
-    let end = part.seam().at(part.seam().weld_length());
-    assert!((end.phi.unwrap().to_degrees() - 110.0).abs() < 1e-9);
+    assert!((part.seam().at(part.seam().weld_length()).phi.unwrap().to_degrees() - 110.0).abs() < 1e-9);
     let whole = read(SADDLE);
     assert!((whole.seam().weld_length() - whole.seam().length() - 20.0).abs() < 1e-12 && whole.seam().all_round());
     let overlap = whole.seam().at(whole.seam().length() + 7.0).point - whole.seam().at(7.0).point;

@@ -34,7 +34,7 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
     let ground = PlannedWeld::new(&loaded.welding, &loaded.machine, &loaded.clamped, nominal)?;
     let guide = |point: DVec3| ground.guide(point);
     let carrier = ground.carrier(session.machine, session.sensor, &guide, ground.start());
-    let outcome = session.crawl(begin, &mut SimulatedRig::new(machine, sensor, carrier, eye))?;
+    let outcome = session.crawl(begin, &mut SimulatedRig::new(carrier, eye))?;
     let truth = truth(&actual, &outcome.smooth);
     Ok((outcome, truth))
 }

@@ -42,10 +42,8 @@ enum Hardware {
 }
 
 impl Plan {
-    /// Plans with the hardware of the user's HAL file, found in `folder`, or with axes without hardware.
-    ///
-    /// # Errors
-    /// No user may run HAL, or the folder is missing.
+    /// Plans with the hardware of the user's HAL file, found in `folder`, or with axes without hardware. Errors: no
+    /// user may run HAL, or the folder is missing.
     pub(super) fn new(machine: &Machine, device: &LinuxCnc, folder: &Path) -> Result<Self, LinuxCncError> {
         let before = script::before(machine, device, &programs::owner(std::process::id()));
         let hardware = match &device.hal {
@@ -61,7 +59,6 @@ impl Plan {
 pub(super) struct Link {
     /// Set-points go in here; the pipe never blocks.
     pub(super) stream: ChildStdin,
-    /// Samples from HAL.
     pub(super) samples: Consumer<Sample>,
 }
 
@@ -93,10 +90,8 @@ pub(super) struct Engine {
 }
 
 impl Engine {
-    /// Starts HAL, without power. Takes about a second.
-    ///
-    /// # Errors
-    /// LinuxCNC is not installed, runs already, rejects the file, or does not run; each error names the cure.
+    /// Starts HAL, without power. Takes about a second. Errors: LinuxCNC is not installed, runs already, rejects the
+    /// file, or does not run; each error names the cure.
     pub(super) fn start(plan: &Plan) -> Result<(Self, Link), LinuxCncError> {
         let user = &plan.user;
         programs::alone(user)?;

@@ -129,7 +129,6 @@ impl LinuxCncDrives {
         }
     }
 
-    /// Sends the orders of a period.
     fn order(&mut self, orders: &Orders) {
         let Self { store, buffer, sent, link, axes, broken, .. } = self;
         store.feed(&orders.set, |number, positions| {

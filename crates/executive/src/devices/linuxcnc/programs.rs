@@ -61,7 +61,6 @@ impl User {
     }
 }
 
-/// Output of a program on its standard error.
 #[derive(Debug, Clone, Default)]
 struct ErrorOutput(Arc<Mutex<String>>);
 
@@ -91,7 +90,6 @@ impl ErrorOutput {
     }
 }
 
-/// A running program.
 #[derive(Debug)]
 pub(super) struct Program {
     child: Child,
@@ -136,7 +134,6 @@ impl Program {
         self.child.stdout.take()
     }
 
-    /// Returns its output on standard error.
     pub(super) fn error_output(&self) -> Message {
         self.output.message()
     }
@@ -153,7 +150,6 @@ impl Program {
         }
     }
 
-    /// True once it has ended.
     pub(super) fn has_ended(&mut self) -> bool {
         self.ends_within(Duration::ZERO).is_some()
     }
@@ -177,7 +173,6 @@ pub(super) struct Keeper {
 }
 
 impl Keeper {
-    /// Starts the keeper.
     pub(super) fn start(user: &User) -> Result<Self, LinuxCncError> {
         if !is_in_path("halrun") {
             return Err(LinuxCncError::NotInstalled("halrun".to_owned()));
@@ -205,7 +200,6 @@ impl Keeper {
         Ok(keeper)
     }
 
-    /// Returns its output on standard error.
     pub(super) fn error_output(&self) -> Message {
         self.program.output.message()
     }

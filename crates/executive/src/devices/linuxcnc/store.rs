@@ -38,7 +38,6 @@ impl Store {
         Self { level, period_s, last: None, refills: 0, seen: (0, 0), sent: 0, changed: 0 }
     }
 
-    /// Returns the last set-points.
     pub(super) fn last(&self) -> [SetPoint; MAX_AXES] {
         self.last.unwrap_or_default()
     }

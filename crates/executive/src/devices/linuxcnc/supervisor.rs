@@ -28,10 +28,7 @@ pub(super) struct Supervisor {
 }
 
 impl Supervisor {
-    /// Starts HAL and its supervision, which reports events to the callback.
-    ///
-    /// # Errors
-    /// The reason why HAL does not run.
+    /// Starts HAL and its supervision, which reports events to the callback. Errors: the reason why HAL does not run.
     pub(super) fn start(plan: Plan, tell: impl Fn(&Message) + Send + 'static) -> Result<(Self, Link), LinuxCncError> {
         let (engine, link) = Engine::start(&plan)?;
         let (to_cycle, started) = RingBuffer::new(LINKS);

@@ -14,7 +14,6 @@ const BRIDGED_BITS: u16 = 512;
 /// A request that reads the cells of several registers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Batch {
-    /// Requested cells.
     pub(super) range: CellRange,
     /// Indices of the registers in the list, and the offset of their cells in the answer.
     pub(super) registers: Vec<(usize, usize)>,

@@ -47,18 +47,15 @@ impl Client {
         })
     }
 
-    /// Connects, brings all outputs to their safe states, reads everything once.
-    ///
-    /// # Errors
-    /// The trouble; the client is not connected then.
+    /// Connects, brings all outputs to their safe states, reads everything once. Errors: the trouble; the client is not
+    /// connected then.
     pub(super) fn connect(&mut self) -> Result<(), Trouble> {
         let Self { runtime, link, orders, reports } = self;
         runtime.block_on(async {
             orders.connect(link).await?;
             let trouble = link.unordered.borrow().clone();
             trouble.map_or(Ok(()), Err)?;
-            let read = reports.connect(link).await;
-            read.map_err(|trouble| match trouble {
+            reports.connect(link).await.map_err(|trouble| match trouble {
                 Trouble::Gone(why) if link.device.connections > 1 => {
                     Trouble::Gone(Message::new("cell-modbus-second-connection").message("why", why))
                 }

@@ -50,8 +50,7 @@ impl RegisterInspector {
     /// # Errors
     /// If the device cannot be reached or does not answer.
     pub fn look(&mut self) -> Result<(), ModbusError> {
-        let result = self.read();
-        result.map_err(|trouble| {
+        self.read().map_err(|trouble| {
             self.wire = None;
             ModbusError::Unreachable {
                 device: self.device.name.clone(),

@@ -16,7 +16,6 @@ pub(super) const LOOK: Duration = Duration::from_millis(1);
 pub(super) struct Life {
     /// Number of cycles so far.
     pub(super) cycles: AtomicU64,
-    /// The client is to end.
     pub(super) ended: AtomicBool,
 }
 
@@ -48,7 +47,6 @@ impl Link {
         }
     }
 
-    /// Returns true if the client is to end.
     pub(super) fn ended(&self) -> bool {
         self.life.ended.load(Ordering::Acquire)
     }
@@ -76,7 +74,6 @@ impl Link {
 pub(super) struct Line(Arc<Mutex<Option<Wire>>>);
 
 impl Line {
-    /// Connects.
     pub(super) async fn connect(&self, device: &ModbusDevice) -> Result<(), Trouble> {
         let wire = Wire::connect(device).await?;
         *self.0.lock().await = Some(wire);

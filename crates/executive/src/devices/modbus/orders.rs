@@ -132,8 +132,7 @@ impl OrderWriter {
         let (mut tried, mut refused) = (Vec::new(), None);
         loop {
             self.order(link);
-            let next = self.image.changes().into_iter().find(|run| !tried.contains(&run.units));
-            let Some(run) = next else { break };
+            let Some(run) = self.image.changes().into_iter().find(|run| !tried.contains(&run.units)) else { break };
             match self.line.write(run.table, run.at, &run.cells).await {
                 Ok(()) => self.image.written(&run),
                 Err(trouble @ Trouble::Refused { .. }) => {

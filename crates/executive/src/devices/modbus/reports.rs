@@ -159,8 +159,7 @@ impl ReportReader {
     }
 
     fn heartbeat_value(&self, link: &Link) -> Option<f64> {
-        let i = link.device.registers.iter().position(|r| r.role == Role::Heartbeat)?;
-        Some(self.values[i])
+        Some(self.values[link.device.registers.iter().position(|r| r.role == Role::Heartbeat)?])
     }
 
     /// Passes the values read to the cycle.

@@ -28,7 +28,6 @@ pub(super) enum Trouble {
 }
 
 impl Trouble {
-    /// Returns its message.
     pub(super) fn message(&self) -> Message {
         match self {
             Self::Refused { code, what } => {
@@ -57,11 +56,9 @@ display_by_message!(Trouble);
 /// Consecutive cells of a table: 16-bit registers or bits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct CellRange {
-    /// Register table.
     pub(super) table: Table,
     /// Address of the first cell.
     pub(super) at: u16,
-    /// Number of cells.
     pub(super) count: u16,
 }
 
@@ -144,8 +141,7 @@ impl Wire {
             (false, [word]) => Request::WriteSingleRegister(at, *word),
             (false, words) => Request::WriteMultipleRegisters(at, Cow::Borrowed(words)),
         };
-        let range = CellRange { table, at, count: cells.len() as u16 };
-        self.call(request, range).await.map(drop)
+        self.call(request, CellRange { table, at, count: cells.len() as u16 }).await.map(drop)
     }
 
     /// Sends a request for the cells of `range`, and waits for its answer.

@@ -116,7 +116,6 @@ impl StepDrives {
     }
 }
 
-/// Creates the pulse state of an axis at `home`.
 fn stepped(axis: &Axis, stepper: &Stepper, timing: &Timing, home: f64) -> Result<Stepped, Error> {
     let bad = |reason: Message| Error::Drive { axis: axis.name.clone(), reason };
     let microsteps = stepper.least_microsteps().ok_or_else(|| bad(Message::new("cell-microsteps-too-coarse")))?;

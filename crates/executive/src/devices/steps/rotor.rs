@@ -19,7 +19,6 @@ pub(super) struct Rotor {
 }
 
 impl Rotor {
-    /// Creates a rotor at rest at `start` steps.
     pub(super) fn new(
         axis: &Axis,
         stepper: &Stepper,

@@ -109,9 +109,7 @@ impl Builder<'_> {
         for ((q, axis), value) in q.iter_mut().zip(&self.machine.axes).zip(row) {
             *q = axis.from_file(*value);
         }
-        let direction = self.machine.forward(&q).direction;
-        let tip = self.read.xyz().of(row).to_array();
-        tip.into_iter().chain(direction.to_array()).collect()
+        self.read.xyz().of(row).to_array().into_iter().chain(self.machine.forward(&q).direction.to_array()).collect()
     }
 }
 

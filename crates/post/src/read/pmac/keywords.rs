@@ -20,7 +20,6 @@ const WORDS: &str =
     "ABS INC RAPID LINEAR CIRCLE1 CIRCLE2 PVT SPLINE1 TM TA TS F FRAX NOFRAX NORMAL DWELL DELAY SEND OPEN CLOSE";
 
 impl Words {
-    /// A word of more than one letter.
     pub(super) fn keyword(&mut self, block: &mut Block, state: &mut State, c: &mut Cursor) -> Read {
         let from = c.at;
         let name = c.letters().to_ascii_uppercase();
@@ -39,26 +38,22 @@ impl Words {
             }
             "SPLINE" => {
                 if c.whole()? != 1 {
-                    let fault = Fault::new(c.since(from), "post-uneven-splines");
-                    return Err(fault.allowed("post-spline-allowed"));
+                    return Err(Fault::new(c.since(from), "post-uneven-splines").allowed("post-spline-allowed"));
                 }
                 state.motion = Some(Motion::Spline);
             }
             "PVT" => {
-                let time = time(state, c, true)?;
-                self.hermite = Some(time);
+                self.hermite = Some(time(state, c, true)?);
                 state.motion = Some(Motion::Hermite);
             }
             "TM" => self.feed = Some((FeedMode::Time, time(state, c, true)?)),
             "TA" => self.acceleration = Some(time(state, c, false)?),
             "TS" => self.s_curve = time(state, c, false)?,
             "DWELL" | "DWE" => {
-                let seconds = time(state, c, false)?;
-                return state.dwell(seconds, true, c.since(from));
+                return state.dwell(time(state, c, false)?, true, c.since(from));
             }
             "DELAY" | "DEL" => {
-                let seconds = time(state, c, false)?;
-                return state.dwell(seconds, false, c.since(from));
+                return state.dwell(time(state, c, false)?, false, c.since(from));
             }
             "FRAX" => return feed_axes(state, c),
             "NOFRAX" => state.rule = state.control.feed_rule(Some(&[])),
@@ -97,8 +92,7 @@ impl Words {
             if name.eq_ignore_ascii_case("R") {
                 state.absolute_centre = !incremental;
             } else {
-                let axis = axis(state, name, c.since(from))?;
-                self.incremental[axis] = incremental;
+                self.incremental[axis(state, name, c.since(from))?] = incremental;
             }
             if !c.take(b',') {
                 return c.need(b')');
@@ -127,10 +121,8 @@ impl Words {
     }
 }
 
-/// The axis called `name`.
 fn axis(state: &State, name: &str, span: Span) -> Read<usize> {
-    let axis = state.addresses.name(name).filter(|i| *i < state.program.axes());
-    axis.ok_or_else(|| {
+    state.addresses.name(name).filter(|i| *i < state.program.axes()).ok_or_else(|| {
         let mut fault = no_address(state.control, span, name);
         fault.unknown = false;
         fault
@@ -157,8 +149,7 @@ fn feed_axes(state: &mut State, c: &mut Cursor) -> Read {
         loop {
             c.blanks();
             let from = c.at;
-            let name = c.letters();
-            group.push(axis(state, name, c.since(from))?);
+            group.push(axis(state, c.letters(), c.since(from))?);
             if !c.take(b',') {
                 break;
             }
@@ -171,7 +162,6 @@ fn feed_axes(state: &mut State, c: &mut Cursor) -> Read {
     Ok(())
 }
 
-/// SEND"..": words for the operator.
 fn send(state: &mut State, c: &mut Cursor, span: Span) -> Read {
     c.need(b'"')?;
     let text = c.until('"').ok_or_else(|| Fault::new(Span { from: span.from, to: c.end }, "post-text-open"))?;

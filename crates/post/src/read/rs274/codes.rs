@@ -105,12 +105,10 @@ impl Line {
                 self.output = Some((code / 10, span));
             }
             30 | 40 | 50 => {
-                let fault = Fault::unknown(span, "post-spindle-code");
-                return Err(fault.cure("post-spindle-code-cure"));
+                return Err(Fault::unknown(span, "post-spindle-code").cure("post-spindle-code-cure"));
             }
             70 | 80 | 90 => {
-                let fault = Fault::unknown(span, "post-coolant-code");
-                return Err(fault.cure("post-coolant-code-cure"));
+                return Err(Fault::unknown(span, "post-coolant-code").cure("post-coolant-code-cure"));
             }
             _ => {
                 return Err(Fault::unknown(span, "post-unknown-m-code")
@@ -154,13 +152,7 @@ impl Line {
         if self.dwell.is_none() {
             state.go(&self.block)?;
         }
-        match self.stop {
-            Some(0) => state.event(Event::Message("stop".into()), true),
-            Some(1) => state.event(Event::Message("optional stop".into()), true),
-            Some(_) => return Ok(Flow::End),
-            None => {}
-        }
-        Ok(Flow::Next)
+        Ok(state.stop(self.stop).unwrap_or(Flow::Next))
     }
 
     /// On grblHAL a numbered line with the whole modal state and no motion starts a pass, named by its remark.

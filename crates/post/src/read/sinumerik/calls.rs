@@ -26,8 +26,7 @@ pub(super) fn call(name: &str, state: &mut State, c: &mut Cursor, span: Span) ->
         }
         "POLYPATH" => poly_path(c, span),
         "IF" | "WHILE" | "UNTIL" | "CASE" => {
-            let fault = Fault::new(span, Message::new("post-no-branches").text("name", name));
-            Err(fault.cure("post-write-out"))
+            Err(Fault::new(span, Message::new("post-no-branches").text("name", name)).cure("post-write-out"))
         }
         _ => {
             c.skip_word();
@@ -37,7 +36,6 @@ pub(super) fn call(name: &str, state: &mut State, c: &mut Cursor, span: Span) ->
     }
 }
 
-/// The channel that is named here.
 pub(super) fn channel(state: &State, c: &mut Cursor) -> Read<(usize, Span)> {
     c.blanks();
     let from = c.at;
@@ -162,16 +160,14 @@ impl Line {
     pub(super) fn polynomial(&mut self, state: &mut State, c: &mut Cursor, span: Span) -> Read {
         c.need(b'[')?;
         if c.take(b']') {
-            let fault = Fault::new(span, "post-polynomial-denominator");
-            return Err(fault.cure("post-polynomial-denominator-cure"));
+            return Err(Fault::new(span, "post-polynomial-denominator").cure("post-polynomial-denominator-cure"));
         }
         let (channel, at) = channel(state, c)?;
         if channel >= state.program.axes() {
             return Err(Fault::new(at, "post-polynomial-axes").cure("post-polynomial-axes-cure"));
         }
         if state.control.decimal_comma {
-            let fault = Fault::new(span, "post-polynomial-comma");
-            return Err(fault.cure("post-polynomial-comma-cure"));
+            return Err(Fault::new(span, "post-polynomial-comma").cure("post-polynomial-comma-cure"));
         }
         [b']', b'=', b'('].into_iter().try_for_each(|byte| c.need(byte))?;
         let end = state.expressions.expression(c)?;
@@ -223,12 +219,7 @@ impl Line {
         if analogue {
             return state.set_output(number - 1, value, at_once, c.since(from));
         }
-        let on = value > 0.5;
-        if (value - f64::from(u8::from(on))).abs() > 1e-9 {
-            return Err(Fault::new(c.since(place), "post-digital-value").allowed("post-digital-value-allowed"));
-        }
-        state.switch((number - 1) as u16, on, at_once);
-        Ok(())
+        state.switch_by_value((number - 1) as u16, value, at_once, c.since(place))
     }
 
     /// WHEN TRUE DO $A_OUT[1]=1: with the start of the next move.

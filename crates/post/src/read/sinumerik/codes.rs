@@ -1,7 +1,6 @@
 //! Meaning of the codes of a line, and the actions at its end.
 
 use super::line::Line;
-use crate::part_program::Event;
 use crate::read::error::{Fault, Read, Span, once};
 use crate::read::lines::Flow;
 use crate::read::modal_state::{FeedMode, Motion, State};
@@ -50,8 +49,7 @@ impl Line {
             90 | 91 => DISTANCE,
             93 | 94 => FEED,
             95 => {
-                let fault = Fault::unknown(span, "post-feed-per-turn");
-                return Err(fault.cure("post-feed-per-turn-cure"));
+                return Err(Fault::unknown(span, "post-feed-per-turn").cure("post-feed-per-turn-cure"));
             }
             _ => return Err(Fault::unknown(span, "post-unknown-g-code").allowed(Message::verbatim(G_CODES))),
         };
@@ -92,7 +90,6 @@ impl Line {
         Ok(())
     }
 
-    /// Executes the line.
     #[inline]
     pub(super) fn finish(self, state: &mut State) -> Read<Flow> {
         let moves = state.target.count > 0 || self.block.has_arc_word();
@@ -103,8 +100,7 @@ impl Line {
                 return Err(Fault::new(place, "post-moves-with-dwell").cure("post-two-blocks"));
             }
             let Some((seconds, span)) = self.feed else {
-                let fault = Fault::new(code, "post-dwell-needs-f");
-                return Err(fault.cure("post-dwell-needs-f-cure"));
+                return Err(Fault::new(code, "post-dwell-needs-f").cure("post-dwell-needs-f-cure"));
             };
             state.dwell(seconds, false, span)?;
         } else {
@@ -114,13 +110,6 @@ impl Line {
             }
             state.go(&self.block)?;
         }
-        match self.stop {
-            Some(0) => state.event(Event::Message("stop".into()), true),
-            Some(1) => state.event(Event::Message("optional stop".into()), true),
-            Some(17) => return Ok(Flow::Return),
-            Some(_) => return Ok(Flow::End),
-            None => {}
-        }
-        Ok(self.flow.unwrap_or(Flow::Next))
+        Ok(state.stop(self.stop).or(self.flow).unwrap_or(Flow::Next))
     }
 }

@@ -25,7 +25,6 @@ impl Planned {
         Self::on(text, str::to_owned)
     }
 
-    /// With a changed machine file.
     pub(crate) fn on(text: &str, change: impl Fn(&str) -> String) -> Self {
         let welding = Welding::read_with("job.toml", text, &Folder).unwrap();
         let file = change(shipped(&welding.program.value.machine).unwrap().text);
@@ -118,8 +117,7 @@ pub(crate) fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) 
             Path::Curve(index) => {
                 let curve = program.curves[index as usize];
                 let [second, third] = [0, 1].map(|k| program.row(curve.row + k));
-                let shares = CubicRows { from: &here, to, second, third }.shares(curve.counted);
-                Shape::Curve(second, third, shares)
+                Shape::Curve(second, third, CubicRows { from: &here, to, second, third }.shares(curve.counted))
             }
             Path::Spline => {
                 let run = moves[k..]

@@ -37,8 +37,7 @@ fn words(line: &str, comma: bool) -> Vec<(String, Vec<f64>)> {
             None => {
                 let at = word.find(|c: char| c.is_ascii_digit() || c == '-' || c == '(').unwrap_or(word.len());
                 let values = word[at..].trim_start_matches('(').trim_end_matches(')');
-                let values = values.split(':').filter(|v| !v.is_empty());
-                (word[..at].to_owned(), values.map(number).collect())
+                (word[..at].to_owned(), values.split(':').filter(|v| !v.is_empty()).map(number).collect())
             }
         })
         .collect()
@@ -59,21 +58,15 @@ fn bare(dialect: Dialect, line: &str) -> &str {
     .trim()
 }
 
-/// Lines that hold no words.
+/// Beginnings of Siemens' lines that hold no words.
+#[rustfmt::skip]
+const SINUMERIK: [&str; 10] = [
+    "%_N_", "$A_OUT", "WHEN TRUE DO $A_OUT", "FGROUP(", "PRESETON(", "TRAORI", "TRAFOOF", "ORIMKS", "PASS_", "MSG(",
+];
+
 fn is_other(dialect: Dialect, line: &str) -> bool {
     let starts: &[&str] = match dialect {
-        Dialect::Sinumerik => &[
-            "%_N_",
-            "$A_OUT",
-            "WHEN TRUE DO $A_OUT",
-            "FGROUP(",
-            "PRESETON(",
-            "TRAORI",
-            "TRAFOOF",
-            "ORIMKS",
-            "PASS_",
-            "MSG(",
-        ],
+        Dialect::Sinumerik => &SINUMERIK,
         Dialect::Linuxcnc => &["o1"],
         Dialect::Grblhal => &[],
         Dialect::Pmac => &["&1", "#", "I5190=", "OPEN PROG 1 CLEAR", "CLOSE", "M", "SEND", "ABS"],
@@ -202,8 +195,7 @@ fn way(
     let coded = |code: f64| words.iter().any(|w| w.0 == "G" && w.1[0] == code);
     let square = ["I", "J", "K"].iter().position(|letter| value(letter).is_none()).map_or(DVec3::Z, |k| DVec3::AXES[k]);
     let linear = if let Some(i) = value("I1") {
-        let middle = DVec3::new(i, value("J1").unwrap(), value("K1").unwrap());
-        through(from, middle, to).powi(2)
+        through(from, DVec3::new(i, value("J1").unwrap(), value("K1").unwrap()), to).powi(2)
     } else if coded(2.0) {
         round(from, to, centre, -square).powi(2)
     } else if coded(3.0) {

@@ -63,8 +63,7 @@ codes = { M54 = "m54" }
 "#;
 
 pub fn control(dialect: Dialect) -> Control {
-    let machine = Machine::read("test.toml", MACHINE).unwrap_or_else(|e| panic!("{e}"));
-    Control::new(&machine, dialect).unwrap()
+    Control::new(&Machine::read("test.toml", MACHINE).unwrap_or_else(|e| panic!("{e}")), dialect).unwrap()
 }
 
 pub fn try_read(dialect: Dialect, text: &str) -> Result<Reading, ReadError> {

@@ -169,8 +169,7 @@ fn parts_with_other_speeds_are_not_joined() {
     let told = try_apply(&mut editor, json!({"op": "join_spans", "pass": 1, "span": 1})).unwrap_err();
     assert!(told.contains("cubics with the same speeds"), "{told}");
     // Speeds that are set at the point between are those of both.
-    let set = json!({"op": "set_point", "pass": 1, "point": 2, "speeds": {"x_mm": 1, "y_mm": 2, "z_mm": 3}});
-    apply(&mut editor, set);
+    apply(&mut editor, json!({"op": "set_point", "pass": 1, "point": 2, "speeds": {"x_mm": 1, "y_mm": 2, "z_mm": 3}}));
     apply(&mut editor, json!({"op": "join_spans", "pass": 1, "span": 1}));
     assert_eq!(plain(&points(&editor).spans[0].speeds[2]), [1.0, 2.0, 3.0]);
 }

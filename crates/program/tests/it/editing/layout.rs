@@ -94,8 +94,7 @@ fn only_what_is_edited_changes() {
         .replace("    [10, 0, 0.50, 100, 1.0], # first\n", "")
         .replace("\"= lift\", 100, 1]", "\"= lift\", 100, 2]");
     assert_eq!(deleted, rest.replace("after = 1", "after = 0"));
-    let variable = edited(r#"{"op":"set_variable","name":"lift","value":4}"#);
-    assert_eq!(variable, TEXT.replace("lift = 3", "lift = 4"));
+    assert_eq!(edited(r#"{"op":"set_variable","name":"lift","value":4}"#), TEXT.replace("lift = 3", "lift = 4"));
     let inserted = edited(r#"{"op":"insert_point","pass":1,"after":1}"#);
     let between = "    [10, 0, 0.50, 100, 1.0], # first\n    [15, 0, 1.75, 100, 0.5],\n    # the clamp is here\n";
     let wanted = TEXT.replace("    [10, 0, 0.50, 100, 1.0], # first\n    # the clamp is here\n", between);

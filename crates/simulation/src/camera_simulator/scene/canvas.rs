@@ -173,7 +173,6 @@ impl Canvas {
         lightest(1.0).min(lightest(-1.0)) - light(0.0)
     }
 
-    /// Takes the frame.
     pub(super) fn take(&self, d: &Disturbances, random: &mut Random) -> Image {
         let (width, height) = (self.width, self.height);
         let mut pixels = Vec::with_capacity(width * height);

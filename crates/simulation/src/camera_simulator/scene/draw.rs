@@ -175,8 +175,7 @@ fn shown(canvas: &Canvas, d: &Disturbances, truth: &Truth) -> Vec<bool> {
     let reach = 1.5 * truth.width + 2.0 * d.defocus as f64 + 1.0;
     let normal = |i| DVec2::from_angle(heading(&truth.midline, i)).perp();
     let points = truth.midline.iter().enumerate().map(|(i, point)| OrientedPoint { point: *point, normal: normal(i) });
-    let depths = points.map(|at| canvas.depth(d, at, reach));
-    depths.map(|depth| depth >= least).collect()
+    points.map(|at| canvas.depth(d, at, reach)).map(|depth| depth >= least).collect()
 }
 
 /// Direction of the midline at its point `i`, rad.
@@ -192,8 +191,7 @@ fn edge_of_light(kind: Kind, midline: &[DVec2], r: &mut Random) -> Option<(f64, 
     }
     let place = midline[midline.len() / 2];
     let normal = DVec2::from_angle(heading(midline, midline.len() / 2)).perp();
-    let depth = r.within(20.0, 50.0);
-    Some((depth, OrientedPoint { point: place + normal * r.within(-30.0, 30.0), normal }))
+    Some((r.within(20.0, 50.0), OrientedPoint { point: place + normal * r.within(-30.0, 30.0), normal }))
 }
 
 fn midline(kind: Kind, side: f64, width: f64, r: &mut Random) -> Vec<DVec2> {

@@ -30,7 +30,6 @@ pub fn stripe_task(kind: JointKind, section: &Section) -> StripeTask {
     if let Section::Lap { thickness, .. } = section { task.with_thickness(*thickness) } else { task }
 }
 
-/// Reads an image of a scene.
 fn read(
     reader: &mut StripeReader,
     scene: &StripeScene,
@@ -191,8 +190,7 @@ fn time_ms(size_px: [usize; 2]) -> f64 {
     let mut times: Vec<f64> = Vec::new();
     for _ in 0..21 {
         let start = Instant::now();
-        let pixels = seamwright_vision::Pixels::U8(pixels);
-        let frame = seamwright_vision::Frame::new(*width, *height, pixels);
+        let frame = seamwright_vision::Frame::new(*width, *height, seamwright_vision::Pixels::U8(pixels));
         let found = frame.map(|f| reader.read_image(&f, Some(&scene.to_mm), &StripeTask::in_mm(JointKind::V)));
         if !matches!(found, Ok(Ok(_))) {
             return f64::NAN;

@@ -8,7 +8,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Extent of the parts to both sides, mm.
 const REACH: f64 = 80.0;
 
-/// Number of pieces of an arc.
 const ARC_PIECES: usize = 40;
 
 /// A joint's cross-section. Lengths in mm, angles in rad. The joint's own frame has its root at the origin and the upper
@@ -169,8 +168,7 @@ impl Section {
             }
             Self::U { bevel, radius, depth, gap } => {
                 let right = curved(bevel, radius, depth, gap);
-                let left = right.iter().rev().map(|q| p(-q.x, q.y)).collect();
-                vec![left, right]
+                vec![right.iter().rev().map(|q| p(-q.x, q.y)).collect(), right]
             }
             Self::J { bevel, radius, depth, gap } => vec![
                 vec![p(-REACH, 0.0), p(-gap / 2.0, 0.0), p(-gap / 2.0, -depth - 2.0)],

@@ -65,8 +65,7 @@ impl BeamJob<'_> {
         let head = BeamTracking::new(settings, &*scene.taught.frame, scene.deflection, scene.axes)?;
         let mut uncorrected = scene.uncorrected();
         uncorrected.sort_by(f64::total_cmp);
-        let outcome = weld(&scene, camera, BeamHead::Tracking(Box::new(head)), settings.noise_mm, seed)?;
-        Ok((outcome, uncorrected))
+        Ok((weld(&scene, camera, BeamHead::Tracking(Box::new(head)), settings.noise_mm, seed)?, uncorrected))
     }
 
     /// Welds the later pass with the deviations that the first one found. Also returns its start on the first one's
@@ -82,12 +81,10 @@ impl BeamJob<'_> {
         seed: u64,
     ) -> Result<(BeamOutcome, f64), Error> {
         let scene = self.scene(true, actual);
-        let start = (scene.taught.frame)(0.0).point;
-        let shift = foot(&Seam::along(self.first.0), start);
+        let shift = foot(&Seam::along(self.first.0), (scene.taught.frame)(0.0).point);
         let noise_mm = Settings::usual(self.speed_mm_s).noise_mm;
         let replay = Replay::new(record, shift, scene.taught.length_mm, noise_mm)?;
-        let settings = ReplaySettings::USUAL;
-        let head = BeamReplay::new(settings, replay, &*scene.taught.frame, scene.deflection, scene.axes)?;
+        let head = BeamReplay::new(ReplaySettings::USUAL, replay, &*scene.taught.frame, scene.deflection, scene.axes)?;
         Ok((weld(&scene, camera, BeamHead::Replay(Box::new(head)), noise_mm, seed)?, shift))
     }
 }
@@ -113,8 +110,7 @@ fn apart(first: &[(f64, f64)], second: &[(f64, f64)], shift: f64) -> f64 {
         let part = (s - a.0) / (b.0 - a.0);
         (0.0..=1.0).contains(&part).then_some(a.1 + part * (b.1 - a.1))
     };
-    let apart = second.iter().filter_map(|(s, lateral)| Some((lateral - at(s + shift)?).abs()));
-    apart.fold(0.0, f64::max)
+    second.iter().filter_map(|(s, lateral)| Some((lateral - at(s + shift)?).abs())).fold(0.0, f64::max)
 }
 
 /// Welds a misplaced part with a tracking beam, then again with the deviations found: with real pixels once, and with
@@ -203,8 +199,7 @@ pub fn moved_since(job: &BeamJob<'_>, seed: u64) -> Result<f64, Error> {
         let (station, along) = job.nominal.at(30.0);
         station.normal.cross(along).normalize_or_zero()
     };
-    let stations = actual.stations().iter();
-    let stations = stations.map(|s| Station { point: s.point + MOVED_MM * side, ..*s }).collect();
+    let stations = actual.stations().iter().map(|s| Station { point: s.point + MOVED_MM * side, ..*s }).collect();
     let moved = SeamLine::through(stations, actual.is_closed());
     let (again, _) = job.replayed(record, &moved, &mut Offsets::new(&moved, seed), seed)?;
     match again.fit {

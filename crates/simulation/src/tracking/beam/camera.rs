@@ -36,10 +36,7 @@ pub struct Shown {
 
 /// Shows the joint ahead of the beam.
 pub trait BeamCamera {
-    /// Takes a frame into `shown`, which is empty before.
-    ///
-    /// # Errors
-    /// A frame that is not available.
+    /// Takes a frame into `shown`, which is empty before. Errors: a frame that is not available.
     fn glance(&mut self, glance: &Glance<'_>, shown: &mut Shown) -> Result<(), Error>;
 }
 
@@ -111,8 +108,7 @@ impl<'a> Offsets<'a> {
 
 impl BeamCamera for Offsets<'_> {
     fn glance(&mut self, glance: &Glance<'_>, shown: &mut Shown) -> Result<(), Error> {
-        let seam = Line { actual: self.actual, tacks: &self.tacks };
-        self.noise.show(&seam, glance, shown);
+        self.noise.show(&Line { actual: self.actual, tacks: &self.tacks }, glance, shown);
         Ok(())
     }
 }

@@ -47,7 +47,6 @@ impl PictureQueue {
         self.now.is_some()
     }
 
-    /// Returns the picture taken in last.
     pub(crate) fn picture(&self) -> Option<Picture<'_>> {
         let (exposed_s, shown) = self.now.as_ref()?;
         Some(Picture { exposed_s: *exposed_s, height_mm: shown.height_mm, points: &shown.points })

@@ -24,7 +24,6 @@ impl RecentPositions {
         Self(VecDeque::with_capacity(RECENT))
     }
 
-    /// Adds the position after a cycle.
     pub(in crate::tracking) fn add(&mut self, position: GunPosition) {
         if self.0.len() == RECENT {
             self.0.pop_front();

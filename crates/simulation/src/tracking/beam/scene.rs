@@ -47,8 +47,7 @@ impl<'a> BeamScene<'a> {
         let count = (2.0 * self.taught.length_mm).floor() as u32;
         let miss = |i: u32| {
             let frame = (self.taught.frame)(0.5 * f64::from(i));
-            let foot = self.actual.foot(frame.point)?;
-            Some((frame.point - foot.at.point).dot(frame.lateral).abs())
+            Some((frame.point - self.actual.foot(frame.point)?.at.point).dot(frame.lateral).abs())
         };
         (0..=count).filter_map(miss).collect()
     }

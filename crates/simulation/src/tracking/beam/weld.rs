@@ -137,7 +137,6 @@ struct Gun<'a> {
     /// Position of the set-point, mm.
     s: f64,
     set: [Joints; 3],
-    /// True position.
     now: GunPosition,
     recent: RecentPositions,
 }

@@ -8,7 +8,6 @@ use std::collections::{BTreeMap, VecDeque};
 /// Maximum distance of a dot from the position predicted by its neighbour, as a part of their distance.
 const OFF: f64 = 0.25;
 
-/// A dot and its crossing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Crossing {
     pub(super) place: IVec2,

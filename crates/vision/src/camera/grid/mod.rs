@@ -21,7 +21,5 @@ pub fn identify(frame: &Frame, grid: &Grid) -> Result<Identified, GridError> {
     if !grid.pitch_mm.is_finite() || grid.pitch_mm <= 0.0 {
         return Err(GridError::Pitch(grid.pitch_mm));
     }
-    let dots = dots::find(frame)?;
-    let ordered = crossings::ordered(&dots, frame.size())?;
-    fit::fit(&ordered, frame.size(), grid)
+    fit::fit(&crossings::ordered(&dots::find(frame)?, frame.size())?, frame.size(), grid)
 }

@@ -96,7 +96,6 @@ impl Midline {
         self.places.make_room(rows);
     }
 
-    /// Finds the midline along `trail`.
     pub(super) fn find(&mut self, picture: &Picture, trail: &Trail, look: &Look) {
         self.stand(&trail.places);
         self.strip.unroll(picture, self.stations.iter().copied());

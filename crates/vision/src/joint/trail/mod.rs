@@ -106,7 +106,6 @@ pub(super) struct Look {
 }
 
 impl Look {
-    /// Returns the width, pixels of the frame.
     pub(super) fn width_in_frame(&self) -> f32 {
         self.width * (1 << self.level) as f32
     }
@@ -192,8 +191,7 @@ impl Trail {
         let profile = Profile::new(1.5 * look.width);
         let mut sum = Around::default();
         for (i, row) in self.strip.grey.iter().enumerate() {
-            let around = about(row, column_about(&self.path, i, 4));
-            sum.iter_mut().zip(&around).for_each(|(s, a)| *s += a);
+            sum.iter_mut().zip(&about(row, column_about(&self.path, i, 4))).for_each(|(s, a)| *s += a);
         }
         profile.rims(&sum).map(|[left, right]| right - left)
     }

@@ -226,8 +226,7 @@ impl Blobs {
             if contrast == 0 {
                 break;
             }
-            let cell = self.opened[usize::from(block) / CELL_SUMS * across + column / CELL];
-            let background = cell / self.a_grey;
+            let background = self.opened[usize::from(block) / CELL_SUMS * across + column / CELL] / self.a_grey;
             let first = usize::from(block) * BLOCK;
             let rows = first.min(height - 1)..(first + 2 * BLOCK).min(height);
             let (blob, span) = blob(|row: usize| pixels[row * width + column].grey(), rows, height, background);
@@ -361,8 +360,7 @@ mod tests {
     fn nothing_in_nothing() {
         let mut blobs = Blobs::default();
         for (width, height) in [(1, 1), (3, 7), (16, 8), (17, 9), (100, 100)] {
-            let dark = vec![3u8; width * height];
-            assert!(blobs.find(&Frame::new(width, height, Pixels::U8(&dark)).unwrap()));
+            assert!(blobs.find(&Frame::new(width, height, Pixels::U8(&vec![3u8; width * height])).unwrap()));
             assert!((0..width).all(|c| blobs.of(c).is_empty()));
             let white = vec![255u8; width * height];
             assert_eq!(blobs.find(&Frame::new(width, height, Pixels::U8(&white)).unwrap()), height < 8);

@@ -36,7 +36,6 @@ impl Grey for u16 {
     }
 }
 
-/// Sums of four rows.
 pub(super) struct FourRows<'a, G> {
     pub(super) rows: &'a [G],
     pub(super) sums: &'a mut [i16],

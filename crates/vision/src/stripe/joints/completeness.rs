@@ -25,7 +25,6 @@ const ELSEWHERE: [f64; 2] = [0.25, 0.15];
 /// Consecutive dark columns on a part for no and for full confidence, in units of [`Usual::least_gap`].
 const HOLE: [f64; 2] = [3.5, 2.2];
 
-/// A part of a joint.
 pub(super) struct Part {
     pub(super) course: Course,
     pub(super) columns: Columns,
@@ -51,8 +50,7 @@ impl View<'_> {
             for (end, step, skip) in [(from, -1, before), (to, 1, after)] {
                 let Some(skip) = skip else { continue };
                 sure *= self.lit_before(part, end, step, &usual);
-                let beyond = Columns { from: end + step * skip, to: end + step * (skip + BEYOND) };
-                self.look_along(&part.course, beyond);
+                self.look_along(&part.course, Columns { from: end + step * skip, to: end + step * (skip + BEYOND) });
                 let seen = || self.strip.iter().filter(|v| v.is_finite());
                 let lit = seen().filter(|v| **v > LIT * usual.light).count() as f64;
                 let known = seen().count() as f64;
@@ -83,8 +81,7 @@ impl View<'_> {
             longest = longest.max(run);
         }
         let out = |c: i32| self.strip.get(c.abs_diff(part.columns.from) as usize).is_some_and(|v| v.is_nan());
-        let places = self.profile.between(part.columns);
-        (f64::from(longest), places.iter().filter(|s| out(s.column)).count())
+        (f64::from(longest), self.profile.between(part.columns).iter().filter(|s| out(s.column)).count())
     }
 }
 

@@ -29,8 +29,7 @@ impl View<'_> {
         if inside < -MARGIN_DEG {
             return Err(NoFeatures::NoCorner);
         }
-        let corner = self.profile.column_at(at.x);
-        let change = self.change(&a, &b, corner).ok_or(NoFeatures::NoCorner)?;
+        let change = self.change(&a, &b, self.profile.column_at(at.x)).ok_or(NoFeatures::NoCorner)?;
         // All points must lie on the two faces: shoulders would make it a groove.
         let (clear, last) = (Some(self.clear_of(&a.line, &b.line)), self.profile.columns() as i32 - 1);
         let (on_a, on_b) = (Columns { from: 0, to: change - 1 }, Columns { from: change, to: last });

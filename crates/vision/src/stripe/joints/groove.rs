@@ -162,8 +162,7 @@ impl View<'_> {
         let (from, to, grain) = (a.column.ceil() as i32, b.column.floor() as i32, self.grain());
         let far = (12.0 + b.column - a.column) * grain;
         self.scratch.clear();
-        let beside = walls.iter().flat_map(|w| self.profile.between(w.columns));
-        self.scratch.extend(beside.filter_map(|s| s.strength));
+        self.scratch.extend(walls.iter().flat_map(|w| self.profile.between(w.columns)).filter_map(|s| s.strength));
         let usual = median(self.scratch).unwrap_or(0.0);
         let bright = |s: &&Sample| s.strength.is_none_or(|v| v > LIT * usual) && s.at.distance(closed) < far;
         let on_wall = |s: &Sample| walls.iter().any(|w| w.line.off(s.at).abs() < ROUNDED * grain);

@@ -70,7 +70,6 @@ struct Edge {
 struct Support<'a> {
     /// Part of the points that lie on the joint's lines.
     share: f64,
-    /// The segments from which it is measured.
     segments: &'a [Segment],
     /// 0 to 1: distance from the limits of the joint type.
     margin: f64,
@@ -81,7 +80,6 @@ struct Support<'a> {
 }
 
 impl View<'_> {
-    /// Detects the joint of the task.
     pub(super) fn joint(&mut self) -> Result<Features, NoFeatures> {
         match self.task.joint {
             JointKind::Fillet => self.fillet(),
@@ -149,8 +147,7 @@ impl View<'_> {
             // As many columns may be missing as there are consecutive holes.
             coarse as f64 + (1.0 - usual.lit).min(0.5) / usual.lit.max(0.5)
         };
-        let beyond = self.strip.get(coarse..).unwrap_or_default();
-        let dark = beyond.iter().filter(|v| usual.is_dark(**v)).count() as f64;
+        let dark = self.strip.get(coarse..).unwrap_or_default().iter().filter(|v| usual.is_dark(**v)).count() as f64;
         let hidden = is_hidden(self.strip, usual, coarse.min(self.strip.len()));
         let column = f64::from(from) + (lit - 0.5) * if to >= from { 1.0 } else { -1.0 };
         Some(Edge { column, at: self.place(course, column)?, dark, least_gap: usual.least_gap(), hidden })
@@ -173,7 +170,6 @@ impl View<'_> {
         }
     }
 
-    /// Returns the position of a course in a column.
     fn place(&self, course: &Course, column: f64) -> Option<DVec2> {
         let y = self.profile.y_at(column);
         match &self.light {
@@ -241,8 +237,7 @@ impl View<'_> {
         // The face of a plate's end falls steeply from it.
         let face = |s: &Sample| -line.off(s.at) > STEEP * (s.at.x - edge.at.x).abs();
         let near = |s: &&Sample| line.off(s.at).abs() < s.covers + HIDING_ROWS * grain && !on(s) && !face(s);
-        let beyond = Columns { from: a.min(b), to: a.max(b) };
-        self.profile.all_between(beyond).iter().filter(near).count() >= 3
+        self.profile.all_between(Columns { from: a.min(b), to: a.max(b) }).iter().filter(near).count() >= 3
     }
 
     /// Returns the part of a segment's columns with a point on its line.
@@ -271,8 +266,7 @@ impl View<'_> {
     fn followed(&self, support: &Support) -> f64 {
         let rival = |s: &Segment| self.rivals(s.columns, support.segments);
         let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
-        let densities = support.segments.iter().map(|s| self.density(s));
-        let density = densities.fold(f64::INFINITY, f64::min);
+        let density = support.segments.iter().map(|s| self.density(s)).fold(f64::INFINITY, f64::min);
         ramp(support.share, 0.55, 0.85) * ramp(density, 0.3, 0.5) * ramp(rivals, 0.6, 0.35)
     }
 
@@ -329,6 +323,5 @@ fn between(a: &StripeLine, b: &StripeLine) -> DVec2 {
 
 /// Returns twice the area of a polygon, positive counter-clockwise.
 fn twice_area(corners: &[DVec2]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum()
+    corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b)).sum()
 }

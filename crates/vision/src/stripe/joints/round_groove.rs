@@ -130,8 +130,7 @@ impl View<'_> {
         };
         let radius = (left.arc.radius + right.arc.radius) / 2.0;
         let edges = [left.edge, right.edge];
-        let measured = Measured { roots, edges, gap, angle, radius, margin };
-        Ok(self.round_features(&groove, &[left, right], &measured))
+        Ok(self.round_features(&groove, &[left, right], &Measured { roots, edges, gap, angle, radius, margin }))
     }
 
     /// Returns the end of an arc on the way from column `shoulder` to column `to`.
@@ -179,8 +178,7 @@ impl View<'_> {
         let (radius, edge) = (side.arc.radius, side.edge);
         let (roots, edges) =
             if curved == 1 { ([foot, root], [upright, edge]) } else { ([root, foot], [edge, upright]) };
-        let measured = Measured { roots, edges, gap, angle, radius, margin };
-        Ok(self.round_features(&groove, &[side], &measured))
+        Ok(self.round_features(&groove, &[side], &Measured { roots, edges, gap, angle, radius, margin }))
     }
 
     fn round_features(&mut self, groove: &Groove, sides: &[Side], measured: &Measured) -> Features {
@@ -386,8 +384,7 @@ impl View<'_> {
         // are the ends of the shoulders.
         let beside = 2.0 * self.grain();
         let seen = move |t: f64| t > beside && t < length - beside;
-        let path = [first].into_iter().filter(|r| r.0 < 0.05 * length);
-        let path = path.chain(inside.filter(move |(t, _)| seen(*t)));
+        let path = [first].into_iter().filter(|r| r.0 < 0.05 * length).chain(inside.filter(move |(t, _)| seen(*t)));
         let path = path.chain([end].into_iter().filter(|r| r.0 > 0.95 * length)).chain([(length, 0.0)]);
         let (mut area, mut last) = (0.0, (0.0f64, 0.0f64));
         for (t, d) in path {

@@ -127,8 +127,7 @@ impl View<'_> {
     /// Does the same with buffers for the evidence of two lines.
     fn best_open_seam(&mut self, [on_main, on_second]: &mut [Vec<f64>; 2]) -> Option<Seam> {
         let lengths = self.lengths();
-        let longest = (0..lengths.len()).max_by(|a, b| lengths[*a].total_cmp(&lengths[*b]))?;
-        let main = self.segments[longest];
+        let main = self.segments[(0..lengths.len()).max_by(|a, b| lengths[*a].total_cmp(&lengths[*b]))?];
         let least = 1.5 * self.grain();
         let other = |s: &&Segment| {
             let off = s.ends.map(|e| main.line.off(e).abs());

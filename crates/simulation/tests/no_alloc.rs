@@ -1,15 +1,18 @@
-//! Allocation tests after the program is loaded: a whole weld with a hold and a resume, jogging from its first cycle
-//! on, and refused jogs.
+//! Allocation tests after the program is loaded: whole welds with a hold and a resume, not tracked and tracked by a
+//! leading sensor, by two with cross slides, and by a beam; jogging from its first cycle on, and refused jogs.
+
+mod common;
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
-use seamwright_executive::{Ask, Command, Cycle, Executive, Mode, Note, Port, Start, Work};
+use common::{Planned, SADDLE};
+use seamwright_executive::tracking::RESERVE;
+use seamwright_executive::{Ask, Command, Cycle, Devices, Executive, Guide, Mode, Note, Place, Port, Start, Work};
 use seamwright_machine::{Clamped, Joints, MAX_AXES, Machine, Surroundings, shipped};
-use seamwright_motion::WeldMotion;
 use seamwright_motion::feed_override::RunPhase;
 use seamwright_motion::jog;
-use seamwright_program::{Pass, TorchPath};
 use seamwright_simulation::devices::simulated_devices;
-use seamwright_weld::Welding;
+use seamwright_simulation::tracking::Distortion;
+use seamwright_simulation::{Conditions, SimulatedCell};
 
 #[global_allocator]
 static ALLOCATOR: AllocDisabler = AllocDisabler;
@@ -25,6 +28,7 @@ struct Operator {
     welded: bool,
     asked: bool,
     powered: bool,
+    corrected: f64,
 }
 
 impl Port for Operator {
@@ -54,31 +58,61 @@ impl Port for Operator {
         (self.mode, self.armed, self.phase, self.s) = (Some(cycle.mode), cycle.armed, cycle.phase, cycle.place.s_mm);
         self.asked = false;
         self.powered = cycle.reports.drives.powered;
+        let by = cycle.tracked.iter().flatten().map(|head| head.correction_mm[0].abs()).fold(0.0, f64::max);
+        self.corrected = self.corrected.max(by);
     }
 
     fn note(&mut self, _t: f64, _note: Note) {}
 }
 
-#[test]
-fn a_weld_costs_no_allocation() {
-    // A short weld: ten degrees of the example.
-    let job = include_str!("../../../examples/saddle.toml").replace("overlap_mm = 20", "end_phi_deg = 30");
-    let welding = Welding::read("job.toml", &job).unwrap();
-    let program = &welding.program.value;
-    let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
-    let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
-    let path = welding.path(0);
-    let passes: Vec<(&dyn TorchPath, &Pass)> = vec![(&path, &program.passes[0])];
-    let motion = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap();
-    let passes: Vec<&Pass> = program.passes.iter().collect();
-    let work = Work::new(&machine, None, &passes, &motion, Start::at_home(&motion)).unwrap();
-    let mut devices = simulated_devices(&machine, 1).unwrap();
+/// Welds `planned` and returns the largest lateral correction, mm.
+fn weld<'a>(
+    planned: &'a Planned,
+    work: &Work<'_>,
+    devices: &mut dyn Devices,
+    guide: Option<&'a mut (dyn Guide + 'a)>,
+) -> f64 {
     let mut operator = Operator::default();
-    let mut executive = Executive::new(&machine, &mut devices, &mut operator);
-    assert_no_alloc(|| executive.serve(Some(&work)));
+    let mut devices = devices;
+    let mut executive = Executive::new(&planned.machine, &mut devices, &mut operator).with_guide(guide);
+    assert_no_alloc(|| executive.serve(Some(work)));
     assert_eq!(violation_count(), 0);
     assert!(executive.left().is_none());
+    drop(executive);
     assert!(operator.welded && operator.held);
+    operator.corrected
+}
+
+fn short_saddle() -> String {
+    SADDLE.replace("overlap_mm = 20", "end_phi_deg = 30")
+}
+
+#[test]
+fn a_weld_costs_no_allocation() {
+    let planned = Planned::new(&short_saddle());
+    let mut devices = simulated_devices(&planned.machine, 1).unwrap();
+    weld(&planned, &planned.work(Start::at_home(&planned.motion)), &mut devices, None);
+}
+
+#[test]
+fn tracked_welds_cost_no_allocation() {
+    let shift = "schema = 1\n[[displacement]]\nshift = { lateral_mm = 0.6 }\n";
+    let distortion = Distortion::read("d.toml", shift).unwrap();
+    let half_ring = include_str!("../../../examples/half-ring.toml");
+    let t_joint = include_str!("../../../examples/t-joint.toml");
+    for job in [&short_saddle(), half_ring, t_joint] {
+        let planned = Planned::with_reserve(job, RESERVE);
+        let (path, pass) = (planned.welding.path(0), &planned.welding.program.value.passes[0]);
+        let around = Surroundings::new(&planned.machine, &Clamped::default()).unwrap();
+        let (distortion, around) = (Some(&distortion), Some(&around));
+        let conditions = Conditions { seed: 1, distortion, tracking: true, around, ..Conditions::default() };
+        let cell = SimulatedCell::new(&planned.machine, vec![(&path, pass)], &planned.motion, conditions);
+        let work = cell.work(Start::at_home(&planned.motion)).unwrap();
+        let (mut devices, mut tracking) = (cell.devices().unwrap(), cell.tracking(Place::default()).unwrap());
+        let guide = tracking.as_mut().map(|tracking| tracking as _);
+        let corrected = weld(&planned, &work, &mut devices, guide);
+        assert!(corrected > 0.3, "{corrected}");
+    }
 }
 
 /// Jogs by speeds, by steps, along the tip and to a position; sends invalid requests, restarts, and jogs again.
