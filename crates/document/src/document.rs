@@ -222,7 +222,6 @@ fn stem(key: &str) -> (&str, &str) {
     UNITS.iter().find_map(|u| key.strip_suffix(u).map(|s| (s, *u))).unwrap_or((key, ""))
 }
 
-/// The known name that was probably meant.
 fn suggestion(name: &str, known: &[&str]) -> Option<Message> {
     if let Some(same) = known.iter().find(|k| stem(k).0 == stem(name).0 && !stem(k).1.is_empty()) {
         let unit = stem(same).1.trim_start_matches('_').replacen('_', "/", 1);
