@@ -198,7 +198,6 @@ fn files_in(folder: &Path) -> Result<Vec<WeldFile>, Error> {
     Ok(files)
 }
 
-/// Hash of a text that the library keeps.
 pub(crate) fn hash_of(text: &str) -> String {
     sha256(text.as_bytes())
 }

@@ -226,7 +226,6 @@ fn temporary(folder: &Path, mode: u32) -> io::Result<NamedTempFile> {
     builder.prefix(".seamwright-").tempfile_in(folder)
 }
 
-/// The folder that `path` is in.
 fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

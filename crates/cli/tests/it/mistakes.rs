@@ -15,7 +15,6 @@ fn run_on(verb: &str, text: &str) -> (i32, String, bool) {
     (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap(), Path::new(&out).exists())
 }
 
-/// Plans the example saddle with changes.
 fn plan(changes: &[(&str, &str)]) -> (i32, String, bool) {
     plan_changed(fs::read_to_string(example("saddle")).unwrap(), changes)
 }

@@ -213,7 +213,6 @@ fn passes_start_again_with_the_arc_off() {
     }
 }
 
-/// A rest in which an output changes is read and written again.
 #[test]
 fn rests_with_values_come_back() {
     let source = "G0 X0 Y0 Z400 A0 C0\n$A_OUTA[1]=180\n$A_OUT[1]=1\nG4 F0.3\nG1 X20 F600\n$A_OUT[1]=0\nM30\n";

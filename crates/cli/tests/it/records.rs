@@ -94,7 +94,6 @@ fn what_was_changed_is_found() {
     assert!(found["problems"][0].as_str().unwrap().contains("trace.parquet"), "{found}");
 }
 
-/// A simulation that is killed leaves a weld that can be recovered.
 #[test]
 fn a_killed_simulation_is_recovered() {
     let folder = tempfile::tempdir().unwrap();
@@ -174,7 +173,6 @@ fn bad_input() {
     assert_eq!(output.status.code(), Some(3));
 }
 
-/// The usual folder is that of the environment.
 #[test]
 fn the_usual_folder() {
     let (folder, data) = recorded();

@@ -4,7 +4,6 @@
 use crate::common::{column, example, good, run, table};
 use std::fs;
 
-/// The job for a seam on the machine with two axes.
 fn job(seam: &str, corner: &str) -> String {
     format!("schema = 1\ntitle = \"t\"\nmachine = \"ellipse-xy\"\n{seam}\n[weld]\nspeed_mm_s = 5\ncorner = {corner}\n")
 }

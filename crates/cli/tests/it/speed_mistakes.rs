@@ -24,7 +24,6 @@ fn changed(name: &str, machine: &str, job: &[(&str, &str)], limits: &[(&str, &st
     (folder, path)
 }
 
-/// Findings of a kind.
 fn findings_of(kind: &str, job: &str) -> (i32, Vec<Value>) {
     let output = run(&["check", job, "--json"]);
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();

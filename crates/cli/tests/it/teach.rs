@@ -15,14 +15,12 @@ fn report(program: &str) -> String {
     std::fs::read_to_string(PathBuf::from(program).with_extension("report.json")).unwrap()
 }
 
-/// A number of the report by its key.
 fn number(report: &str, key: &str) -> f64 {
     let at = report.find(&format!("\"{key}\": ")).unwrap_or_else(|| panic!("no {key}")) + key.len() + 4;
     let end = report[at..].find([',', '\n']).unwrap();
     report[at..at + end].trim().parse().unwrap_or_else(|_| panic!("{key}: {}", &report[at..at + end]))
 }
 
-/// A short open joint on the EBW machine.
 fn short(folder: &Path) -> String {
     let job = path(folder, "short.toml");
     let text = "schema = 1\ntitle = \"short\"\nmachine = \"ebw-7axis\"\n[placement]\nmove_mm = [0, 0, 60]\n[seam.spline]\n\

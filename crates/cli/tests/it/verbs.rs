@@ -219,7 +219,6 @@ fn a_search_ends_when_its_time_is_over() {
     }
 }
 
-/// The exit code is the answer, even without a reader.
 #[test]
 fn several_jobs_keep_their_exit_code_without_a_reader() {
     for json in [&[][..], &["--json"]] {

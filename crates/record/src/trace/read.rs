@@ -94,7 +94,6 @@ impl Trace {
     }
 }
 
-/// A column of a row group.
 fn column(group: &dyn RowGroupReader, place: usize, kind: Kind) -> Result<Vec<f64>, ParquetError> {
     let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
     Ok(match group.get_column_reader(place)? {

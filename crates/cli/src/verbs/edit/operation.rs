@@ -80,7 +80,6 @@ fn word<T: DeserializeOwned>(name: &str) -> Result<T, Failure> {
     serde_json::from_value(Value::String(name.to_owned())).map_err(|e| Failure::input(serde_text(&e.to_string())))
 }
 
-/// A JSON file.
 pub(super) fn json<T: DeserializeOwned>(path: &Path) -> Result<T, Failure> {
     let text = files::read(path)?;
     serde_json::from_str(&text).map_err(|e| {
