@@ -36,7 +36,6 @@ struct Shelved {
     ends: Instant,
 }
 
-/// Returns number and detail of a shown alarm.
 fn key(view: &AlarmView) -> (u8, u8) {
     (view.number, view.detail)
 }
@@ -175,7 +174,6 @@ impl Mirror {
     }
 }
 
-/// Returns the title of a shown alarm.
 fn title(view: &AlarmView) -> Message {
     let known = Alarm::ALL.into_iter().find(|alarm| alarm.number() == usize::from(view.number));
     known.map_or_else(|| Message::verbatim(&*view.name), |alarm| alarm.entry().title)

@@ -72,7 +72,6 @@ struct Holder {
     jogs_until: Instant,
 }
 
-/// Holder of the control token.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Control {
     pub(crate) station: u32,
@@ -135,7 +134,6 @@ impl Hub {
         Some((station, from, self.status.subscribe()))
     }
 
-    /// Number of clients.
     #[cfg(test)]
     pub(crate) fn clients(&self) -> usize {
         self.lock().clients.len()
@@ -159,7 +157,6 @@ impl Hub {
         self.status.send_replace(Some(message));
     }
 
-    /// Newest status.
     pub(crate) fn latest(&self) -> Option<Status> {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(|(status, _)| status.clone())
     }
@@ -181,7 +178,6 @@ impl Hub {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Sends an event to all clients.
     pub(crate) fn event(&self, t: f64, happened: Happening) {
         let mut told = self.lock();
         told.numbers += 1;
@@ -200,14 +196,12 @@ impl Hub {
         told.all(&message);
     }
 
-    /// Publishes the commands without effect.
     pub(super) fn refuses(&self, refused: Vec<RefusedView>) {
         let mut told = self.lock();
         told.refused.clone_from(&refused);
         told.all(&FromCell::Commands { refused });
     }
 
-    /// Publishes the state of teaching by camera.
     pub(crate) fn teaches(&self, view: TeachView) {
         let mut told = self.lock();
         if told.teach != view {
@@ -223,7 +217,6 @@ impl Hub {
         told.everybody(&message);
     }
 
-    /// Machine of the cell.
     pub(crate) fn machine(&self) -> Option<Arc<Machine>> {
         self.lock().machine.clone()
     }
@@ -253,7 +246,6 @@ impl Hub {
         self.lock().around.clone()
     }
 
-    /// Sets the smallest distance for later statuses.
     pub(super) fn set_near(&self, near: Option<NearView>) {
         *self.near.lock().unwrap_or_else(PoisonError::into_inner) = near;
     }
@@ -262,17 +254,14 @@ impl Hub {
         self.lock().work.clone()
     }
 
-    /// Sends a message to one client.
     pub(crate) fn tell(&self, station: u32, message: &FromCell) {
         self.lock().one(station, text(message));
     }
 
-    /// Name of the user at a station.
     pub(crate) fn user(&self, station: u32) -> Option<String> {
         self.lock().clients.get(&station).map(|c| c.user.clone())
     }
 
-    /// Name of the holder of the control token.
     pub(crate) fn holder(&self) -> Option<String> {
         let told = self.lock();
         told.control.as_ref().and_then(|h| told.clients.get(&h.station)).map(|c| c.user.clone())
@@ -288,7 +277,6 @@ impl Hub {
         (!is_own).then_some(by)
     }
 
-    /// Records a heartbeat.
     pub(crate) fn beat(&self, station: u32) {
         if let Some(holder) = self.lock().control.as_mut().filter(|h| h.station == station) {
             holder.beat = Instant::now();
@@ -324,7 +312,6 @@ impl Hub {
         Ok(())
     }
 
-    /// Takes the token back from `station`, if it has it.
     pub(crate) fn give_control(&self, station: u32) {
         let mut told = self.lock();
         if told.control.as_ref().is_some_and(|h| h.station == station) {
@@ -422,7 +409,6 @@ mod tests {
         assert!(hub.connect("one more", Role::Operator).is_some());
     }
 
-    /// Messages to a client that does not read are bounded.
     #[test]
     fn clients_that_do_not_listen_go() {
         let hub = Hub::new();

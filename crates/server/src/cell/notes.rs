@@ -160,7 +160,6 @@ impl Desk {
         self.refuse(command, self.names.lack(missing));
     }
 
-    /// Reports a refused command to clients and audit log.
     pub(super) fn refuse(&self, command: Command, why: Lack) {
         let station = command.origin.station;
         let user = self.hub.user(station);

@@ -65,7 +65,6 @@ impl Recorder {
         Self { folder: folder.to_owned(), hub, archive, open: None, places: None, closing: Vec::new() }
     }
 
-    /// Data folder of the records.
     pub(super) fn folder(&self) -> &Path {
         &self.folder
     }
@@ -76,9 +75,6 @@ impl Recorder {
     }
 
     /// Starts the record of a weld with `passes` passes by `welder`; `missing`: real-time rights that the cycle lacks.
-    ///
-    /// # Errors
-    /// If it cannot be recorded.
     pub(super) fn begin(&mut self, plan: &Plan, passes: usize, welder: &str, missing: &[&str]) -> Result<(), Error> {
         self.end();
         let mut data = DataFolder::open(&self.folder)?;
@@ -221,7 +217,6 @@ impl Recorder {
     }
 }
 
-/// Converts an alarm for the library.
 fn alarm(t: f64, raised: &Raised, name: &Message) -> Alarm {
     let in_pass = raised.place.pass > 0;
     Alarm {

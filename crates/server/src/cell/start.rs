@@ -24,7 +24,6 @@ use std::thread::JoinHandle;
 /// Capacity of the queues of programs to and from the cycle.
 const PROGRAMS: usize = 4;
 
-/// A running cell.
 pub(crate) struct Cell {
     pub(crate) hub: Arc<Hub>,
     pub(crate) archive: Archive,

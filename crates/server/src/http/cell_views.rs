@@ -11,7 +11,7 @@ use serde::Deserialize;
 use std::sync::Arc;
 
 pub(super) async fn machine(State(panel): State<Arc<Panel>>) -> Answer<MachineView> {
-    let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))?;
+    let machine = panel.machine()?;
     Ok(Json(machine_view(&machine)))
 }
 
@@ -39,7 +39,7 @@ pub(super) async fn machine_of_job(
 
 pub(super) async fn devices(State(panel): State<Arc<Panel>>) -> Answer<Vec<DeviceView>> {
     let hub = &panel.cell.hub;
-    let machine = hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))?;
+    let machine = panel.machine()?;
     let (status, work) = (hub.latest(), hub.work());
     let values = work.as_ref().map_or(&[][..], |work| &work.values);
     let connection = hub.connection().ok_or_else(|| Refused::server(Message::new("server-no-devices")))?;

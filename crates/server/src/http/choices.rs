@@ -12,8 +12,7 @@ use seamwright_project::files;
 use std::sync::Arc;
 
 pub(super) async fn choices(State(panel): State<Arc<Panel>>) -> Answer<ChoicesView> {
-    let asked = Arc::clone(&panel);
-    let look = move || {
+    let look = move |asked: &Arc<Panel>| {
         let shipped = |name: &str, text: &str| (name.to_owned(), title(text));
         let machine = |(name, title), own| Choice { name, title, own, text: None };
         let mut machines: Vec<Choice> = SHIPPED.iter().map(|s| machine(shipped(s.name, s.text), false)).collect();
@@ -33,5 +32,5 @@ pub(super) async fn choices(State(panel): State<Arc<Panel>>) -> Answer<ChoicesVi
         }
         Ok(ChoicesView { machines, procedures })
     };
-    panel.reading.run(look).await.map(Json)
+    panel.run(|panel| &panel.reading, look).await.map(Json)
 }

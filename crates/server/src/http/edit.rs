@@ -46,7 +46,7 @@ fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
 
 pub(super) async fn form(State(panel): State<Arc<Panel>>, Json(asked): Json<FormText>) -> Answer<FormAnswer> {
     if asked.changes.len() > MAX_CHANGES {
-        return Err(Refused::input(Message::new("server-too-many-operations").count("max", MAX_CHANGES)));
+        return Err(Message::new("server-too-many-operations").count("max", MAX_CHANGES).into());
     }
     let answer = move || form::answer(asked).map_err(|e| Refused::input(document_message(&e)));
     panel.reading.run(answer).await.map(Json)

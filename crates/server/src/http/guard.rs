@@ -18,7 +18,6 @@ pub(super) const COOKIE: &str = "seamwright";
 /// The same for encrypted connections: browsers accept such a name only from this host and encrypted.
 const COOKIE_TLS: &str = "__Host-seamwright";
 
-/// Returns the name of the session cookie.
 pub(super) fn cookie_name(tls: bool) -> &'static str {
     if tls { COOKIE_TLS } else { COOKIE }
 }
@@ -28,7 +27,6 @@ pub(super) fn device_name(tls: bool) -> &'static str {
     if tls { "__Host-seamwright-device" } else { "seamwright-device" }
 }
 
-/// Requirements of a route.
 #[derive(Clone)]
 pub(super) struct Need {
     pub(super) panel: Arc<Panel>,
@@ -148,12 +146,10 @@ fn text<'a>(headers: &'a HeaderMap, name: &str) -> Option<&'a str> {
     headers.get(name).and_then(|value| value.to_str().ok())
 }
 
-/// Returns the value of the session cookie.
 pub(crate) fn cookie(headers: &HeaderMap, tls: bool) -> Option<&str> {
     named_cookie(headers, cookie_name(tls))
 }
 
-/// Returns the value of the cookie of this name.
 pub(super) fn named_cookie<'a>(headers: &'a HeaderMap, wanted: &str) -> Option<&'a str> {
     let all = headers.get_all(header::COOKIE).into_iter().filter_map(|v| v.to_str().ok());
     let pairs = all.flat_map(|v| v.split(';')).filter_map(|pair| pair.trim().split_once('='));

@@ -79,8 +79,7 @@ pub(super) fn kind(head: &str) -> Kind {
 }
 
 pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>> {
-    let asked = Arc::clone(&panel);
-    let list = move || {
+    let list = move |asked: &Arc<Panel>| {
         let row = |name: String| match head(&asked.jobs().join(&name)) {
             Ok(head) => (kind(&head) == Kind::Job).then(|| JobRow { name, title: title(&head), example: false }),
             Err(e) => Some(JobRow { name, title: e.to_string(), example: false }),
@@ -94,7 +93,7 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>>
         }
         Ok(rows)
     };
-    panel.reading.run(list).await.map(Json)
+    panel.run(|panel| &panel.reading, list).await.map(Json)
 }
 
 pub(super) async fn distortions() -> Json<Vec<DistortionRow>> {
@@ -103,8 +102,7 @@ pub(super) async fn distortions() -> Json<Vec<DistortionRow>> {
 }
 
 pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(name): Path<String>) -> Answer<JobText> {
-    let asked = Arc::clone(&panel);
-    panel.reading.run(move || Ok(JobText { text: text(&asked, &name)? })).await.map(Json)
+    panel.run(|panel| &panel.reading, move |asked| Ok(JobText { text: text(&asked, &name)? })).await.map(Json)
 }
 
 pub(super) async fn put(
@@ -113,14 +111,13 @@ pub(super) async fn put(
     Path(name): Path<String>,
     Json(job): Json<JobKept>,
 ) -> Answer<JobRow> {
-    let on = Arc::clone(&panel);
-    panel.saving.run(move || keep(&on, &session, &name, &job)).await.map(Json)
+    panel.run(|panel| &panel.saving, move |on| keep(&on, &session, &name, &job)).await.map(Json)
 }
 
 fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<JobRow, Refused> {
     let name = checked(name)?;
     if example(name).is_some() {
-        return Err(Refused::input(Message::new("server-template-name").text("job", name)));
+        return Err(Message::new("server-template-name").text("job", name).into());
     }
     // A job may be incomplete; an invalid procedure would invalidate every job that names it.
     if kind(&job.text) == Kind::Procedure {
@@ -132,14 +129,13 @@ fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<J
         return Err(Refused::new(StatusCode::CONFLICT, "other", Message::new("server-other-text").text("job", name)));
     }
     if !path.is_file() && own(panel)?.len() >= MAX_JOBS {
-        return Err(Refused::input(Message::new("server-too-many-jobs").count("max", MAX_JOBS)));
+        return Err(Message::new("server-too-many-jobs").count("max", MAX_JOBS).into());
     }
     files::write(&path, &job.text)?;
     let hash = |text: &str| seamwright_record::sha256(text.as_bytes());
     let (old, new) = (hash(&old), hash(&job.text));
-    panel.cell.archive.audit(
+    panel.audit(
         &session.user,
-        Message::new("server-audit-panel"),
         Message::new("server-audit-save-job").text("job", name),
         Change { old: &old, new: &new },
         Message::new("server-audit-saved"),
@@ -152,8 +148,7 @@ pub(super) async fn delete(
     Extension(session): Extension<Session>,
     Path(name): Path<String>,
 ) -> Result<StatusCode, Refused> {
-    let on = Arc::clone(&panel);
-    panel.saving.run(move || remove(&on, &session, &name)).await?;
+    panel.run(|panel| &panel.saving, move |on| remove(&on, &session, &name)).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 
@@ -167,9 +162,8 @@ fn remove(panel: &Panel, session: &Session, name: &str) -> Result<(), Refused> {
     std::fs::remove_file(&path).map_err(|e| {
         Refused::server(Message::new("server-job-not-deleted").text("job", name).text("why", e.to_string()))
     })?;
-    panel.cell.archive.audit(
+    panel.audit(
         &session.user,
-        Message::new("server-audit-panel"),
         Message::new("server-audit-delete-job").text("job", name),
         Change { old: &old, new: "" },
         Message::new("server-audit-deleted"),

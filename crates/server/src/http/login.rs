@@ -37,7 +37,6 @@ pub(super) fn address(from: &From) -> IpAddr {
 /// Minimum time of the answer to a wrong password: it does not reveal which users exist.
 const ANSWER: Duration = Duration::from_millis(300);
 
-/// Returns the wait after wrong passwords as a refusal.
 fn slowed(wait: Duration) -> Refused {
     let message = Message::new("server-wrong-passwords").quantity("wait", wait.as_secs_f64().ceil(), Unit::S, 0);
     Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", message)
@@ -105,11 +104,7 @@ pub(super) async fn login(
         return Err(Refused::new(StatusCode::FORBIDDEN, "token", message));
     }
     if login.user.len() > MAX_LOGIN_BYTES || login.password.len() > MAX_LOGIN_BYTES {
-        return Err(Refused::input(Message::new("server-login-too-long").value(
-            "max",
-            MAX_LOGIN_BYTES as f64,
-            Unit::Byte,
-        )));
+        return Err(Message::new("server-login-too-long").value("max", MAX_LOGIN_BYTES as f64, Unit::Byte).into());
     }
     let name = if login.user.is_empty() { OWNER.to_owned() } else { login.user };
     let right = checked(&panel, &from, &headers, &name, login.password).await?;
@@ -186,9 +181,8 @@ pub(super) async fn logout(
     if let Some(cookie) = cookie(&headers, panel.tls) {
         panel.sessions.end(cookie);
     }
-    panel.cell.archive.audit(
+    panel.audit(
         &session.user,
-        Message::new("server-audit-panel"),
         Message::new("server-audit-log-out"),
         Change::default(),
         Message::new("server-audit-logged-out"),

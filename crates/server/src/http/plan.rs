@@ -45,7 +45,6 @@ impl<S: Send + Sync> FromRequestParts<S> for Page {
     }
 }
 
-/// Asks the planner a question.
 async fn answered(panel: &Panel, page: Page, question: Question) -> Result<Response, Refused> {
     let json = panel.planner.ask(page, question, panel.jobs()).await?;
     Ok(([(header::CONTENT_TYPE, JSON)], json).into_response())
@@ -60,7 +59,6 @@ pub(super) async fn plan(
     answered(&panel, page, question).await
 }
 
-/// Describes a text at once, without a plan.
 pub(super) async fn draft(
     State(panel): State<Arc<Panel>>,
     page: Page,
@@ -77,7 +75,6 @@ pub(super) async fn place(
     answered(&panel, page, Question::Place { asked }).await
 }
 
-/// Lists questions of a page that are being answered.
 pub(super) async fn planning(State(panel): State<Arc<Panel>>, page: Page) -> Json<Vec<PlanningView>> {
     let asked = panel.planner.asked(&page);
     let view =
@@ -85,7 +82,6 @@ pub(super) async fn planning(State(panel): State<Arc<Panel>>, page: Page) -> Jso
     Json(asked.into_iter().map(view).collect())
 }
 
-/// Cancels all questions of a page.
 pub(super) async fn cancel(State(panel): State<Arc<Panel>>, page: Page) -> StatusCode {
     panel.planner.cancel(&page);
     StatusCode::NO_CONTENT
@@ -99,7 +95,7 @@ fn part(number: &str) -> Result<(), Refused> {
     if number.chars().count() <= MAX_PART_CHARS && !number.chars().any(crate::cell::hides) {
         return Ok(());
     }
-    Err(Refused::input(Message::new("server-part-number").count("max", MAX_PART_CHARS)))
+    Err(Message::new("server-part-number").count("max", MAX_PART_CHARS).into())
 }
 
 pub(super) async fn load(State(panel): State<Arc<Panel>>, page: Page, Json(load): Json<Load>) -> Answer<WorkView> {
@@ -113,7 +109,7 @@ pub(super) async fn load(State(panel): State<Arc<Panel>>, page: Page, Json(load)
     };
     let loaded = |_: &_| Message::new("server-audit-loaded");
     let said = result.as_ref().map_or_else(|refused| refused.message.clone(), loaded);
-    panel.cell.archive.audit(&user, Message::new("server-audit-panel"), what, Change { old: "", new: &job }, said);
+    panel.audit(&user, what, Change { old: "", new: &job }, said);
     result.map(|view| Json((*view).clone()))
 }
 
@@ -182,7 +178,7 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
     let (own, folder) = panel.cell.devices.clone();
     let its = &loading.prepared.machine().devices;
     if !its.is_empty() && *its != own {
-        return Err(Refused::input(Message::new("server-other-devices")));
+        return Err(Message::new("server-other-devices").into());
     }
     if let Some(now) = now.filter(Connection::is_real) {
         let prepared = Box::new(Prepared::bare(loading.prepared.machine()).map_err(Refused::input)?);
@@ -206,7 +202,6 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
     .await
 }
 
-/// Loads a job at the start of the panel.
 pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), Message> {
     let load = Load { job: job.to_owned(), from: None, overlap_mm: None, part: None, distortion: None };
     put_in(panel, load, Page::default()).await.map(drop).map_err(|refused| refused.message)
@@ -246,7 +241,7 @@ pub(super) struct OfAxis {
 
 pub(super) async fn tuning(State(panel): State<Arc<Panel>>, Query(of): Query<OfAxis>) -> Answer<TuningView> {
     let answer = alone(&panel, move |panel| {
-        let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))?;
+        let machine = panel.machine()?;
         let axis = machine.axes.iter().find(|axis| axis.name == of.axis).ok_or_else(|| {
             let names: Vec<&str> = machine.axes.iter().map(|axis| axis.name.as_str()).collect();
             Refused::not_found(Message::new("server-no-axis").text("axis", &of.axis).text("allowed", names.join(", ")))

@@ -29,7 +29,6 @@ const MAX_VALUES: usize = 400_000;
 /// Maximum number of welds listed, the newest.
 const MAX_WELDS: u32 = 5000;
 
-/// Filter of welds.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Asked {
@@ -183,22 +182,25 @@ pub(super) async fn trace(
     let columns: Vec<String> = wanted.columns.split(',').map(|c| c.trim().to_owned()).collect();
     if columns.len() > MAX_COLUMNS || columns.len() * most > MAX_VALUES {
         let message = Message::new("server-too-many-values").count("columns", columns.len()).count("rows", most);
-        return Err(Refused::input(message.count("max-columns", MAX_COLUMNS).count("max-values", MAX_VALUES)));
+        return Err(message.count("max-columns", MAX_COLUMNS).count("max-values", MAX_VALUES).into());
     }
     let least = Outline::least(columns.len());
     if !(least..=MAX_ROWS).contains(&most) {
-        return Err(Refused::input(
-            Message::new("server-row-count").count("value", most).count("min", least).count("max", MAX_ROWS),
-        ));
+        return Err(Message::new("server-row-count")
+            .count("value", most)
+            .count("min", least)
+            .count("max", MAX_ROWS)
+            .into());
     }
     reads(&panel, move |data| {
         let traces = traces(data, id)?;
         let known = traces.first().map_or(&[][..], Trace::columns);
         if let Some(unknown) = columns.iter().find(|c| known.iter().all(|k| k.name != **c)) {
             let names: Vec<&str> = known.iter().map(|c| c.name.as_str()).collect();
-            return Err(Refused::input(
-                Message::new("server-no-column").text("column", unknown).text("allowed", names.join(", ")),
-            ));
+            return Err(Message::new("server-no-column")
+                .text("column", unknown)
+                .text("allowed", names.join(", "))
+                .into());
         }
         let names: Vec<&str> = columns.iter().map(String::as_str).collect();
         let rows: u64 = traces.iter().map(Trace::rows).sum();
@@ -273,9 +275,8 @@ pub(super) async fn backup(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
 ) -> Result<Response, Refused> {
-    panel.cell.archive.audit(
+    panel.audit(
         &session.user,
-        Message::new("server-audit-panel"),
         Message::new("server-audit-backup"),
         Change::default(),
         Message::new("server-audit-begun"),

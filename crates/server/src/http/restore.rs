@@ -80,13 +80,7 @@ pub(super) async fn take(
     });
     let ((), checked) = tokio::join!(feed(body, to), checked);
     let said = checked.as_ref().map_or_else(|e| e.message.clone(), |_| Message::new("server-audit-checked"));
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-check-archive"),
-        Change::default(),
-        said,
-    );
+    panel.audit(&session.user, Message::new("server-audit-check-archive"), Change::default(), said);
     checked.map(Json)
 }
 
@@ -128,7 +122,7 @@ fn keep(upload: &Path, mut from: Receiver<Piece>, most: u64) -> Result<(), Refus
                 file.write_all(&piece).map_err(failed)?;
             }
             Some(None) => return Ok(()),
-            None => return Err(Refused::input(Message::new("server-archive-broke-off"))),
+            None => return Err(Message::new("server-archive-broke-off").into()),
         }
     }
 }
@@ -180,9 +174,8 @@ pub(super) async fn begin(
     let Some(turn) = panel.backing_up.now() else {
         return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "busy", Message::new("server-backup-runs")));
     };
-    panel.cell.archive.audit(
+    panel.audit(
         &session.user,
-        Message::new("server-audit-panel"),
         Message::new("server-audit-restore"),
         Change::default(),
         Message::new("server-audit-begun"),

@@ -106,7 +106,6 @@ async fn tell(
     }
 }
 
-/// Waits until the session is over.
 async fn over(panel: &Panel, session: &Session) {
     let mut check = tokio::time::interval(CHECK);
     while panel.stands(session, false) {

@@ -26,18 +26,15 @@ pub(super) async fn position(State(panel): State<Arc<Panel>>) -> Answer<Standing
     Ok(Json(StandingView { axes: status.axes.iter().map(|axis| axis.position).collect(), tip: status.tip }))
 }
 
-/// Returns the points taught so far.
 pub(super) async fn taught(State(panel): State<Arc<Panel>>) -> Answer<TaughtView> {
     Ok(Json(panel.teaching.taught()))
 }
 
-/// Returns the newest picture of the camera.
 pub(super) async fn picture(State(panel): State<Arc<Panel>>) -> Result<Response, Refused> {
     let png = panel.teaching.picture().ok_or_else(|| Refused::not_found(Message::new("server-no-image")))?;
     Ok(([(header::CONTENT_TYPE, "image/png")], png.to_vec()).into_response())
 }
 
-/// Returns a program of the taught points; stores nothing.
 pub(super) async fn made(State(panel): State<Arc<Panel>>, Json(asked): Json<TeachProgram>) -> Answer<TaughtProgram> {
     alone(&panel, move |panel| Ok(program(&panel.teaching, &asked)?)).await.map(Json)
 }

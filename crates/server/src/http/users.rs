@@ -62,9 +62,8 @@ pub(super) async fn put(
     panel.devices.forget(&name);
     super::login::keep_devices(&panel);
     let new = format!("{:?}{}", row.role, if row.enabled { "" } else { ", disabled" });
-    panel.cell.archive.audit(
+    panel.audit(
         &session.user,
-        Message::new("server-audit-panel"),
         Message::new("server-audit-change-user").text("user", &name),
         Change { old: &old, new: &new },
         Message::new("server-audit-changed"),
@@ -88,9 +87,8 @@ pub(super) async fn delete(
     panel.sessions.end_all_of(&name);
     panel.devices.forget(&name);
     super::login::keep_devices(&panel);
-    panel.cell.archive.audit(
+    panel.audit(
         &session.user,
-        Message::new("server-audit-panel"),
         Message::new("server-audit-delete-user").text("user", &name),
         Change::default(),
         Message::new("server-audit-deleted"),

@@ -53,7 +53,6 @@ fn device_view(
     }
 }
 
-/// Returns the simulated signals: inputs, process source.
 pub(crate) fn simulated_view(machine: &Machine, values: &[String], status: Option<&Status>) -> DeviceView {
     let has = |wanted: fn(&Role) -> bool| {
         machine.devices.modbus.iter().flat_map(|d| &d.registers).any(|register| wanted(&register.role))

@@ -162,7 +162,6 @@ fn asked_view(pass: &Pass, path: &dyn TorchPath, values: &[String]) -> PassView 
     named_view(pass, (0..=SAMPLES).map(sample).collect())
 }
 
-/// Returns the view of a pass with its path.
 fn named_view(pass: &Pass, path: Vec<PathPoint>) -> PassView {
     let ends = path.first().zip(path.last()).map(|(a, b)| [a.tip, b.tip].map(glam::DVec3::from_array));
     PassView {
@@ -182,7 +181,6 @@ fn named_view(pass: &Pass, path: Vec<PathPoint>) -> PassView {
     }
 }
 
-/// Returns the requested process values at path length `s`.
 fn process(pass: &Pass, values: &[String], s: f64) -> Vec<Option<f64>> {
     let asked = values.iter().map(|name| pass.process_at(name, s, ArcTime::TRAVEL));
     asked.map(|v| v.filter(|v| v.is_finite())).collect()
