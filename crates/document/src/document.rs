@@ -89,11 +89,9 @@ fn build(file: &str, text: &str, span: &Range<usize>, key: String) -> DocumentEr
         column,
         value: if quotable && !key.ends_with(value) { value.to_owned() } else { String::new() },
         key,
-        message: Message::verbatim(""),
-        allowed: None,
-        help: None,
         source_line,
         marked,
+        ..DocumentError::default()
     }
 }
 

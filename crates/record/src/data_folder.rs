@@ -165,12 +165,8 @@ impl DataFolder {
         match free_bytes(&self.path)? {
             Some(free) if free < wanted => {
                 let mib = |bytes: u64| (bytes >> 20) as f64;
-                let why = Message::new("record-no-room").quantity("free", mib(free), Unit::MiB, 0).quantity(
-                    "needed",
-                    mib(wanted),
-                    Unit::MiB,
-                    0,
-                );
+                let why = Message::new("record-no-room").quantity("free", mib(free), Unit::MiB, 0);
+                let why = why.quantity("needed", mib(wanted), Unit::MiB, 0);
                 Err(Error::Full { path: self.path.clone(), why })
             }
             _ => Ok(()),

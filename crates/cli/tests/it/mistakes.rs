@@ -127,9 +127,7 @@ fn mistakes_in_the_machine_file_are_its_own() {
     let machine = fs::read_to_string(common::root().join("machines/saddle-4axis.toml")).unwrap();
     fs::write(folder.path().join("mine.toml"), machine.replacen("max_speed_deg_s = 30", "max_speed_deg_s = -30", 1))
         .unwrap();
-    let output = run(&["check", &folder.path().join("job.toml").display().to_string()]);
-    let text = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2));
+    let text = bad(2, &["check", &folder.path().join("job.toml").display().to_string()]);
     assert!(text.contains("mine.toml:") && text.contains("tool[0].max_speed_deg_s = -30"), "{text}");
 }
 
@@ -275,6 +273,5 @@ fn distorted_parts() {
     assert!(code == 1 && told.contains("deviates"), "{code} {told}");
     let (code, told) = simulate("t-joint", misplaced, &["--no-tracking", "--json", "--seed", "x"]);
     assert!(code == 2 && told.contains("seed"), "{code} {told}");
-    let missing = run(&["simulate", &example("saddle"), "-o", &out, "--distortion", "no-such.toml"]);
-    assert_eq!(missing.status.code(), Some(2));
+    bad(2, &["simulate", &example("saddle"), "-o", &out, "--distortion", "no-such.toml"]);
 }

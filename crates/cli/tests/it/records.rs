@@ -169,8 +169,7 @@ fn bad_input() {
     };
     written(&["--data", &file], &["library.sqlite"]);
     written(&["--part", "P-3"], &["--data"]);
-    let output = run(&[&simulate[..], &["--data", &foreign]].concat());
-    assert_eq!(output.status.code(), Some(3));
+    bad(3, &[&simulate[..], &["--data", &foreign]].concat());
 }
 
 #[test]

@@ -72,8 +72,7 @@ fn taught_in_simulation_and_again_from_its_frames() {
     assert!(report(&again).contains("\"ended\": \"lost\""));
     // A picture cut off, positions of another machine.
     std::fs::write(folder.join("frames/000001.png"), b"\x89PNG").unwrap();
-    let output = run(&["teach", &job, "--frames", &frames, "-o", &again]);
-    assert_eq!(output.status.code(), Some(2));
+    bad(2, &["teach", &job, "--frames", &frames, "-o", &again]);
     std::fs::write(&list, "file,t_s,x,y\n000000.png,0,1,2\n").unwrap();
     let errors = bad(2, &["teach", &job, "--frames", &frames, "-o", &again]);
     assert!(errors.contains("frames.csv:1"), "{errors}");

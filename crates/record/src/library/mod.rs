@@ -79,15 +79,11 @@ impl Library {
         };
         match library.version()? {
             v if v == schema::MIGRATIONS.len() as i64 => Ok(library),
-            v => Err(Error::damaged(
-                path,
-                Message::new("record-schema-version").number("found", v as f64, 0).number(
-                    "known",
-                    schema::MIGRATIONS.len() as f64,
-                    0,
-                ),
-                Message::new("record-migrate"),
-            )),
+            v => {
+                let why = Message::new("record-schema-version").number("found", v as f64, 0);
+                let why = why.number("known", schema::MIGRATIONS.len() as f64, 0);
+                Err(Error::damaged(path, why, Message::new("record-migrate")))
+            }
         }
     }
 

@@ -113,11 +113,8 @@ impl Mirror {
     pub(super) fn shelve(&mut self, names: &Names, asked: &Shelving, by: &str) -> Result<Message, Message> {
         let wanted = (asked.number, asked.detail);
         if asked.minutes > MAX_MINUTES {
-            return Err(Message::new("server-shelve-time").number("minutes", f64::from(asked.minutes), 0).number(
-                "max",
-                f64::from(MAX_MINUTES),
-                0,
-            ));
+            let message = Message::new("server-shelve-time").number("minutes", f64::from(asked.minutes), 0);
+            return Err(message.number("max", f64::from(MAX_MINUTES), 0));
         }
         let views = self.views(names);
         let Some(view) = views.into_iter().find(|view| key(view) == wanted) else {

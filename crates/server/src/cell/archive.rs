@@ -317,7 +317,7 @@ mod tests {
     #[test]
     fn nobody_waits_for_the_disk() {
         let folder = tempfile::tempdir().unwrap();
-        let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 8).unwrap();
+        let archive = Archive::with_room(folder.path(), Arc::new(Hub::default()), 8).unwrap();
         let busy = hold(folder.path());
         for i in 0..100 {
             archive.audit("ada", "panel 1", format!("stop {i}"), Change::default(), "taken");
@@ -338,7 +338,7 @@ mod tests {
     #[test]
     fn what_is_repeated_takes_no_room_of_alarms_and_orders() {
         let folder = tempfile::tempdir().unwrap();
-        let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 16).unwrap();
+        let archive = Archive::with_room(folder.path(), Arc::new(Hub::default()), 16).unwrap();
         let busy = hold(folder.path());
         for i in 0..1000 {
             if i % 200 == 0 {
@@ -366,7 +366,7 @@ mod tests {
     #[test]
     fn refusals_take_no_room_of_alarms_and_orders() {
         let folder = tempfile::tempdir().unwrap();
-        let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 64).unwrap();
+        let archive = Archive::with_room(folder.path(), Arc::new(Hub::default()), 64).unwrap();
         let busy = hold(folder.path());
         for i in 0..20_000 {
             archive.repeatable("eve", "panel", "users.read", "refused: role");

@@ -31,6 +31,7 @@ pub(crate) type Connected = (u32, mpsc::Receiver<Text>, watch::Receiver<Option<T
 pub(crate) type Text = Arc<str>;
 
 /// State that all clients see: the newest status, events and alarms without loss, the control token.
+#[derive(Default)]
 pub(crate) struct Hub {
     status: watch::Sender<Option<Text>>,
     latest: Mutex<Option<(Status, Joints)>>,
@@ -93,16 +94,6 @@ fn text(message: &FromCell) -> Text {
 }
 
 impl Hub {
-    pub(crate) fn new() -> Self {
-        Self {
-            status: watch::Sender::new(None),
-            latest: Mutex::default(),
-            near: Mutex::default(),
-            shown: Mutex::default(),
-            told: Mutex::default(),
-        }
-    }
-
     /// Locks the shared state, which stays consistent even if a thread panicked.
     fn lock(&self) -> MutexGuard<'_, Told> {
         self.told.lock().unwrap_or_else(PoisonError::into_inner)
@@ -393,7 +384,7 @@ mod tests {
     /// An operator always gets one page, and further pages do not take the places of other operators.
     #[test]
     fn places_are_kept_for_those_who_operate() {
-        let hub = Hub::new();
+        let hub = Hub::default();
         let open = |user: &str, role: Role| -> Vec<Connected> {
             std::iter::from_fn(|| hub.connect(user, role)).take(2 * MAX_PAGES).collect()
         };
@@ -411,7 +402,7 @@ mod tests {
 
     #[test]
     fn clients_that_do_not_listen_go() {
-        let hub = Hub::new();
+        let hub = Hub::default();
         let others: Vec<Connected> =
             (0..8).map(|i| hub.connect(&format!("user {i}"), Role::Operator).unwrap()).collect();
         // The token is lost with the disconnected client.
@@ -424,7 +415,7 @@ mod tests {
     /// The token cannot be taken while its holder jogs, even after the holder took it again.
     #[test]
     fn the_token_stays_with_a_hand_that_moves() {
-        let hub = Hub::new();
+        let hub = Hub::default();
         let (ada, eve) = (hub.connect("ada", Role::Operator).unwrap(), hub.connect("eve", Role::Operator).unwrap());
         hub.take_control(ada.0, false).unwrap();
         assert!(hub.controls(ada.0, true) && !hub.controls(eve.0, true));

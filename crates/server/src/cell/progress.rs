@@ -207,7 +207,6 @@ fn newest_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use seamwright_record::figures::Basis;
 
     fn to_weld(part: &str, start: (u32, f64)) -> ToWeld {
         let text = |text: &str| (text.to_owned(), text.to_owned());
@@ -215,17 +214,11 @@ mod tests {
             part: part.to_owned(),
             title: "Nozzle".to_owned(),
             simulated: true,
-            job: None,
             program: text("program"),
             machine: text("machine"),
-            procedure: None,
-            welder: None,
-            columns: Vec::new(),
-            about: Vec::new(),
             most_rows: 1,
             rows: 1,
-            basis: Basis::default(),
-            note: seamwright_message::Message::default(),
+            ..Plan::default()
         };
         ToWeld::new(plan, 3, Some(start))
     }

@@ -286,7 +286,6 @@ fn settle(open: Open, folder: &Path) -> Result<WeldResult, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use seamwright_record::figures::Basis;
     use seamwright_record::library::Query;
     use seamwright_record::trace::{Column, Kind};
 
@@ -296,22 +295,17 @@ mod tests {
             part: "L-1".to_owned(),
             title: "Short".to_owned(),
             simulated: true,
-            job: None,
             program: text("a program"),
             machine: text("a machine"),
-            procedure: None,
-            welder: None,
             columns: vec![Column::new("t_s", "s", Kind::F64)],
-            about: Vec::new(),
             most_rows: 1000,
             rows: 1000,
-            basis: Basis::default(),
-            note: Message::default(),
+            ..Plan::default()
         }
     }
 
     fn recorder(folder: &Path) -> Recorder {
-        let hub = Arc::new(Hub::new());
+        let hub = Arc::new(Hub::default());
         let archive = Archive::open(folder, Arc::clone(&hub)).unwrap();
         Recorder::new(folder, hub, archive)
     }

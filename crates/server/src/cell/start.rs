@@ -65,7 +65,7 @@ impl Cell {
         let left = progress::newest_left(folder.library()).map_err(|e| e.message())?;
         let unknown = folder.library().listed_alarms().map_err(|e| e.message())?;
         drop(folder);
-        let hub = Arc::new(Hub::new());
+        let hub = Arc::new(Hub::default());
         hub.set_machine(machine);
         hub.set_around(Arc::new(Around::new(machine, &Clamped::default())?));
         for weld in &interrupted {

@@ -1,8 +1,9 @@
 //! Machines and procedures that a job can name.
 
 use super::answer::Answer;
-use super::jobs::{Kind, head, kind, own, title};
-use super::panel::Panel;
+use super::jobs::{head, own, title};
+use super::panel::{Panel, Shared};
+use crate::document_kind::{Kind, kind_of_head};
 use crate::wire::{Choice, ChoicesView};
 use axum::Json;
 use axum::extract::State;
@@ -11,7 +12,7 @@ use seamwright_program::PROCEDURES;
 use seamwright_project::files;
 use std::sync::Arc;
 
-pub(super) async fn choices(State(panel): State<Arc<Panel>>) -> Answer<ChoicesView> {
+pub(super) async fn choices(State(panel): Shared) -> Answer<ChoicesView> {
     let look = move |asked: &Arc<Panel>| {
         let shipped = |name: &str, text: &str| (name.to_owned(), title(text));
         let machine = |(name, title), own| Choice { name, title, own, text: None };
@@ -24,8 +25,8 @@ pub(super) async fn choices(State(panel): State<Arc<Panel>>) -> Answer<ChoicesVi
             // Unreadable files are reported in the list of jobs.
             let Ok(head) = head(&path) else { continue };
             let named = (name, title(&head));
-            match kind(&head) {
-                Kind::Job => {}
+            match kind_of_head(&head) {
+                Kind::Job | Kind::Program => {}
                 Kind::Machine => machines.push(machine(named, true)),
                 Kind::Procedure => procedures.push(procedure(named, true, files::read(&path)?)),
             }

@@ -1,10 +1,13 @@
 use super::answer::Refused;
 use super::login::same;
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use crate::lack::{action_word, panel_word};
 use crate::users::{Session, may};
 use crate::wire::Role;
-use axum::extract::{Request, State};
+use axum::Extension;
+use axum::extract::rejection::ExtensionRejection;
+use axum::extract::{FromRequestParts, Request, State};
+use axum::http::request::Parts;
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
@@ -37,7 +40,7 @@ pub(super) struct Need {
 }
 
 /// Refuses requests with an unknown host name before anything else (DNS rebinding), and requests from foreign pages.
-pub(super) async fn host(State(panel): State<Arc<Panel>>, request: Request, next: Next) -> Response {
+pub(super) async fn host(State(panel): Shared, request: Request, next: Next) -> Response {
     let headers = request.headers();
     let host = text(headers, header::HOST.as_str()).unwrap_or_default();
     if !panel.hosts.iter().any(|known| known.eq_ignore_ascii_case(host)) {
@@ -78,6 +81,14 @@ fn secured(mut response: Response) -> Response {
     }
     headers.entry(header::CACHE_CONTROL).or_insert(HeaderValue::from_static("no-store"));
     response
+}
+
+impl<S: Send + Sync> FromRequestParts<S> for Session {
+    type Rejection = ExtensionRejection;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, ExtensionRejection> {
+        Extension::from_request_parts(parts, state).await.map(|Extension(session)| session)
+    }
 }
 
 /// Passes a request on if its user may do the action; the handler finds the [`Session`] in the extensions.

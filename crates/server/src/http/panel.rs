@@ -4,6 +4,7 @@ use crate::cell::{Cell, Change};
 use crate::planner::Planner;
 use crate::teaching::{Cameras, Teaching};
 use crate::users::{Accounts, Checks, Devices, MAX_USERS, OWNER, Session, Sessions, Tries};
+use axum::extract::State;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
 use std::path::PathBuf;
@@ -37,6 +38,9 @@ impl Loads {
         Arc::strong_count(&self.0) > 1
     }
 }
+
+/// The panel as an argument of handlers.
+pub(super) type Shared = State<Arc<Panel>>;
 
 /// State shared by all handlers.
 pub(crate) struct Panel {

@@ -1,17 +1,17 @@
 //! Setup of sensors: the map from a camera's pixels to mm, from a picture of a grid, and numbers of the machine file.
 
 use super::answer::{Answer, Refused};
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use super::setup::{Changed, ChangedPart, OfCell, of_cell, tell};
 use crate::cell::Change;
 use crate::users::Session;
 use crate::view::{SENSOR_KEYS, height_view, sensors_view, steps};
 use crate::wire::{HeightView, SensorAnswer, SensorChange, SensorsView};
+use axum::Json;
 use axum::body::Bytes;
 use axum::extract::{Query, State};
 use axum::http::header;
 use axum::response::{IntoResponse as _, Response};
-use axum::{Extension, Json};
 use seamwright_frames::{Overlay, decode};
 use seamwright_geometry::{HeightTable, MapParameters};
 use seamwright_machine::{Machine, Sensor, Sight};
@@ -78,11 +78,11 @@ fn view(of: &OfCell, panel: &Panel) -> Result<SensorsView, Refused> {
     Ok(SensorsView { file: of.file(panel), pending: of.pending(panel), simulated, sensors })
 }
 
-pub(super) async fn sensors(State(panel): State<Arc<Panel>>) -> Answer<SensorsView> {
+pub(super) async fn sensors(State(panel): Shared) -> Answer<SensorsView> {
     panel.run(|panel| &panel.drawing, move |on| view(&of_cell(&on)?, &on)).await.map(Json)
 }
 
-pub(super) async fn picture(State(panel): State<Arc<Panel>>, Query(asked): Query<Plate>) -> Result<Response, Refused> {
+pub(super) async fn picture(State(panel): Shared, Query(asked): Query<Plate>) -> Result<Response, Refused> {
     let painted = move |on: &Arc<Panel>| {
         let machine = of_cell(&on)?.machine;
         let (sensor, believed) = camera(&machine, &asked)?;
@@ -98,11 +98,7 @@ pub(super) async fn picture(State(panel): State<Arc<Panel>>, Query(asked): Query
     Ok(([(header::CONTENT_TYPE, "image/png")], png).into_response())
 }
 
-pub(super) async fn find(
-    State(panel): State<Arc<Panel>>,
-    Query(asked): Query<Plate>,
-    png: Bytes,
-) -> Answer<SensorAnswer> {
+pub(super) async fn find(State(panel): Shared, Query(asked): Query<Plate>, png: Bytes) -> Answer<SensorAnswer> {
     let found = move |on: &Arc<Panel>| {
         let machine = of_cell(&on)?.machine;
         let (sensor, believed) = camera(&machine, &asked)?;
@@ -115,17 +111,7 @@ pub(super) async fn find(
 }
 
 fn none(verdict: &str, of: Vec<String>, message: Message) -> SensorAnswer {
-    let (was, found, dots) = (None, None, Vec::new());
-    SensorAnswer {
-        verdict: verdict.to_owned(),
-        of,
-        message: message.into(),
-        was,
-        found,
-        dots,
-        rms_px: 0.0,
-        max_px: 0.0,
-    }
+    SensorAnswer { verdict: verdict.to_owned(), of, message: message.into(), ..SensorAnswer::default() }
 }
 
 fn seen(image: &Image, sensor: &Sensor, believed: &MapParameters, plate: &Plate) -> SensorAnswer {
@@ -180,8 +166,8 @@ fn refused(e: &GridError) -> SensorAnswer {
 }
 
 pub(super) async fn keep(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Json(asked): Json<SensorChange>,
 ) -> Answer<SensorsView> {
     let kept = move |panel: &Arc<Panel>| {

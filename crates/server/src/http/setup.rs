@@ -1,14 +1,14 @@
 //! Setup of the machine: axes, drives and tools in its file; shelving of alarms.
 
 use super::answer::{Answer, Refused};
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use crate::cell::{Change, ToDesk, fingerprint, happening};
 use crate::users::Session;
 use crate::view::{PARAMETERS, parameters_view};
 use crate::wire::{ParameterChange, ParametersView, Shelving, ToolAnswer, ToolTip, ToolTouches};
+use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
-use axum::{Extension, Json};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::{outliers, pivot, rms};
 use seamwright_machine::{Joints, MAX_AXES, Machine};
@@ -72,7 +72,7 @@ impl OfCell {
     }
 }
 
-pub(super) async fn parameters(State(panel): State<Arc<Panel>>) -> Answer<ParametersView> {
+pub(super) async fn parameters(State(panel): Shared) -> Answer<ParametersView> {
     panel.run(|panel| &panel.drawing, move |asked| of_cell(&asked)?.view(&asked)).await.map(Json)
 }
 
@@ -83,8 +83,8 @@ fn format_values<'a>(values: impl Iterator<Item = (&'a str, Option<f64>)>) -> St
 }
 
 pub(super) async fn change(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Json(asked): Json<ParameterChange>,
 ) -> Answer<ParametersView> {
     let changed = move |panel: &Arc<Panel>| {
@@ -184,7 +184,7 @@ fn head(machine: &Machine, head: u32) -> Result<usize, Refused> {
     })
 }
 
-pub(super) async fn find_tool(State(panel): State<Arc<Panel>>, Json(asked): Json<ToolTouches>) -> Answer<ToolAnswer> {
+pub(super) async fn find_tool(State(panel): Shared, Json(asked): Json<ToolTouches>) -> Answer<ToolAnswer> {
     let found = move |on: &Arc<Panel>| {
         let machine = of_cell(&on)?.machine;
         let head = head(&machine, asked.head)?;
@@ -243,8 +243,8 @@ fn tool(machine: &Machine, head: usize, frames: &[DAffine3]) -> Result<ToolAnswe
 }
 
 pub(super) async fn keep_tool(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Json(asked): Json<ToolTip>,
 ) -> Answer<ParametersView> {
     let kept = move |panel: &Arc<Panel>| {
@@ -273,8 +273,8 @@ pub(super) async fn keep_tool(
 }
 
 pub(super) async fn shelve(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Json(asked): Json<Shelving>,
 ) -> Result<StatusCode, Refused> {
     let gone = || Refused::server(Message::new("server-cell-ended"));

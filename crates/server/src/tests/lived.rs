@@ -82,16 +82,8 @@ pub(crate) async fn page(address: &str, visitor: &Visitor) -> Page {
     let mut request = format!("ws://{address}/api/live").into_client_request().unwrap();
     request.headers_mut().insert("cookie", visitor.cookie.parse().unwrap());
     let (socket, _) = tokio_tungstenite::connect_async(request).await.unwrap();
-    Page {
-        socket,
-        seq: 0,
-        jogs: 0,
-        status: Value::Null,
-        taught: Value::Null,
-        alarms: Value::Null,
-        events: Vec::new(),
-        beat: Instant::now(),
-    }
+    let [status, taught, alarms] = std::array::from_fn(|_| Value::Null);
+    Page { socket, seq: 0, jogs: 0, status, taught, alarms, events: Vec::new(), beat: Instant::now() }
 }
 
 /// A page in a user's browser.

@@ -1,7 +1,6 @@
 //! Reading of existing records.
 
 use super::Bench;
-use seamwright_record::figures::Basis;
 use seamwright_record::library::{AuditEntry, WeldResult};
 use seamwright_record::trace::{Column, Kind};
 use seamwright_record::{DataFolder, Moment, Outcome, Plan};
@@ -18,17 +17,12 @@ fn record(bench: &Bench, at: u32) -> i64 {
         part: "L-1".to_owned(),
         title: "Long".to_owned(),
         simulated: true,
-        job: None,
         program: text("a program"),
         machine: text("a machine"),
-        procedure: None,
-        welder: None,
         columns: COLUMNS.map(|name| Column::new(name, "1", Kind::F64)).to_vec(),
-        about: Vec::new(),
         most_rows: u64::from(ROWS / 2),
         rows: u64::from(ROWS),
-        basis: Basis::default(),
-        note: seamwright_message::Message::default(),
+        ..Plan::default()
     };
     let mut recording = data.begin(&plan).unwrap();
     for i in 0..ROWS {

@@ -168,16 +168,11 @@ fn named_view(pass: &Pass, path: Vec<PathPoint>) -> PassView {
         name: pass.name.clone(),
         role: pass.known_role().map_or(String::new(), |role| role.name().to_owned()),
         length_mm: path.last().map_or(0.0, |end| end.s_mm),
-        time_s: 0.0,
         overlap_mm: pass.sequence.overlap_mm.get(),
         speed_mm_s: path.get(SAMPLES / 2).map_or(0.0, |p| p.speed_mm_s),
-        spans: Vec::new(),
-        points_mm: Vec::new(),
-        certificate: None,
         closed: ends.is_some_and(|[a, b]| a.distance(b) < CLOSED_MM),
         path,
-        nearest: None,
-        nearest_at_mm: None,
+        ..PassView::default()
     }
 }
 
