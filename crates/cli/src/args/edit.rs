@@ -41,7 +41,7 @@ pub(crate) struct EditArgs {
     pub(crate) output: Option<PathBuf>,
 }
 
-/// Serialized as the operation that it is.
+// Serialized as the operation that it is.
 #[derive(Debug, Clone, Subcommand, Serialize)]
 #[serde(tag = "op", rename_all = "snake_case")]
 pub(crate) enum EditVerb {

@@ -1,7 +1,7 @@
 //! Invalid input: one screen that names file, line, key, value and the allowed values; exit code 2; no files written.
 //! Jobs that the machine cannot weld: exit code 1 with every finding.
 
-use crate::common::{self, bad, example, free_example, run, run_with};
+use crate::common::{self, bad, example, free_example, has_all, run, run_with};
 use std::fs;
 use std::path::Path;
 
@@ -33,9 +33,7 @@ fn refused(from: &str, to: &str, words: &[&str]) {
     assert_eq!(code, 2, "{text}");
     assert!(!written && text.lines().count() <= 12);
     assert!(text.contains("job.toml:") && text.contains("allowed: "), "{text}");
-    for word in words {
-        assert!(text.contains(word), "{word} in {text}");
-    }
+    has_all(&text, words);
 }
 
 #[test]
@@ -192,15 +190,16 @@ fn what_cannot_be_welded_lists_every_finding() {
     let fast = ("speed_mm_s = 10", "speed_mm_s = 200");
     let (code, text, written) = plan(&[fast]);
     assert!(code == 1 && !written, "{text}");
-    for word in [
-        "finding (speed)",
-        "axis theta cannot keep 200",
-        "its speed limit of 30.000 °/s",
-        "where: pass 1, s = ",
-        "cure: ",
-    ] {
-        assert!(text.contains(word), "{word} in {text}");
-    }
+    has_all(
+        &text,
+        &[
+            "finding (speed)",
+            "axis theta cannot keep 200",
+            "its speed limit of 30.000 °/s",
+            "where: pass 1, s = ",
+            "cure: ",
+        ],
+    );
     // Reach and speed are not hidden by each other.
     let low = ("move_mm = [0, 0, -800]", "move_mm = [0, 0, -550]");
     let (code, text, _) = plan(&[fast, low]);
@@ -273,5 +272,5 @@ fn distorted_parts() {
     assert!(code == 1 && told.contains("deviates"), "{code} {told}");
     let (code, told) = simulate("t-joint", misplaced, &["--no-tracking", "--json", "--seed", "x"]);
     assert!(code == 2 && told.contains("seed"), "{code} {told}");
-    bad(2, &["simulate", &example("saddle"), "-o", &out, "--distortion", "no-such.toml"]);
+    common::bad(2, &["simulate", &example("saddle"), "-o", &out, "--distortion", "no-such.toml"]);
 }

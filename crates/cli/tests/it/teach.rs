@@ -1,6 +1,6 @@
 //! `seamwright teach`: simulated, recorded, by hand; refusals.
 
-use crate::common::{self, bad, example, good, run, run_with};
+use crate::common::{self, bad, example, good, has_all, run, run_with};
 use glam::DVec3;
 use seamwright_frames::{FrameSource as _, Recorded, TimedFrame, write_frame};
 use std::io::{BufRead as _, BufReader};
@@ -310,11 +310,10 @@ fn the_operator_is_asked_and_it_goes_on() {
     // joint.
     let mistakes = "there\n1,2\n900,0,60\n15,12,60.5,0,0,0\n1,2,nan\n";
     let (code, told, printed) = answered(&format!("{mistakes}19.5,13.9,60.5\n"));
-    for why in
-        ["lost after ", "not three or six numbers", "not within 15 mm of the nominal seam", "no length", "taught.png"]
-    {
-        assert!(told.contains(why), "{why}: {told}");
-    }
+    has_all(
+        &told,
+        &["lost after ", "not three or six numbers", "not within 15 mm of the nominal seam", "no length", "taught.png"],
+    );
     assert_eq!(told.matches("allowed: X,Y,Z").count(), 5, "{told}");
     assert_eq!(code, Some(0), "{told}");
     assert!(printed.starts_with("joint-end after ") && printed.contains("asked: "), "{printed}");

@@ -97,9 +97,6 @@ impl Library {
     }
 
     /// Acknowledges the alarm; the first acknowledgement counts.
-    ///
-    /// # Errors
-    /// If there is no such alarm, or the library cannot be written.
     pub fn acknowledge(&self, alarm: i64, by: &str, at: Moment) -> Result<(), Error> {
         let sql = "UPDATE alarm SET acknowledged_by = coalesce(acknowledged_by, ?2),
             acknowledged = coalesce(acknowledged, ?3) WHERE id = ?1";

@@ -66,9 +66,6 @@ impl Library {
     }
 
     /// The text of that number.
-    ///
-    /// # Errors
-    /// If it is missing.
     pub fn document(&self, id: i64) -> Result<Document, Error> {
         let found = self.row(&format!("{SELECT} WHERE id = ?1"), [id], document)?;
         found.ok_or_else(|| {

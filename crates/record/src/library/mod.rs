@@ -28,7 +28,8 @@ use std::time::Duration;
 /// Maximum wait of a call for another program's.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// An open library. Every method fails if its file cannot be read or written.
+/// An open library. Every method fails if its file cannot be read or written, or if it does not have what a
+/// number names.
 #[derive(Debug)]
 pub struct Library {
     path: PathBuf,

@@ -259,9 +259,6 @@ impl Library {
     }
 
     /// A weld.
-    ///
-    /// # Errors
-    /// If no weld has that number.
     pub fn weld(&self, id: i64) -> Result<WeldRecord, Error> {
         let found = self.row(&format!("{SELECT} WHERE weld.id = ?1"), [id], weld_record)?;
         found.ok_or_else(|| {
@@ -275,9 +272,6 @@ impl Library {
     }
 
     /// A weld with all its data.
-    ///
-    /// # Errors
-    /// If no weld has that number.
     pub fn detail(&self, id: i64) -> Result<WeldDetail, Error> {
         Ok(WeldDetail {
             weld: self.weld(id)?,
@@ -289,9 +283,6 @@ impl Library {
     }
 
     /// Inputs of a weld's figures.
-    ///
-    /// # Errors
-    /// If no weld has that number.
     pub fn basis(&self, id: i64) -> Result<Basis, Error> {
         let text: String = self.one("SELECT basis FROM weld WHERE id = ?1", [id])?;
         serde_json::from_str(&text).map_err(|e| {
@@ -301,9 +292,6 @@ impl Library {
     }
 
     /// The program of a weld, at the time of welding.
-    ///
-    /// # Errors
-    /// If no weld has that number.
     pub fn program_of(&self, id: i64) -> Result<Document, Error> {
         self.weld(id)?;
         self.document(self.one("SELECT program FROM weld WHERE id = ?1", [id])?)

@@ -75,7 +75,7 @@ pub struct FormAnswer {
 /// Contents of a text, and additions that its format allows.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct FormView {
-    /// Tables in the order of the text, the first 2000.
+    /// Tables in the order of the text.
     pub tables: Vec<FormTable>,
     /// Passes through points.
     pub passes: Vec<PointsView>,
