@@ -20,7 +20,7 @@ pub(super) async fn choices(State(panel): Shared) -> Answer<ChoicesView> {
         let procedure = |(name, title), own, text| Choice { name, title, own, text: Some(text) };
         let mut procedures: Vec<Choice> =
             PROCEDURES.iter().map(|p| procedure(shipped(p.name, p.text), false, p.text.to_owned())).collect();
-        for name in own(&asked)? {
+        for name in own(asked)? {
             let path = asked.jobs().join(&name);
             // Unreadable files are reported in the list of jobs.
             let Ok(head) = head(&path) else { continue };

@@ -69,7 +69,7 @@ pub(super) async fn list(State(panel): Shared) -> Answer<Vec<JobRow>> {
             }),
             Err(e) => Some(JobRow { name, title: e.to_string(), example: false }),
         };
-        let mut rows: Vec<JobRow> = own(&asked)?.into_iter().take(MAX_JOBS).filter_map(row).collect();
+        let mut rows: Vec<JobRow> = own(asked)?.into_iter().take(MAX_JOBS).filter_map(row).collect();
         for example in EXAMPLES {
             let name = format!("{}.toml", example.name);
             if rows.iter().all(|row| row.name != name) {
@@ -87,7 +87,7 @@ pub(super) async fn distortions() -> Json<Vec<DistortionRow>> {
 }
 
 pub(super) async fn get(State(panel): Shared, Path(name): Path<String>) -> Answer<JobText> {
-    panel.run(|panel| &panel.reading, move |asked| Ok(JobText { text: text(&asked, &name)? })).await.map(Json)
+    panel.run(|panel| &panel.reading, move |asked| Ok(JobText { text: text(asked, &name)? })).await.map(Json)
 }
 
 pub(super) async fn put(
@@ -96,7 +96,7 @@ pub(super) async fn put(
     Path(name): Path<String>,
     Json(job): Json<JobKept>,
 ) -> Answer<JobRow> {
-    panel.run(|panel| &panel.saving, move |on| keep(&on, &session, &name, &job)).await.map(Json)
+    panel.run(|panel| &panel.saving, move |on| keep(on, &session, &name, &job)).await.map(Json)
 }
 
 fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<JobRow, Refused> {
@@ -129,7 +129,7 @@ pub(super) async fn delete(
     session: Session,
     Path(name): Path<String>,
 ) -> Result<StatusCode, Refused> {
-    panel.run(|panel| &panel.saving, move |on| remove(&on, &session, &name)).await?;
+    panel.run(|panel| &panel.saving, move |on| remove(on, &session, &name)).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 

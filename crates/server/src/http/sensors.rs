@@ -79,12 +79,12 @@ fn view(of: &OfCell, panel: &Panel) -> Result<SensorsView, Refused> {
 }
 
 pub(super) async fn sensors(State(panel): Shared) -> Answer<SensorsView> {
-    panel.run(|panel| &panel.drawing, move |on| view(&of_cell(&on)?, &on)).await.map(Json)
+    panel.run(|panel| &panel.drawing, move |on| view(&of_cell(on)?, on)).await.map(Json)
 }
 
 pub(super) async fn picture(State(panel): Shared, Query(asked): Query<Plate>) -> Result<Response, Refused> {
     let painted = move |on: &Arc<Panel>| {
-        let machine = of_cell(&on)?.machine;
+        let machine = of_cell(on)?.machine;
         let (sensor, believed) = camera(&machine, &asked)?;
         let count: usize = sensor.size_px.iter().product();
         if !machine.devices.is_empty() || count > MAX_PX {
@@ -100,7 +100,7 @@ pub(super) async fn picture(State(panel): Shared, Query(asked): Query<Plate>) ->
 
 pub(super) async fn find(State(panel): Shared, Query(asked): Query<Plate>, png: Bytes) -> Answer<SensorAnswer> {
     let found = move |on: &Arc<Panel>| {
-        let machine = of_cell(&on)?.machine;
+        let machine = of_cell(on)?.machine;
         let (sensor, believed) = camera(&machine, &asked)?;
         Ok(match decode(&png) {
             Ok(image) => seen(&image, sensor, &believed, &asked),

@@ -73,7 +73,7 @@ impl OfCell {
 }
 
 pub(super) async fn parameters(State(panel): Shared) -> Answer<ParametersView> {
-    panel.run(|panel| &panel.drawing, move |asked| of_cell(&asked)?.view(&asked)).await.map(Json)
+    panel.run(|panel| &panel.drawing, move |asked| of_cell(asked)?.view(asked)).await.map(Json)
 }
 
 /// Formats keys with their values for the audit log.
@@ -186,7 +186,7 @@ fn head(machine: &Machine, head: u32) -> Result<usize, Refused> {
 
 pub(super) async fn find_tool(State(panel): Shared, Json(asked): Json<ToolTouches>) -> Answer<ToolAnswer> {
     let found = move |on: &Arc<Panel>| {
-        let machine = of_cell(&on)?.machine;
+        let machine = of_cell(on)?.machine;
         let head = head(&machine, asked.head)?;
         if asked.touches.len() > MAX_TOUCHES {
             return Err(Message::new("server-too-many-touches")

@@ -364,7 +364,7 @@ async fn assert_programs_are_stored(served: &Served, owner: &super::Visitor) {
     assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY);
     for method in ["spline", "greedy"] {
         let how = json!({ "tolerance_mm": 0.1, "attitude_deg": 0.5, "method": method });
-        let made = bench.did(&owner, "POST", "/api/teach/program", how).await;
+        let made = bench.did(owner, "POST", "/api/teach/program", how).await;
         let truth = made["truth_mm"][0].as_f64().unwrap();
         assert!(made["error_mm"].as_f64().unwrap() <= 0.1 && truth < 0.2, "{}", made["truth_mm"]);
         // The part is some millimetres off its nominal position.
