@@ -22,6 +22,9 @@ const SOURCES: [&str; 8] = [
     "svelte.config.js",
 ];
 
+/// Ends of the names of files among them that are in no panel: tests, and the words of the command line and of reports.
+const NOT_SOURCES: [&str; 5] = [".test.ts", "words/formatted.json", "/cli.ftl", "/report.ftl", "international.txt"];
+
 /// The panel as it was last packed: the test `packed_panel_is_current` writes it.
 const PACKED: &str = "panel.tar.gz";
 
@@ -82,6 +85,7 @@ fn sources(web: &Path) -> io::Result<String> {
         let mut files = Vec::new();
         if path.is_dir() {
             list(&path, "", &mut files)?;
+            files.retain(|name| !NOT_SOURCES.iter().any(|end| name.ends_with(end)));
             files.sort();
         } else if path.is_file() {
             files.push(String::new());

@@ -42,7 +42,6 @@ pub(crate) fn width_of(codes: &[&'static str], min: usize) -> usize {
     codes.iter().map(|code| columns(&Message::new(code).to_string())).fold(min, usize::max)
 }
 
-/// Adds an indented line with a label to a summary.
 pub(crate) fn line(text: &mut String, label: &str, value: impl Display) {
     // Writing to a String cannot fail.
     let _ = writeln!(text, "  {} {value}", padded(label, width()));

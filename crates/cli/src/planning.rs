@@ -22,12 +22,10 @@ pub(crate) fn try_plan(loaded: &Loaded, args: &PlanningArgs) -> Result<Result<We
     Ok(planned.map_err(with_option))
 }
 
-/// Plans a weld that can be made as asked.
 pub(crate) fn plan(loaded: &Loaded, args: &PlanningArgs) -> Result<WeldMotion, Failure> {
     within(args, |planning| loaded.plan_under(&loaded.machine, planning)).map_err(findings_with_option)
 }
 
-/// Plans a simulated part as [`Part::plan`] does.
 pub(crate) fn plan_part(part: &Part, loaded: &Loaded, args: &PlanningArgs) -> Result<WeldMotion, Failure> {
     within(args, |planning| part.plan_under(loaded, planning)).map_err(findings_with_option)
 }

@@ -26,7 +26,6 @@ impl Progress {
         Self { bar, count: 0 }
     }
 
-    /// A bar for the searches of planning.
     pub(crate) fn of_searches() -> Self {
         Self::new("cli-progress-planning", PER_MILLE)
     }
@@ -41,7 +40,6 @@ impl Progress {
         self.bar.set_position((part * PER_MILLE as f64) as u64);
     }
 
-    /// `count` of the steps are done.
     pub(crate) fn at(&self, count: u64) {
         self.bar.set_position(count);
     }
@@ -56,7 +54,6 @@ impl Progress {
         self.bar.suspend(does)
     }
 
-    /// One step done.
     pub(crate) fn step(&mut self) {
         self.count += 1;
         if self.count.is_multiple_of(STRIDE) {

@@ -19,12 +19,10 @@ pub(crate) fn of_option(option: impl Display, fault: Message) -> Message {
     Message::new("cli-option").text("option", option.to_string()).message("fault", fault)
 }
 
-/// Refuses the value of an option.
 pub(crate) fn refused(option: &str, value: impl Display, fault: Message, allowed: impl Into<Message>) -> Failure {
     Failure::refused(of_option(format!("{option} {value}"), fault), allowed)
 }
 
-/// Refuses the value of an option that is outside the allowed ones.
 pub(crate) fn not_allowed(option: &str, value: impl Display, allowed: impl Into<Message>) -> Failure {
     refused(option, value, Message::new("cli-not-allowed"), allowed)
 }
@@ -34,43 +32,35 @@ pub(crate) fn in_file(file: &str, why: impl Into<Message>) -> Message {
     Message::new("project-in-file").text("file", file).message("why", why.into())
 }
 
-/// Fails for an unreadable file.
 pub(crate) fn unreadable(file: &str, error: &io::Error) -> Failure {
     Failure::input(Message::new("project-unreadable").text("file", file).message("why", Message::outside(error)))
 }
 
-/// Failure to write JSON.
 pub(crate) fn not_json(error: impl Display) -> Failure {
     Failure::environment(Message::outside(&error))
 }
 
-/// Allowed values from `min` to `max`.
 pub(crate) fn between(min: f64, max: f64) -> Message {
     Message::new("document-between").value("min", min, Unit::One).value("max", max, Unit::One)
 }
 
-/// Allowed values up to `max`.
 pub(crate) fn at_most(max: f64, unit: Unit) -> Message {
     Message::new("document-at-most").value("max", max, unit)
 }
 
-/// Allowed values from `min` on.
 pub(crate) fn at_least(min: f64, unit: Unit) -> Message {
     Message::new("document-at-least").value("min", min, unit)
 }
 
-/// A range with the unit at its end.
 pub(crate) fn range(from: f64, to: f64, unit: Unit, decimals: u8) -> Message {
     Message::new("cli-range").number("from", from, decimals).quantity("to", to, unit, decimals)
 }
 
-/// A value with its sign.
 pub(crate) fn signed(value: f64, unit: Unit, decimals: u8) -> Message {
     let code = if value > 0.0 { "cli-plus" } else { "quantity" };
     Message::new(code).quantity("value", value, unit, decimals)
 }
 
-/// The unit of an axis in files.
 pub(crate) fn unit_of(symbol: &str) -> Unit {
     Unit::from_symbol(symbol).unwrap_or(Unit::One)
 }

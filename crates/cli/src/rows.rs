@@ -7,7 +7,6 @@ use serde::{Serialize as _, Serializer};
 use std::borrow::Cow;
 use std::io::{self, BufWriter, StdoutLock, Write};
 
-/// One cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Cell<'a> {
     Number(f64),
@@ -22,7 +21,6 @@ impl From<f64> for Cell<'_> {
     }
 }
 
-/// Writes rows under a header.
 pub(crate) struct Rows {
     out: BufWriter<StdoutLock<'static>>,
     columns: Vec<String>,
@@ -39,7 +37,6 @@ impl Rows {
         Self { out, columns, json, begun: false, rows: 0 }
     }
 
-    /// Creates a table with the columns of this header line.
     pub(crate) fn with_header(header: &str, json: bool) -> Self {
         Self::new(header.split(',').map(str::to_owned).collect(), json)
     }
@@ -53,7 +50,6 @@ impl Rows {
         Ok(())
     }
 
-    /// Writes one row, with a cell a column.
     pub(crate) fn row(&mut self, cells: &[Cell]) -> Result<(), Failure> {
         self.begin()?;
         if self.json {
@@ -104,7 +100,6 @@ impl Rows {
         Ok(self.out.flush()?)
     }
 
-    /// Ends the table.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
         self.begin()?;
         if self.json {
@@ -130,7 +125,6 @@ fn field(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Prints a value as JSON.
 pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     serde_json::to_writer_pretty(&mut out, value).map_err(io::Error::from)?;
@@ -138,12 +132,10 @@ pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns a value as the text of a JSON file.
 pub(crate) fn json_text(value: &impl serde::Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(value).map(|json| json + "\n").map_err(not_json)
 }
 
-/// Prints a value as JSON, or as its text.
 pub(crate) fn print_either(
     json: bool,
     value: &impl serde::Serialize,
@@ -157,7 +149,6 @@ pub(crate) fn in_english<S: Serializer>(message: &Option<Message>, out: S) -> Re
     message.as_ref().map(|message| message.in_language(Language::English)).serialize(out)
 }
 
-/// Prints text.
 pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes())?;

@@ -1,5 +1,6 @@
 //! From byte spans to key paths and back.
 
+use crate::path::{Step, steps, with_key};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -20,10 +21,7 @@ fn covers(outer: &Range<usize>, inner: &Range<usize>) -> bool {
 fn descend_table(table: &DeTable, span: &Range<usize>, path: &mut String) -> bool {
     for (key, value) in table {
         let before = path.len();
-        if !path.is_empty() {
-            path.push('.');
-        }
-        path.push_str(key.get_ref());
+        *path = with_key(path, key.get_ref());
         if descend_value(value, span, path) || covers(&key.span(), span) {
             return true;
         }
@@ -56,37 +54,25 @@ pub(crate) fn span_of(text: &str, path: &str) -> Range<usize> {
     nearest(text, path).0
 }
 
-/// True if there is a value at `path`.
 pub(crate) fn contains(text: &str, path: &str) -> bool {
     nearest(text, path).1
 }
 
 /// The byte range of the value at `path` or of the nearest one above it, and whether it is the one at `path`.
 fn nearest(text: &str, path: &str) -> (Range<usize>, bool) {
-    let Ok(table) = DeTable::parse(text) else { return (0..0, false) };
-    let mut here = Node::Table(table.get_ref());
     let mut span = 0..0;
-    for part in path.split('.') {
-        let (name, indices) = part.split_once('[').map_or((part, ""), |(n, i)| (n, i));
-        let Node::Table(map) = here else { return (span, false) };
-        let Some((_, value)) = map.iter().find(|(k, _)| k.get_ref() == name) else { return (span, false) };
-        span = value.span();
-        let mut value = value;
-        for index in indices.split('[').filter_map(|i| i.trim_end_matches(']').parse::<usize>().ok()) {
-            let DeValue::Array(items) = value.get_ref() else { return (span, false) };
-            let Some(item) = items.get(index) else { return (span, false) };
-            value = item;
-            span = value.span();
-        }
-        here = match value.get_ref() {
-            DeValue::Table(t) => Node::Table(t),
-            _ => Node::Leaf,
+    let (Ok(root), Some(steps)) = (DeTable::parse(text), steps(path)) else { return (span, false) };
+    let mut here: Option<&Spanned<DeValue>> = None;
+    for step in &steps {
+        let next = match (here.map(Spanned::get_ref), step) {
+            (None, Step::Key(key)) => root.get_ref().get(key.as_str()),
+            (Some(DeValue::Table(table)), Step::Key(key)) => table.get(key.as_str()),
+            (Some(DeValue::Array(items)), Step::Nth(nth)) => items.get(*nth),
+            _ => None,
         };
+        let Some(value) = next else { return (span, false) };
+        span = value.span();
+        here = next;
     }
     (span, true)
-}
-
-enum Node<'a> {
-    Table(&'a DeTable<'a>),
-    Leaf,
 }

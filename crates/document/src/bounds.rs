@@ -6,6 +6,7 @@
 
 use crate::document::Document;
 use crate::error::DocumentError;
+use crate::path::with_key;
 use seamwright_message::{Message, Unit};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -120,10 +121,7 @@ impl<T> Check<'_, T> {
             if NAMED.contains(&key) && matches!(value.get_ref(), DeValue::Table(_)) {
                 continue;
             }
-            if !self.path.is_empty() {
-                self.path.push('.');
-            }
-            self.path.push_str(key);
+            self.path = with_key(&self.path, key);
             // The ends of a ramp have the unit of its key.
             let bound = if matches!(key, "from" | "to") { above } else { Bound::of(key) };
             self.value(value, bound)?;
@@ -156,7 +154,6 @@ impl<T> Check<'_, T> {
     }
 }
 
-/// The number that a value is.
 fn number(value: &DeValue) -> Option<f64> {
     match value {
         DeValue::Integer(n) => i128::from_str_radix(n.as_str(), n.radix()).ok().map(|n| n as f64),

@@ -84,7 +84,6 @@ struct Refusal(&'static str);
 const MISSING: Refusal = Refusal("document-no-such-entry");
 const UNFIT: Refusal = Refusal("document-unfit-change");
 
-/// Something in a text.
 #[derive(Clone, Copy)]
 enum Node<'a> {
     Table(&'a Table),
@@ -117,7 +116,7 @@ impl<'a> Node<'a> {
 struct Block {
     steps: Vec<Step>,
     header: Range<usize>,
-    /// From the line of its header to the last line that is its own.
+    /// From the comments directly above its header to its last value, and comments below that belong to no other table.
     range: Range<usize>,
 }
 
@@ -151,7 +150,6 @@ impl<'a> Source<'a> {
         [&self.text[..range.start], by, &self.text[range.end..]].concat()
     }
 
-    /// End of line of this text.
     fn newline(&self) -> &'static str {
         if self.text.contains("\r\n") { "\r\n" } else { "\n" }
     }
@@ -166,9 +164,41 @@ impl<'a> Source<'a> {
         if self.text[at..end].ends_with('\r') { end - 1 } else { end }
     }
 
-    /// Begin of the next line.
     fn next_line(&self, at: usize) -> usize {
         self.text[at..].find('\n').map_or(self.text.len(), |i| at + i + 1)
+    }
+
+    fn is_comment(&self, line: usize) -> bool {
+        self.text[line..].trim_start_matches([' ', '\t']).starts_with('#')
+    }
+
+    /// Begin of the comments directly above a line, not above `floor`. Comments at the top are the file's.
+    fn with_comments(&self, line: usize, floor: usize) -> usize {
+        let mut start = line;
+        while start > floor {
+            let above = self.line_start(start - 1);
+            if above < floor || !self.is_comment(above) {
+                break;
+            }
+            start = above;
+        }
+        if start == 0 { line } else { start }
+    }
+
+    /// End of a comma behind an element, or of the element.
+    fn with_comma(&self, end: usize) -> usize {
+        let behind = self.text[end..].trim_start();
+        if behind.starts_with(',') { self.text.len() - behind.len() + 1 } else { end }
+    }
+
+    /// The lines of the `nth` element of a list with the comments above, if no other element shares them.
+    fn own_lines(&self, elements: &[Range<usize>], nth: usize) -> Option<Range<usize>> {
+        let own = elements.get(nth)?;
+        let (line, end) = (self.line_start(own.start), self.next_line(own.end));
+        let behind = self.text[own.end..end].trim_start().trim_start_matches(',').trim_start();
+        let is_alone = self.text[line..own.start].trim().is_empty() && (behind.is_empty() || behind.starts_with('#'));
+        let floor = nth.checked_sub(1).map_or(0, |before| self.next_line(elements[before].end));
+        is_alone.then(|| self.with_comments(line, floor)..end)
     }
 
     fn set(&self, steps: &[Step], value: &Given) -> Result<String, Refusal> {
@@ -255,7 +285,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The text without a table, those within it, and the blank lines behind them.
+    /// The text without a table, those within it, their comments, and the blank lines behind them.
     fn without_table(&self, steps: &[Step]) -> Result<String, Refusal> {
         let mut ranges: Vec<Range<usize>> =
             self.blocks().into_iter().filter(|block| block.steps.starts_with(steps)).map(|block| block.range).collect();
@@ -277,7 +307,6 @@ impl<'a> Source<'a> {
         Ok(format!("{}{}", left.trim_end(), self.newline()))
     }
 
-    /// Adds the lines of the values of a dotted table.
     fn dotted_lines(&self, table: &Table, ranges: &mut Vec<Range<usize>>) {
         for (key, item) in table.iter() {
             match (item, table.key(key).and_then(toml_edit::Key::span), item.span()) {
@@ -290,18 +319,20 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The text without an element of a list or of an inline table, and the comma that is left over.
+    /// The text without an element of a list or of an inline table, its comments, and the comma that is left over.
     fn without(&self, elements: &[Range<usize>], nth: usize) -> String {
         let Some(own) = elements.get(nth) else { return self.text.to_owned() };
-        let (start, end) = (self.line_start(own.start), self.line_end(own.end));
-        let behind = self.text[own.end..end].trim_start_matches(',').trim_start();
-        let stands_alone =
-            self.text[start..own.start].trim().is_empty() && (behind.is_empty() || behind.starts_with('#'));
-        match (elements.get(nth + 1), nth.checked_sub(1).and_then(|before| elements.get(before))) {
-            _ if stands_alone => self.with(start..self.next_line(own.end), ""),
-            (Some(next), _) => self.with(own.start..next.start, ""),
-            (None, Some(before)) => self.with(before.end..own.end, ""),
-            (None, None) => self.with(own.clone(), ""),
+        if let Some(lines) = self.own_lines(elements, nth) {
+            return self.with(lines, "");
+        }
+        let (end, line) = (self.with_comma(own.end), self.line_start(own.start));
+        let before = nth.checked_sub(1).and_then(|before| elements.get(before)).filter(|before| before.end >= line);
+        match (elements.get(nth + 1), before) {
+            (Some(next), _) if next.start <= self.line_end(end) => self.with(own.start..next.start, ""),
+            // The comment of a line is that of all its elements.
+            (_, Some(before)) => self.with(before.end..own.end, ""),
+            (Some(_), None) => self.with(own.start..self.line_end(end), ""),
+            (None, None) => self.with(own.start..end, ""),
         }
     }
 
@@ -346,64 +377,75 @@ impl<'a> Source<'a> {
             self.text[start..element.start].trim().is_empty().then_some(start..element.start)
         };
         match (elements.get(nth), elements.last()) {
-            (Some(next), _) => {
-                let gap =
-                    own_line(next).map_or(" ".to_owned(), |indent| self.newline().to_owned() + &self.text[indent]);
-                self.with(next.start..next.start, &format!("{by},{gap}"))
-            }
+            (Some(next), _) => match (own_line(next), self.own_lines(elements, nth)) {
+                (Some(indent), lines) => {
+                    let at = lines.map_or(indent.start, |lines| lines.start);
+                    self.with(at..at, &format!("{}{by},{}", &self.text[indent], self.newline()))
+                }
+                (None, _) => self.with(next.start..next.start, &format!("{by}, ")),
+            },
             (None, Some(last)) => {
-                let has_comma = self.text[last.end..whole.end].trim_start().starts_with(',');
                 let Some(indent) = own_line(last).filter(|indent| indent.start > whole.start) else {
                     return self.with(last.end..last.end, &format!(", {by}"));
                 };
-                let line = format!("{}{}{by}", self.newline(), &self.text[indent]);
-                if has_comma {
-                    let at = self.line_end(last.end);
-                    return self.with(at..at, &format!("{line},"));
-                }
-                self.with(last.end..last.end, &format!(",{line}"))
+                let comma = self.with_comma(last.end);
+                let [first, second] = if comma > last.end { ["", ","] } else { [",", ""] };
+                let end = self.line_end(comma);
+                let at = if end < whole.end { end } else { comma };
+                let line = format!("{}{}{by}{second}", self.newline(), &self.text[indent]);
+                self.with(last.end..at, &format!("{first}{}{line}", &self.text[last.end..at]))
             }
-            (None, None) => self.with(whole.start + 1..whole.end - 1, by),
+            (None, None) if self.text[whole.start + 1..whole.end - 1].trim().is_empty() => {
+                self.with(whole.start + 1..whole.end - 1, by)
+            }
+            (None, None) => self.with(whole.end - 1..whole.end - 1, by),
         }
     }
 
     fn moved(&self, steps: &[Step], to: usize) -> Result<String, Refusal> {
         let (above, last) = self.above(steps)?;
         let Step::Nth(nth) = last else { return Err(UNFIT) };
-        let slots = match above {
+        let elements = match above {
             Node::Value(Value::Array(list)) => items(list),
             Node::Tables(list) => self.extents(&steps[..steps.len() - 1], list.len()),
             _ => return Err(UNFIT),
         };
-        if *nth >= slots.len() || to >= slots.len() {
+        let (Some(last), true) = (elements.last(), *nth < elements.len() && to < elements.len()) else {
             return Err(MISSING);
-        }
+        };
+        let is_list = matches!(above, Node::Value(_));
+        // Comments move along with elements that have lines of their own.
+        let lines: Option<Vec<_>> = (0..elements.len()).map(|i| self.own_lines(&elements, i)).collect();
+        let lines = lines.filter(|_| is_list);
+        let slots = lines.as_ref().unwrap_or(&elements);
         let mut order: Vec<&Range<usize>> = slots.iter().collect();
         let own = order.remove(*nth);
         order.insert(to, own);
         let mut text = self.text.to_owned();
         for (slot, from) in slots.iter().zip(order).rev() {
-            let element = &self.text[from.clone()];
+            let mut element = self.text[from.clone()].to_owned();
+            if lines.is_some() && from.contains(&last.start) && self.with_comma(last.end) == last.end {
+                element.insert(last.end - from.start, ',');
+            }
             // The last table of a file may lack the end of its line.
-            let ends = matches!(above, Node::Tables(_)) && !element.ends_with('\n');
-            text.replace_range(slot.clone(), &format!("{element}{}", if ends { self.newline() } else { "" }));
+            if !is_list && !element.ends_with('\n') {
+                element += self.newline();
+            }
+            text.replace_range(slot.clone(), &element);
         }
         Ok(text)
     }
 
-    /// Positions of the elements of a list of tables: from the comments over their headers to the last line within them.
+    /// Positions of the elements of a list of tables, with the tables within them.
     fn extents(&self, list: &[Step], count: usize) -> Vec<Range<usize>> {
-        let blocks = self.blocks();
-        let extent = |nth: usize| {
-            let element = [list, &[Step::Nth(nth)]].concat();
-            let of = |block: &&Block| block.steps.starts_with(&element);
-            let own = blocks.iter().position(|block| of(&block))?;
-            let last = blocks.iter().rfind(of)?.range.end;
-            let before = own.checked_sub(1).map_or(0, |i| blocks[i].range.end);
-            let first = self.text[before..].find(|c: char| !c.is_whitespace()).map_or(before, |i| before + i);
-            Some(if own == 0 { blocks[own].range.start } else { self.line_start(first) }..last)
-        };
-        (0..count).map_while(extent).collect()
+        let mut extents: Vec<Option<Range<usize>>> = vec![None; count];
+        for block in self.blocks().into_iter().filter(|block| block.steps.starts_with(list)) {
+            let Some(Step::Nth(nth)) = block.steps.get(list.len()) else { continue };
+            let Some(extent) = extents.get_mut(*nth) else { continue };
+            let start = extent.as_ref().map_or(block.range.start, |extent| extent.start);
+            *extent = Some(start..block.range.end);
+        }
+        extents.into_iter().map_while(|extent| extent).collect()
     }
 
     fn rename(&self, steps: &[Step], key: &str) -> Result<String, Refusal> {
@@ -435,27 +477,29 @@ impl<'a> Source<'a> {
         let mut blocks = Vec::new();
         headers(self.root, &mut Vec::new(), &mut blocks);
         blocks.sort_by_key(|block: &Block| block.header.start);
-        let starts: Vec<usize> = blocks.iter().map(|block| self.line_start(block.header.start)).collect();
-        for (i, block) in blocks.iter_mut().enumerate() {
-            let mut end = starts.get(i + 1).copied().unwrap_or(self.text.len());
-            // Blank lines and comments above the next header belong to that.
-            while i + 1 < starts.len() {
-                let line = self.line_start(end - 1);
-                let text = self.text[line..end].trim();
-                if line <= block.header.start || !(text.is_empty() || text.starts_with('#')) {
-                    break;
-                }
-                end = line;
+        let mut floor = 0;
+        for block in &mut blocks {
+            let start = self.with_comments(self.line_start(block.header.start), floor);
+            let mut end = self.next_line(block.range.end);
+            let mut below = end;
+            while below < self.text.len() && self.is_comment(below) {
+                below = self.next_line(below);
             }
-            block.range = starts[i]..end;
+            if self.text[below..].lines().next().is_none_or(|line| line.trim().is_empty()) {
+                end = below;
+            }
+            block.range = start..end;
+            floor = end;
         }
         blocks
     }
 }
 
+/// Adds the tables with headers; each `range` ends with its last value.
 fn headers(table: &Table, path: &mut Vec<Step>, blocks: &mut Vec<Block>) {
     if let Some(header) = crate::entries::header(table).filter(|_| !path.is_empty()) {
-        blocks.push(Block { steps: path.clone(), header, range: 0..0 });
+        let end = last_value(table).max(header.end);
+        blocks.push(Block { steps: path.clone(), header, range: 0..end });
     }
     for (key, item) in table.iter() {
         path.push(Step::Key(key.to_owned()));
@@ -472,6 +516,16 @@ fn headers(table: &Table, path: &mut Vec<Step>, blocks: &mut Vec<Block>) {
         }
         path.pop();
     }
+}
+
+/// End of the last value of a table, also under dotted keys; 0 without any.
+fn last_value(table: &Table) -> usize {
+    let end = |(_, item): (&str, &Item)| match item {
+        Item::Value(value) => value.span().map_or(0, |span| span.end),
+        Item::Table(inner) if inner.is_dotted() => last_value(inner),
+        _ => 0,
+    };
+    table.iter().map(end).max().unwrap_or(0)
 }
 
 /// The keys of a path, as a header has them.
@@ -495,7 +549,6 @@ fn cells(table: &InlineTable) -> Result<Vec<(String, Range<usize>)>, Refusal> {
     Ok(table.iter().filter_map(cell).collect())
 }
 
-/// A value in one line.
 fn written(value: &Given) -> Result<String, Refusal> {
     Ok(match value {
         Given::Null => return Err(UNFIT),

@@ -94,11 +94,9 @@ fn build(file: &str, text: &str, span: &Range<usize>, key: String) -> DocumentEr
         column,
         value: if quotable && !key.ends_with(value) { value.to_owned() } else { String::new() },
         key,
-        message: Message::verbatim(""),
-        allowed: None,
-        help: None,
         source_line,
         marked,
+        ..DocumentError::default()
     }
 }
 
@@ -227,7 +225,6 @@ fn stem(key: &str) -> (&str, &str) {
     UNITS.iter().find_map(|u| key.strip_suffix(u).map(|s| (s, *u))).unwrap_or((key, ""))
 }
 
-/// The known name that was probably meant.
 fn suggestion(name: &str, known: &[&str]) -> Option<Message> {
     if let Some(same) = known.iter().find(|k| stem(k).0 == stem(name).0 && !stem(k).1.is_empty()) {
         let unit = stem(same).1.trim_start_matches('_').replacen('_', "/", 1);

@@ -6,7 +6,7 @@ use std::ops::Range;
 ///
 /// Its `Display` fits a screen: the address, the fault, the line with the position marked, the allowed values, and
 /// help.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct DocumentError {
     /// File name as the user gave it.
     pub file: String,
@@ -33,18 +33,7 @@ impl std::error::Error for DocumentError {}
 impl DocumentError {
     /// A fault at the key `key` of a file as a whole.
     pub fn at_key(file: &str, key: impl Into<String>, message: Message) -> Self {
-        Self {
-            file: file.to_owned(),
-            line: 0,
-            column: 1,
-            key: key.into(),
-            value: String::new(),
-            message,
-            allowed: None,
-            help: None,
-            source_line: String::new(),
-            marked: 0,
-        }
+        Self { file: file.to_owned(), column: 1, key: key.into(), message, ..Self::default() }
     }
 
     /// Returns the whole error as one message, with a line for each part.

@@ -26,20 +26,25 @@ pub fn steps(path: &str) -> Option<Vec<Step>> {
         if !found.is_empty() {
             left = left.strip_prefix('.')?;
         }
-        let end = if let Some(quoted) = left.strip_prefix('"') {
-            let is_end = |(i, c): &(usize, char)| *c == '"' && !quoted[..*i].ends_with('\\');
-            quoted.char_indices().find(is_end).map(|(i, _)| i + 2)?
+        let (key, rest) = if let Some(quoted) = left.strip_prefix('"') {
+            let mut is_escaped = false;
+            let is_end = |c: char| {
+                let ends = c == '"' && !is_escaped;
+                is_escaped = c == '\\' && !is_escaped;
+                ends
+            };
+            let (key, rest) = left.split_at(quoted.find(is_end)? + 2);
+            (key.parse::<toml_edit::Key>().ok()?.get().to_owned(), rest)
         } else {
-            left.find(['.', '[']).unwrap_or(left.len())
+            let (key, rest) = left.split_at(left.find(['.', '[']).unwrap_or(left.len()));
+            (Some(key.to_owned()).filter(|key| !key.is_empty())?, rest)
         };
-        let (key, rest) = left.split_at(end);
-        found.push(Step::Key(key.parse::<toml_edit::Key>().ok()?.get().to_owned()));
+        found.push(Step::Key(key));
         left = rest;
     }
     Some(found)
 }
 
-/// Appends a key to a path.
 pub(crate) fn with_key(path: &str, key: &str) -> String {
     let point = if path.is_empty() { "" } else { "." };
     format!("{path}{point}{}", written_key(key))
@@ -69,7 +74,14 @@ mod tests {
 
     #[test]
     fn paths_are_split_and_joined_again() {
-        for path in ["", "a", "a.b", "passes[0].spans[12].points[3][2]", "offsets.\"my.part \\\"1\\\"\".move_mm[2]"] {
+        for path in [
+            "",
+            "a",
+            "a.b",
+            "passes[0].spans[12].points[3][2]",
+            "offsets.\"my.part \\\"1\\\"\".move_mm[2]",
+            "\"a\\\\\".b",
+        ] {
             assert_eq!(path_of(&steps(path).unwrap()), path);
         }
         for wrong in ["a.", ".a", "a[", "a[x]", "a[0]b", "a..b", "\"a"] {

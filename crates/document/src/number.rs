@@ -1,9 +1,7 @@
 use crate::document::in_serde;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use seamwright_message::Message;
 use serde::de::{Error as _, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
-use std::borrow::Cow;
 use std::fmt;
 
 /// Writes whole numbers without a fraction, as a person would.
@@ -14,6 +12,25 @@ fn write_number<S: serde::Serializer>(value: f64, serializer: S) -> Result<S::Ok
         serializer.serialize_f64(value)
     }
 }
+
+/// Describes a type in place, without a definition of its own.
+macro_rules! inline_schema {
+    ($name:ident, $schema:tt) => {
+        impl schemars::JsonSchema for $name {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($name).into()
+            }
+            fn inline_schema() -> bool {
+                true
+            }
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                schemars::json_schema!($schema)
+            }
+        }
+    };
+}
+
+pub(crate) use inline_schema;
 
 macro_rules! number {
     ($(#[$doc:meta])* $name:ident, $what:literal, $holds:expr, $schema:tt) => {
@@ -68,17 +85,7 @@ macro_rules! number {
             }
         }
 
-        impl JsonSchema for $name {
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
-            }
-            fn inline_schema() -> bool {
-                true
-            }
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                json_schema!($schema)
-            }
-        }
+        inline_schema!($name, $schema);
     };
 }
 
@@ -88,10 +95,12 @@ number!(
 );
 number!(
     /// A finite number, zero or greater.
+    #[derive(Default)]
     NonNegative, "document-non-negative-number", |v| v >= 0.0, { "type": "number", "minimum": 0 }
 );
 number!(
     /// A finite number.
+    #[derive(Default)]
     Finite, "document-finite-number", |_| true, { "type": "number" }
 );
 
@@ -100,18 +109,6 @@ impl Positive {
     pub const HALF: Self = Self(0.5);
     /// Ten.
     pub const TEN: Self = Self(10.0);
-}
-
-impl Default for Finite {
-    fn default() -> Self {
-        Self(0.0)
-    }
-}
-
-impl Default for NonNegative {
-    fn default() -> Self {
-        Self(0.0)
-    }
 }
 
 /// The file format's version: the number 1.
@@ -136,14 +133,4 @@ impl Serialize for SchemaVersion {
     }
 }
 
-impl JsonSchema for SchemaVersion {
-    fn schema_name() -> Cow<'static, str> {
-        "SchemaVersion".into()
-    }
-    fn inline_schema() -> bool {
-        true
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "const": 1 })
-    }
-}
+inline_schema!(SchemaVersion, { "const": 1 });

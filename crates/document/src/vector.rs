@@ -1,12 +1,11 @@
 use crate::bounds::FARTHEST_MM;
 use crate::document::fault_in_serde;
-use crate::number::Finite;
+use crate::number::{Finite, inline_schema};
 use glam::{DAffine3, DQuat, DVec3};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use seamwright_message::{Message, Unit};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
-use std::borrow::Cow;
 
 /// Three numbers, mm: a point or a displacement, each within 1e7 mm (10 km) of zero.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
@@ -90,17 +89,7 @@ impl<'de> Deserialize<'de> for Direction {
     }
 }
 
-impl JsonSchema for Direction {
-    fn schema_name() -> Cow<'static, str> {
-        "Direction".into()
-    }
-    fn inline_schema() -> bool {
-        true
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 })
-    }
-}
+inline_schema!(Direction, { "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 });
 
 /// A fixed displacement: first turned by `angle_deg` about `turn` (right-hand rule), then moved by `move_mm`.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]

@@ -54,7 +54,6 @@ impl Message {
     }
 
     /// Puts the message below another one, as a part of it.
-    #[must_use]
     pub fn indented(self) -> Self {
         Self::new("indented").message("line", self)
     }
@@ -80,68 +79,57 @@ impl Message {
     }
 
     /// Adds an argument.
-    #[must_use]
     pub fn with(mut self, name: &'static str, argument: Argument) -> Self {
         self.arguments.push((Cow::Borrowed(name), argument));
         self
     }
 
     /// Adds a value with its unit and the number of decimals to show.
-    #[must_use]
     pub fn quantity(self, name: &'static str, value: f64, unit: Unit, decimals: u8) -> Self {
         self.with(name, Argument::Quantity(Quantity { value, unit, decimals }))
     }
 
     /// Adds a value with its unit and all its decimals, like one from a file.
-    #[must_use]
     pub fn value(self, name: &'static str, value: f64, unit: Unit) -> Self {
         self.with(name, Argument::Quantity(Quantity::exact(value, unit)))
     }
 
     /// Adds a number without a unit and the number of decimals to show.
-    #[must_use]
     pub fn number(self, name: &'static str, value: f64, decimals: u8) -> Self {
         self.quantity(name, value, Unit::One, decimals)
     }
 
     /// Adds a number of things.
-    #[must_use]
     pub fn count(self, name: &'static str, count: usize) -> Self {
         self.with(name, Argument::Count(count as u64))
     }
 
     /// Adds the name of an axis.
-    #[must_use]
     pub fn axis(self, name: &'static str, axis: impl Into<String>) -> Self {
         self.with(name, Argument::Axis(axis.into()))
     }
 
     /// Adds a key of a file.
-    #[must_use]
     pub fn key(self, name: &'static str, key: impl Into<String>) -> Self {
         self.with(name, Argument::Key(key.into()))
     }
 
     /// Adds a pass, counted from 1.
-    #[must_use]
     pub fn pass(self, name: &'static str, pass: usize) -> Self {
         self.with(name, Argument::Pass(pass))
     }
 
     /// Adds text that is shown as it is.
-    #[must_use]
     pub fn text(self, name: &'static str, text: impl Into<String>) -> Self {
         self.with(name, Argument::Text(text.into()))
     }
 
     /// Adds a message within the message.
-    #[must_use]
     pub fn message(self, name: &'static str, message: Self) -> Self {
         self.with(name, Argument::Message(Box::new(message)))
     }
 
     /// Adds several arguments under one name.
-    #[must_use]
     pub fn list(self, name: &'static str, items: impl IntoIterator<Item = Argument>) -> Self {
         self.with(name, Argument::List(items.into_iter().collect()))
     }

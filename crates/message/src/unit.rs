@@ -3,11 +3,11 @@ use std::fmt;
 
 /// Declares the units with their symbols, which are also their names in files.
 macro_rules! units {
-    ($($(#[$doc:meta])* $name:ident = $symbol:literal,)*) => {
+    ($($name:ident = $symbol:literal $doc:literal,)*) => {
         /// A unit of measurement.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
         pub enum Unit {
-            $($(#[$doc])* #[serde(rename = $symbol)] $name,)*
+            $(#[doc = $doc] #[serde(rename = $symbol)] $name,)*
         }
 
         impl Unit {
@@ -25,94 +25,50 @@ macro_rules! units {
 }
 
 units! {
-    /// A number without a unit.
-    One = "1",
-    /// Millimetre.
-    Mm = "mm",
-    /// Square millimetre.
-    Mm2 = "mm^2",
-    /// Square metre.
-    M2 = "m^2",
-    /// Cubic metre.
-    M3 = "m^3",
-    /// Micrometre.
-    Um = "um",
-    /// Metre.
-    M = "m",
-    /// Degree.
-    Deg = "deg",
-    /// Per metre.
-    PerM = "1/m",
-    /// Radian.
-    Rad = "rad",
-    /// Millimetre per second.
-    MmPerS = "mm/s",
-    /// Millimetre per second squared.
-    MmPerS2 = "mm/s^2",
-    /// Millimetre per second cubed.
-    MmPerS3 = "mm/s^3",
-    /// Degree per second.
-    DegPerS = "deg/s",
-    /// Degree per second squared.
-    DegPerS2 = "deg/s^2",
-    /// Degree per second cubed.
-    DegPerS3 = "deg/s^3",
-    /// Millimetre per minute.
-    MmPerMin = "mm/min",
-    /// Metre per minute.
-    MPerMin = "m/min",
-    /// Litre per minute.
-    LPerMin = "l/min",
-    /// Second.
-    S = "s",
-    /// Millisecond.
-    Ms = "ms",
-    /// Microsecond.
-    Us = "us",
-    /// Nanosecond.
-    Ns = "ns",
-    /// Hertz.
-    Hz = "Hz",
-    /// Kilohertz.
-    KiloHz = "kHz",
-    /// Percent.
-    Percent = "%",
-    /// Ampere.
-    A = "A",
-    /// Milliampere.
-    MilliA = "mA",
-    /// Volt.
-    V = "V",
-    /// Kilovolt.
-    KiloV = "kV",
-    /// Newton.
-    N = "N",
-    /// Newton metre.
-    NM = "N m",
-    /// Watt.
-    W = "W",
-    /// Kilowatt.
-    KiloW = "kW",
-    /// Kilojoule.
-    KiloJ = "kJ",
-    /// Kilojoule per millimetre.
-    KiloJPerMm = "kJ/mm",
-    /// Millibar.
-    Mbar = "mbar",
-    /// Bar.
-    Bar = "bar",
-    /// Degree Celsius.
-    DegC = "degC",
-    /// Kelvin.
-    K = "K",
-    /// Pixel.
-    Px = "px",
-    /// Decibel.
-    Db = "dB",
-    /// Byte.
-    Byte = "B",
-    /// Mebibyte.
-    MiB = "MiB",
+    One = "1" "A number without a unit.",
+    Mm = "mm" "Millimetre.",
+    Mm2 = "mm^2" "Square millimetre.",
+    M2 = "m^2" "Square metre.",
+    M3 = "m^3" "Cubic metre.",
+    Um = "um" "Micrometre.",
+    M = "m" "Metre.",
+    Deg = "deg" "Degree.",
+    PerM = "1/m" "Per metre.",
+    Rad = "rad" "Radian.",
+    MmPerS = "mm/s" "Millimetre per second.",
+    MmPerS2 = "mm/s^2" "Millimetre per second squared.",
+    MmPerS3 = "mm/s^3" "Millimetre per second cubed.",
+    DegPerS = "deg/s" "Degree per second.",
+    DegPerS2 = "deg/s^2" "Degree per second squared.",
+    DegPerS3 = "deg/s^3" "Degree per second cubed.",
+    MmPerMin = "mm/min" "Millimetre per minute.",
+    MPerMin = "m/min" "Metre per minute.",
+    LPerMin = "l/min" "Litre per minute.",
+    S = "s" "Second.",
+    Ms = "ms" "Millisecond.",
+    Us = "us" "Microsecond.",
+    Ns = "ns" "Nanosecond.",
+    Hz = "Hz" "Hertz.",
+    KiloHz = "kHz" "Kilohertz.",
+    Percent = "%" "Percent.",
+    A = "A" "Ampere.",
+    MilliA = "mA" "Milliampere.",
+    V = "V" "Volt.",
+    KiloV = "kV" "Kilovolt.",
+    N = "N" "Newton.",
+    NM = "N m" "Newton metre.",
+    W = "W" "Watt.",
+    KiloW = "kW" "Kilowatt.",
+    KiloJ = "kJ" "Kilojoule.",
+    KiloJPerMm = "kJ/mm" "Kilojoule per millimetre.",
+    Mbar = "mbar" "Millibar.",
+    Bar = "bar" "Bar.",
+    DegC = "degC" "Degree Celsius.",
+    K = "K" "Kelvin.",
+    Px = "px" "Pixel.",
+    Db = "dB" "Decibel.",
+    Byte = "B" "Byte.",
+    MiB = "MiB" "Mebibyte.",
 }
 
 impl Unit {

@@ -56,7 +56,6 @@ impl DataFolder {
     }
 }
 
-/// An archive that is being written.
 struct Archive<W: Write> {
     tar: tar::Builder<W>,
     /// A line for each file in it.
@@ -199,7 +198,6 @@ fn check_manifest(archive: &Path, inside: &Path) -> Result<bool, Error> {
     Err(Error::damaged(archive, why, Message::new(AS_WRITTEN)))
 }
 
-/// The lines that a manifest of this folder has.
 fn lines(folder: &Path, name: &Path, found: &mut BTreeSet<String>) -> Result<(), Error> {
     let path = folder.join(name);
     if !path.is_dir() {

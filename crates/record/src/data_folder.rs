@@ -25,6 +25,7 @@ const PRIVATE: [&str; 6] =
     ["library.sqlite", "library.sqlite-wal", "library.sqlite-shm", "welds", "position.a", "position.b"];
 
 /// The folder of everything that is recorded: `library.sqlite`, `welds/<number>/`, and the journal for power loss.
+/// Methods fail if its files cannot be read or written.
 #[derive(Debug)]
 pub struct DataFolder {
     path: PathBuf,
@@ -102,9 +103,6 @@ impl DataFolder {
     }
 
     /// The figures of a weld, from its trace.
-    ///
-    /// # Errors
-    /// If the trace cannot be read.
     pub fn figures(&self, weld: i64) -> Result<Figures, Error> {
         let files = self.library.files(weld)?;
         let traces = files.iter().filter(|f| f.rows.is_some());
@@ -114,9 +112,6 @@ impl DataFolder {
     }
 
     /// The journal for power loss.
-    ///
-    /// # Errors
-    /// If it cannot be opened.
     pub fn journal(&self) -> Result<Journal, Error> {
         Journal::open(&self.path)
     }
@@ -165,12 +160,8 @@ impl DataFolder {
         match free_bytes(&self.path)? {
             Some(free) if free < wanted => {
                 let mib = |bytes: u64| (bytes >> 20) as f64;
-                let why = Message::new("record-no-room").quantity("free", mib(free), Unit::MiB, 0).quantity(
-                    "needed",
-                    mib(wanted),
-                    Unit::MiB,
-                    0,
-                );
+                let why = Message::new("record-no-room").quantity("free", mib(free), Unit::MiB, 0);
+                let why = why.quantity("needed", mib(wanted), Unit::MiB, 0);
                 Err(Error::Full { path: self.path.clone(), why })
             }
             _ => Ok(()),
@@ -179,9 +170,6 @@ impl DataFolder {
 
     /// Numbers of welds that have files, but no entry in the library. For example, it loses entries by damage to its
     /// write-ahead log, which SQLite takes for its end.
-    ///
-    /// # Errors
-    /// If folder or library cannot be read.
     pub fn lost_welds(&self) -> Result<Vec<i64>, Error> {
         let known = self.library.weld_numbers()?;
         let mut lost = self.weld_folders()?;
@@ -202,9 +190,6 @@ impl DataFolder {
     }
 
     /// Repairs the data after a crash: traces to Parquet, and running welds to interrupted ones.
-    ///
-    /// # Errors
-    /// If a file cannot be read or written.
     pub fn recover(&mut self) -> Result<Vec<Recovered>, Error> {
         let mut recovered = Vec::new();
         for weld in self.library.find(&crate::library::Query::default())?.into_iter().rev() {

@@ -123,7 +123,6 @@ impl Error {
         Self::Full { path: path.to_owned(), why: Message::new("record-disk-full") }
     }
 
-    /// A failure of the Parquet file at `path`.
     pub(crate) fn parquet(path: &Path, cause: &parquet::errors::ParquetError) -> Self {
         if let parquet::errors::ParquetError::External(inner) = cause
             && let Some(io) = inner.downcast_ref::<io::Error>()
@@ -142,7 +141,6 @@ impl Error {
         Self::Wrong { what, allowed }
     }
 
-    /// A failure of the library at `path`.
     pub(crate) fn database(path: &Path, cause: rusqlite::Error) -> Self {
         use rusqlite::ErrorCode::{
             CannotOpen, DatabaseBusy, DatabaseCorrupt, DatabaseLocked, DiskFull, NotADatabase, PermissionDenied,
@@ -180,7 +178,6 @@ impl Error {
 display_by_message!(Error);
 
 impl Doing {
-    /// Code of the message if it fails.
     fn code(self) -> &'static str {
         match self {
             Self::Read => "record-not-read",

@@ -106,9 +106,6 @@ pub const BIN_MM: f64 = 2.0;
 
 impl Figures {
     /// The figures of a weld whose trace has these parts.
-    ///
-    /// # Errors
-    /// If a part cannot be read or lacks a column.
     pub fn of(parts: &[Trace], basis: &Basis) -> Result<Self, Error> {
         let Some(first) = parts.first() else { return Ok(Self::default()) };
         let tally = Tally::new(first, basis);

@@ -11,9 +11,6 @@ pub fn sha256(bytes: &[u8]) -> String {
 }
 
 /// SHA-256 of a file, in hexadecimal, and how many bytes it has; read piece by piece.
-///
-/// # Errors
-/// If the file cannot be read.
 pub fn sha256_of_file(path: &Path) -> Result<(String, u64), Error> {
     let unreadable = |e| Error::io(path, Doing::Read, e);
     let mut file = File::open(path).map_err(unreadable)?;
@@ -29,7 +26,6 @@ pub fn sha256_of_file(path: &Path) -> Result<(String, u64), Error> {
     }
 }
 
-/// A reader that hashes the bytes read.
 pub(crate) struct Hashing<R> {
     inner: R,
     hasher: Sha256,

@@ -100,9 +100,6 @@ impl Journal {
     }
 
     /// Clears the journal: the weld ended well.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn clear(&mut self) -> Result<(), Error> {
         self.put(None)
     }
@@ -177,7 +174,6 @@ fn read(file: &mut File) -> std::io::Result<Option<(u64, Option<Position>)>> {
     Ok(decoded(&bytes))
 }
 
-/// True for a file that was never written.
 fn is_blank(file: &mut File) -> std::io::Result<bool> {
     let mut bytes = Vec::with_capacity(BLOCK);
     file.seek(SeekFrom::Start(0))?;

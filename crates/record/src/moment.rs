@@ -98,12 +98,10 @@ impl InvalidMoment {
 
 display_by_message!(InvalidMoment);
 
-/// A moment in JSON.
 pub(crate) fn written<S: serde::Serializer>(moment: &Moment, out: S) -> Result<S::Ok, S::Error> {
     out.collect_str(moment)
 }
 
-/// A moment in JSON, or null.
 pub(crate) fn written_option<S: serde::Serializer>(moment: &Option<Moment>, out: S) -> Result<S::Ok, S::Error> {
     match moment {
         Some(moment) => out.collect_str(moment),

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// A weld that is to be recorded. Texts with the name under which the library keeps them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Plan {
     /// Number of the part, as the shop has it.
     pub part: String,
@@ -198,7 +198,6 @@ fn files_in(folder: &Path) -> Result<Vec<WeldFile>, Error> {
     Ok(files)
 }
 
-/// Hash of a text that the library keeps.
 pub(crate) fn hash_of(text: &str) -> String {
     sha256(text.as_bytes())
 }

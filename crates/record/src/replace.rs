@@ -52,9 +52,6 @@ pub fn check_archive(archive: &Path, data: &Path) -> Result<(Contents, PathBuf),
 }
 
 /// Removes the files unpacked by [`check_archive`], if any.
-///
-/// # Errors
-/// If they cannot be removed.
 pub fn discard_checked(data: &Path) -> Result<(), Error> {
     let checked = data.join(CHECKED);
     match fs::remove_dir_all(&checked) {
@@ -158,7 +155,6 @@ mod tests {
         assert_eq!(finish_replacing(&data).unwrap(), None);
     }
 
-    /// Without users in the archive those of the data stay.
     #[test]
     fn users_stay_where_none_come() {
         let scratch = tempfile::tempdir().unwrap();

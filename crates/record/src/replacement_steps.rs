@@ -60,7 +60,6 @@ pub fn finish_replacing(data: &Path) -> Result<Option<PathBuf>, Error> {
     Ok(Some(kept))
 }
 
-/// Moves all that is replaced.
 pub(crate) fn take(from: &Path, to: &Path) -> Result<(), Error> {
     let there = |name: &&&str| fs::symlink_metadata(from.join(name)).is_ok();
     REPLACED.iter().filter(there).try_for_each(|name| step(&from.join(name), &to.join(name)))?;

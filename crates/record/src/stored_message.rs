@@ -8,7 +8,6 @@ use seamwright_message::{Argument, Language, Message};
 use serde::Serializer;
 use serde::ser::SerializeMap;
 
-/// Text of a column for `message`.
 pub(crate) fn written(message: &Message) -> String {
     match (message.code.as_ref(), message.arguments.as_slice()) {
         ("text", [(_, Argument::Text(text))]) if !text.starts_with('{') => text.clone(),
@@ -16,18 +15,15 @@ pub(crate) fn written(message: &Message) -> String {
     }
 }
 
-/// Message of a column.
 pub(crate) fn read(column: String) -> Message {
     let known = if column.starts_with('{') { serde_json::from_str(&column).ok() } else { None };
     known.unwrap_or_else(|| Message::verbatim(column))
 }
 
-/// Message in column `at` of a row.
 pub(crate) fn column(row: &Row, at: usize) -> rusqlite::Result<Message> {
     row.get(at).map(read)
 }
 
-/// Serializes the English words of a message.
 pub(crate) fn english<S: Serializer>(message: &Message, out: S) -> Result<S::Ok, S::Error> {
     out.serialize_str(&message.in_language(Language::English))
 }

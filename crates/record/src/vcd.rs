@@ -1,7 +1,8 @@
 use std::io::{self, Write};
 
 /// Writes step and direction lines as a value change dump (IEEE 1364, clause 18), which GTKWave and logic analysers
-/// open. Times are whole multiples of 1 ns. Memory does not grow with the output.
+/// open. Times are whole multiples of 1 ns. Memory does not grow with the output. Methods fail if
+/// it cannot be written.
 ///
 /// Each axis is a scope with the wires `step` and `direction`; direction 1 counts up.
 pub struct VcdWriter<W: Write> {
@@ -33,9 +34,6 @@ pub enum Wire {
 
 impl<W: Write> VcdWriter<W> {
     /// Writes the head, and the lines at time 0: step low.
-    ///
-    /// # Errors
-    /// If the output cannot be written.
     pub fn new(mut out: W, about: &str, axes: &[VcdAxis]) -> io::Result<Self> {
         writeln!(out, "$version seamwright {} $end", env!("CARGO_PKG_VERSION"))?;
         for text in std::iter::once(about).chain(axes.iter().map(|a| a.about.as_str())) {
@@ -61,9 +59,6 @@ impl<W: Write> VcdWriter<W> {
 
     /// A wire of axis `axis` (by index) at `time_ns`, not before the last change. A value that it has already is not
     /// written.
-    ///
-    /// # Errors
-    /// If the output cannot be written.
     pub fn change(&mut self, time_ns: u64, axis: usize, wire: Wire, value: bool) -> io::Result<()> {
         let wire = 2 * axis + usize::from(wire == Wire::Direction);
         if std::mem::replace(&mut self.wires[wire], value) == value {
@@ -77,9 +72,6 @@ impl<W: Write> VcdWriter<W> {
     }
 
     /// Ends the file at `time_ns`.
-    ///
-    /// # Errors
-    /// If the output cannot be written.
     pub fn finish(mut self, time_ns: u64) -> io::Result<W> {
         if time_ns > self.now {
             writeln!(self.out, "#{time_ns}")?;

@@ -57,9 +57,6 @@ impl WholeFile {
     }
 
     /// Begins a file that only its owner may read, also where it replaces one that others may read.
-    ///
-    /// # Errors
-    /// As [`WholeFile::create`].
     pub fn create_private(path: &Path) -> io::Result<Self> {
         Self::create_with(path, PRIVATE_MODE)
     }
@@ -82,9 +79,6 @@ impl WholeFile {
     }
 
     /// Syncs the file and closes it; it has no name yet.
-    ///
-    /// # Errors
-    /// If the disk refuses.
     pub fn close(self) -> io::Result<ClosedFile> {
         if matches!(self.destination, Destination::Replace(_)) {
             self.file.as_file().sync_all()?;
@@ -93,9 +87,6 @@ impl WholeFile {
     }
 
     /// Syncs the file and gives it its name; a pipe or device gets all of it now.
-    ///
-    /// # Errors
-    /// If the disk, the pipe or the device refuses.
     pub fn finish(self) -> io::Result<()> {
         self.close()?.finish()
     }
@@ -103,9 +94,6 @@ impl WholeFile {
 
 impl ClosedFile {
     /// Gives the file its name; a pipe or device gets all of it now.
-    ///
-    /// # Errors
-    /// If the disk, the pipe or the device refuses.
     pub fn finish(self) -> io::Result<()> {
         match self.destination {
             Destination::Replace(path) => self.file.persist(path).map_err(|e| e.error),
@@ -226,7 +214,6 @@ fn temporary(folder: &Path, mode: u32) -> io::Result<NamedTempFile> {
     builder.prefix(".seamwright-").tempfile_in(folder)
 }
 
-/// The folder that `path` is in.
 fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

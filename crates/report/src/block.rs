@@ -170,7 +170,6 @@ impl<T> TableOf<T> {
         self
     }
 
-    /// Returns the table under a ready caption.
     pub(crate) fn table(self, caption: String) -> Table {
         Table { caption, ..self.table }
     }
@@ -223,7 +222,6 @@ impl Block {
     }
 }
 
-/// A caption with its number.
 fn numbered(number: &str, caption: &str) -> Markup {
     html! { b { (number) } @if !caption.is_empty() { " " (caption) } }
 }
@@ -263,7 +261,6 @@ impl Finding {
 }
 
 impl Table {
-    /// Starts a table with a row for each item.
     pub(crate) fn of<T>(language: Language, items: impl IntoIterator<Item = T>) -> TableOf<T> {
         let items: Vec<T> = items.into_iter().collect();
         let rows = vec![Vec::new(); items.len()];

@@ -40,7 +40,6 @@ pub(crate) fn arrow_head(tip: Point, way: Point, length: f64) -> String {
     polyline(&[tip, side(1.0), side(-1.0)]) + "z"
 }
 
-/// Returns a diagonal cross.
 pub(crate) fn cross(x: f64, y: f64, half: f64) -> String {
     let half = half * std::f64::consts::FRAC_1_SQRT_2;
     polyline(&[(x - half, y - half), (x + half, y + half)]) + &polyline(&[(x - half, y + half), (x + half, y - half)])

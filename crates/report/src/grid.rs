@@ -89,7 +89,6 @@ impl Drawing for ChartGrid {
     }
 }
 
-/// One chart of a grid.
 struct Cell<'a> {
     chart: &'a Chart,
     y: Scale,

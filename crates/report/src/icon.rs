@@ -29,7 +29,6 @@ const NOTE: PreEscaped<&str> = PreEscaped(
     <path d=\"M3 3h18v18H3zM12 11v6M12 7v.1\"/></svg>",
 );
 
-/// Returns the icon of a severity.
 pub(crate) fn of(severity: Severity) -> PreEscaped<&'static str> {
     match severity {
         Severity::Error => ERROR,

@@ -25,7 +25,6 @@ pub(crate) fn spread(wanted: &[f64], sizes: &[f64], lo: f64, hi: f64) -> Vec<f64
     placed
 }
 
-/// A name beside a point.
 pub(crate) struct Name<'a> {
     pub(crate) text: &'a str,
     pub(crate) at: Point,

@@ -14,7 +14,6 @@ const GAP: f64 = 18.0;
 /// Tolerance for rounding of the sums that place the last name at the right edge, px.
 const HAIR: f64 = 0.01;
 
-/// One name in a legend.
 pub(crate) enum Entry {
     /// A curve, with the class of its stroke.
     Curve { class: String, dots: bool, name: String },

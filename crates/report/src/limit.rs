@@ -20,7 +20,6 @@ impl LimitLine {
         Self { label: label.into(), value }
     }
 
-    /// Returns the label with the value.
     pub(crate) fn text(&self, language: Language) -> String {
         format!("{} {}", self.label, number::significant(self.value, 5, language)).trim().into()
     }

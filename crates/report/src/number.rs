@@ -36,7 +36,6 @@ pub fn format_number(value: f64, digits: usize) -> String {
     }
 }
 
-/// Writes the decimal sign of `language` in a number.
 pub(crate) fn localized(number: &str, language: Language) -> String {
     number.replace('.', &language.decimal_sign().to_string())
 }
@@ -46,7 +45,6 @@ pub(crate) fn significant(value: f64, digits: usize, language: Language) -> Stri
     localized(&format_number(value, digits), language)
 }
 
-/// Formats `value` with `decimals` decimals and the decimal sign of `language`.
 pub(crate) fn fixed(value: f64, decimals: usize, language: Language) -> String {
     localized(&format_fixed(value, decimals), language)
 }
@@ -61,7 +59,6 @@ pub(crate) fn small(value: f64, language: Language) -> String {
     significant(value, 2, language)
 }
 
-/// Returns a value with its unit.
 pub(crate) fn quantity(value: f64, unit: Unit, digits: usize) -> Message {
     Message::new("quantity").significant("value", value, unit, digits)
 }
@@ -71,12 +68,10 @@ pub(crate) fn range(code: &'static str, ends: (f64, f64), unit: Unit) -> Message
     Message::new(code).significant("from", ends.0, Unit::One, 5).significant("to", ends.1, unit, 5)
 }
 
-/// Returns a range of formatted values.
 pub(crate) fn from_to(from: impl Into<String>, to: impl Into<String>, language: Language) -> String {
     Message::new("report-range").text("from", from).text("to", to).in_language(language)
 }
 
-/// Formats an allowed range.
 pub(crate) fn allowed(window: Option<(f64, f64)>, language: Language) -> String {
     match window {
         Some((low, high)) => from_to(number(low, language), number(high, language), language),
@@ -84,7 +79,6 @@ pub(crate) fn allowed(window: Option<(f64, f64)>, language: Language) -> String 
     }
 }
 
-/// Arguments with significant digits.
 pub(crate) trait Significant: Sized {
     /// Adds a value with up to `digits` significant digits, see [`format_number`].
     fn significant(self, name: &'static str, value: f64, unit: Unit, digits: usize) -> Self;

@@ -15,7 +15,6 @@ use crate::ticks::Ticks;
 /// Size of tick and limit labels, px.
 const SMALL: f64 = 11.0;
 
-/// A vertical or horizontal scale.
 pub(crate) struct Scale {
     /// Range of values, of their decimal logarithms on a logarithmic scale.
     pub(crate) domain: Domain,
@@ -40,7 +39,6 @@ impl Scale {
         Self { domain, ticks: Ticks::decades(domain, most), logarithmic: true }
     }
 
-    /// Returns the coordinate of `value` in the domain.
     fn place(&self, value: f64) -> f64 {
         if self.logarithmic { value.log10() } else { value }
     }
@@ -185,7 +183,6 @@ impl Plot<'_> {
         }
     }
 
-    /// Draws the labels of the x ticks below the plot.
     pub(crate) fn draw_x_labels(&self, svg: &mut Svg) {
         let places = self.x.ticks.values.iter().map(|v| self.at_x(*v));
         svg.ticks(self.frame.bottom() + 14.0, places.zip(self.x.ticks.labels_in(self.chart.language)));

@@ -44,7 +44,6 @@ impl Projection {
         })
     }
 
-    /// Returns the name of the view.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Front => "report-view-front",

@@ -34,12 +34,10 @@ impl Rect {
         self.y + self.h
     }
 
-    /// Returns a square around a point.
     pub(crate) fn around(p: Point, half: f64) -> Self {
         Self { x: p.0 - half, y: p.1 - half, w: 2.0 * half, h: 2.0 * half }
     }
 
-    /// Returns the nearest point inside.
     pub(crate) fn nearest(&self, p: Point) -> Point {
         (p.0.clamp(self.x, self.right()), p.1.clamp(self.y, self.bottom()))
     }
@@ -146,7 +144,6 @@ impl Svg {
         self.text("tick halo", x + mm * scale + 5.0, y + 3.5, Anchor::Start, &length.in_language(language));
     }
 
-    /// Adds the elements that `draw` makes, clipped to `r`.
     pub(crate) fn clipped(&mut self, r: Rect, draw: impl FnOnce(&mut Self)) {
         let mut inside = Self::default();
         draw(&mut inside);

@@ -72,7 +72,6 @@ impl Ticks {
         Self { values, step: 1.0, logarithmic: true }
     }
 
-    /// Returns the labels with the decimal sign of `language`.
     pub(crate) fn labels_in(&self, language: Language) -> Vec<String> {
         self.labels().iter().map(|label| localized(label, language)).collect()
     }

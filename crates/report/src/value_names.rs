@@ -12,7 +12,6 @@ pub(crate) fn value_title(language: Language, name: &str) -> String {
     language.named("value", title).unwrap_or_else(|| title.replace('_', " "))
 }
 
-/// Returns name and unit of a process value.
 pub(crate) fn value_parts(language: Language, name: &str) -> [String; 2] {
     [value_title(language, name), value_name(name).1.map_or_else(String::new, |unit| language.symbol(unit))]
 }

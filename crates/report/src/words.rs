@@ -3,7 +3,6 @@
 use seamwright_message::{Catalogue, Language, Message, Unit};
 use std::borrow::Cow;
 
-/// Words of a language for pages.
 pub(crate) trait Words: Copy {
     /// Returns the words of a code without arguments; empty for an empty code.
     fn words(self, code: &'static str) -> String;
@@ -12,10 +11,8 @@ pub(crate) trait Words: Copy {
     /// of seam.
     fn named(self, kind: &str, name: &str) -> Option<String>;
 
-    /// Returns the symbol of a unit.
     fn symbol(self, unit: Unit) -> String;
 
-    /// Returns the words of the codes of names, each with its value.
     fn named_values<const N: usize>(self, values: [(&'static str, String); N]) -> Vec<(String, String)>;
 
     /// Joins sentences: Chinese full stops include their space.

@@ -32,7 +32,6 @@ fn check_chart(chart: &Chart) -> String {
     svg
 }
 
-/// Returns the points of all paths of a class, in px.
 fn points(svg: &str, class: &str) -> Vec<(f64, f64)> {
     let document = Document::parse(svg).unwrap();
     let paths = document.descendants().filter(|n| n.attribute("class") == Some(class));

@@ -38,6 +38,7 @@
 //! ```
 
 mod cell;
+mod document_kind;
 mod error;
 mod form;
 mod front;

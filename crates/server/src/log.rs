@@ -20,7 +20,6 @@ pub(crate) fn info(text: &str) {
     line("INFO", text);
 }
 
-/// Logs a condition that needs attention.
 pub(crate) fn warning(text: &str) {
     line("WARN", text);
 }

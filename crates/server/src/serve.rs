@@ -101,7 +101,6 @@ pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Sh
     }
 }
 
-/// Creates a runtime with threads of this name for handlers.
 fn threads(name: &str) -> Result<Runtime, Error> {
     let runtime = tokio::runtime::Builder::new_multi_thread().thread_name(name).worker_threads(2).enable_all().build();
     runtime.map_err(|e| Error::system(&e))

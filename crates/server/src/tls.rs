@@ -60,7 +60,6 @@ impl Encryption {
     }
 }
 
-/// Returns the TLS configuration; `names` are the names of the panel.
 pub(crate) async fn encryption(tls: &Tls, data: &Path, names: &[String]) -> Result<Encryption, Error> {
     let config = config(tls, data, names).await?;
     Ok(Encryption(Arc::new(RwLock::new(Arc::new(config)))))
@@ -78,7 +77,7 @@ async fn config(tls: &Tls, data: &Path, names: &[String]) -> Result<ServerConfig
         }),
         Tls::Own => {
             let (cert, key) = own(&data, &names)?;
-            of_pem(cert.as_bytes(), key.as_bytes()).map_err(|why| wrong(&why))
+            of_pem(["certificate", "key"], cert.as_bytes(), key.as_bytes()).map_err(|why| wrong(&why))
         }
     });
     made.await.map_err(|e| wrong(&e))?
@@ -88,14 +87,15 @@ async fn config(tls: &Tls, data: &Path, names: &[String]) -> Result<ServerConfig
 /// system or the library.
 fn of_files(cert: &Path, key: &Path) -> Result<ServerConfig, String> {
     let read = |path: &Path| std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()));
-    of_pem(&read(cert)?, &read(key)?)
+    let names = [cert, key].map(|path| path.display().to_string());
+    of_pem([&names[0], &names[1]], &read(cert)?, &read(key)?)
 }
 
-/// Returns the configuration for a chain of certificates and its key, both PEM.
-fn of_pem(cert: &[u8], key: &[u8]) -> Result<ServerConfig, String> {
+/// Returns the configuration for a chain of certificates and its key, both PEM, with the names of both in errors.
+fn of_pem(names: [&str; 2], cert: &[u8], key: &[u8]) -> Result<ServerConfig, String> {
     let chain: Result<Vec<_>, _> = CertificateDer::pem_slice_iter(cert).collect();
-    let chain = chain.map_err(|e| format!("certificate: {e}"))?;
-    let key = PrivateKeyDer::from_pem_slice(key).map_err(|e| format!("key: {e}"))?;
+    let chain = chain.map_err(|e| format!("{}: {e}", names[0]))?;
+    let key = PrivateKeyDer::from_pem_slice(key).map_err(|e| format!("{}: {e}", names[1]))?;
     let builder = ServerConfig::builder_with_provider(Arc::new(ring::default_provider()));
     let builder = builder.with_safe_default_protocol_versions().map_err(|e| e.to_string())?;
     let mut config = builder.with_no_client_auth().with_single_cert(chain, key).map_err(|e| e.to_string())?;
@@ -122,7 +122,8 @@ fn own(data: &Path, names: &[String]) -> Result<(String, String), Error> {
     let failed = |e: seamwright_project::Failure| Error::System(e.message());
     let (key_file, cert_file) = (folder.join("ca.key"), folder.join("ca.pem"));
     let ca_key = if key_file.is_file() {
-        KeyPair::from_pem(&files::read(&key_file).map_err(failed)?).map_err(|e| wrong(&e))?
+        let key = KeyPair::from_pem(&files::read(&key_file).map_err(failed)?);
+        key.map_err(|e| wrong(&format!("{}: {e}", key_file.display())))?
     } else {
         let key = KeyPair::generate().map_err(|e| wrong(&e))?;
         files::write_secret(&key_file, &key.serialize_pem()).map_err(failed)?;
@@ -159,7 +160,6 @@ fn named(name: &str) -> DistinguishedName {
     distinguished
 }
 
-/// Current time by the system's clock.
 fn now() -> Result<OffsetDateTime, Error> {
     OffsetDateTime::from_unix_timestamp(Moment::now().0.div_euclid(1000)).map_err(|e| wrong(&e))
 }
@@ -201,8 +201,15 @@ mod tests {
                 assert_eq!(mode & 0o077, 0, "{file}");
             }
         }
-        let files = Tls::Files { cert: folder.path().join("no.pem"), key: folder.path().join("tls/ca.key") };
-        assert!(config(&files, folder.path(), &names).await.unwrap_err().to_string().contains("no.pem"));
+        // Errors name the file: one that is missing, or no PEM.
+        let at = |name: &str| folder.path().join(name);
+        let why = async |tls: Tls| config(&tls, folder.path(), &names).await.unwrap_err().to_string();
+        let key = at("tls/ca.key");
+        assert!(why(Tls::Files { cert: at("no.pem"), key: key.clone() }).await.contains("no.pem: "));
+        std::fs::write(at("broken.key"), "-----BEGIN PRIVATE KEY-----\nno\n").unwrap();
+        assert!(why(Tls::Files { cert: at("tls/ca.pem"), key: at("broken.key") }).await.contains("broken.key: "));
+        std::fs::write(&key, "no key").unwrap();
+        assert!(why(Tls::Own).await.contains("ca.key: "));
     }
 
     /// Returns the end of validity of a certificate from its DER: the second of two times (UTCTime, X.690 8.26).

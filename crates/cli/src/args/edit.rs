@@ -4,8 +4,11 @@ mod values;
 
 use clap::{Args, Subcommand};
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive};
+use serde::Serialize;
 use std::path::PathBuf;
-use values::{direction, finite, length_range, named, non_negative, place, positive, whole_range};
+use values::{
+    by_name, direction, finite, length_range, named, non_negative, place, positive, steady_or_ramp, whole_range,
+};
 
 #[derive(Debug, Args)]
 #[command(
@@ -38,7 +41,9 @@ pub(crate) struct EditArgs {
     pub(crate) output: Option<PathBuf>,
 }
 
-#[derive(Debug, Clone, Subcommand)]
+// Serialized as the operation that it is.
+#[derive(Debug, Clone, Subcommand, Serialize)]
+#[serde(tag = "op", rename_all = "snake_case")]
 pub(crate) enum EditVerb {
     /// Set numbers of a point
     #[command(after_help = "Example: seamwright edit p.toml set-point --pass 1 --point 3 --set x_mm=12.5,time_s=2")]
@@ -51,9 +56,11 @@ pub(crate) enum EditVerb {
         point: usize,
         /// Columns and their numbers
         #[arg(long, value_name = "NAME=V,..", value_delimiter = ',', value_parser = named, required_unless_present = "speeds")]
+        #[serde(serialize_with = "by_name")]
         set: Vec<(String, Finite)>,
         /// Columns of the position and their speeds per second, of cubics that end or start there
         #[arg(long, value_name = "NAME=V,..", value_delimiter = ',', value_parser = named)]
+        #[serde(serialize_with = "by_name")]
         speeds: Vec<(String, Finite)>,
     },
     /// Insert a point with its numbers, or halfway to the next
@@ -217,6 +224,7 @@ pub(crate) enum EditVerb {
         name: String,
         /// A number, or start and end of a ramp
         #[arg(long, value_name = "V or FROM,TO", value_delimiter = ',', value_parser = finite, allow_hyphen_values = true, num_args = 1..=2)]
+        #[serde(serialize_with = "steady_or_ramp")]
         value: Vec<Finite>,
     },
     /// Number the points in column n
@@ -275,6 +283,7 @@ pub(crate) enum EditVerb {
     },
     /// Add a pass from a JSON file
     #[command(after_help = "Example: seamwright edit p.toml add-pass --at 1 --from pass.json")]
+    #[serde(skip)]
     AddPass {
         /// Its position in the order [default: last]
         #[arg(long)]
@@ -310,6 +319,7 @@ pub(crate) enum EditVerb {
     },
     /// Add an event to a pass through points
     #[command(after_help = "Example: seamwright edit p.toml add-event --pass 1 --after 3 --gas true")]
+    #[serde(skip)]
     AddEvent(EventArgs),
     /// Delete an event
     #[command(after_help = "Example: seamwright edit p.toml delete-event --pass 1 --event 2")]
@@ -325,12 +335,15 @@ pub(crate) enum EditVerb {
     Format,
     /// Undo the last edit
     #[command(after_help = "Example: seamwright edit p.toml undo")]
+    #[serde(skip)]
     Undo(StepArgs),
     /// Redo the last undone edit
     #[command(after_help = "Example: seamwright edit p.toml redo")]
+    #[serde(skip)]
     Redo(StepArgs),
     /// List the edits, and the undone ones
     #[command(after_help = "Example: seamwright edit p.toml history")]
+    #[serde(skip)]
     History,
 }
 

@@ -30,7 +30,6 @@ fn read_or_not(printed: Result<(), Failure>) -> Result<(), Failure> {
     }
 }
 
-/// Findings against one job.
 fn check(job: &Path, args: &CheckArgs) -> Result<Vec<Finding>, Failure> {
     let loaded = load(job)?;
     Ok(planning::try_plan(&loaded, &args.planning)?.map_or_else(|findings| findings, |motion| motion.findings))

@@ -174,7 +174,6 @@ impl<'a, R: BufRead> Points<'a, R> {
         Ok(Self { machine, reader, kind, near: machine.home(), around, clear: None, failed })
     }
 
-    /// The next row's positions.
     fn row(&mut self) -> Option<Result<Joints, Failure>> {
         let values = match self.reader.row()? {
             Ok(values) => values,

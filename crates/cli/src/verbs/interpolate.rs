@@ -14,7 +14,6 @@ const SUMMARY: &str = "method,steps,step_mm,chord_min_mm,chord_max_mm,chord_mean
     chord_rms_percent,deviation_max_mm,deviation_rms_mm,chord_error_max_mm,length_mm,true_length_mm,end_error_mm,\
     duration_s";
 
-/// A request with the name it goes by.
 struct Named {
     name: &'static str,
     request: Request,
@@ -40,7 +39,6 @@ pub(crate) fn run(args: &InterpolateArgs) -> Result<(), Failure> {
     if args.summary { summary(&requests, args.json) } else { points(&requests, args.json) }
 }
 
-/// The methods asked for, with their names.
 fn methods(args: &InterpolateArgs) -> Vec<(&'static str, Method)> {
     let exact = match args.step {
         StepArg::Arc => ("exact-arc", Method::Exact(EqualStep::Arc)),

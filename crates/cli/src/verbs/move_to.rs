@@ -70,7 +70,6 @@ fn positions(machine: &Machine, option: &str, words: &[String], others: &Joints)
     Ok(q)
 }
 
-/// Positions in the range of an axis, as in files.
 fn allowed_positions(axis: &Axis) -> Message {
     match axis.range {
         Some((low, high)) => {

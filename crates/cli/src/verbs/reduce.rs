@@ -112,7 +112,6 @@ fn rows(points: usize, reduction: &Reduction) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The same as one JSON object.
 fn print(points: usize, reduction: &Reduction) -> Result<(), Failure> {
     let spans = &reduction.spans;
     let listed = |span: &Span| -> Value {

@@ -34,7 +34,6 @@ impl TraceFile {
         Ok(self.writer.row(values)?)
     }
 
-    /// Adds the finished trace to `output`.
     pub(super) fn finish(self, output: &mut Output) -> Result<(), Failure> {
         let Self { writer, scratch } = self;
         for part in writer.finish()? {
@@ -83,7 +82,6 @@ pub(super) fn begin(
 }
 
 impl Rows {
-    /// Adds a row.
     pub(super) fn row(&mut self, values: impl IntoIterator<Item = f64>) -> Result<(), Failure> {
         match self {
             Self::Trace(trace) => trace.row(values)?,
@@ -164,7 +162,6 @@ fn result(report: &WeldReport) -> WeldResult {
     }
 }
 
-/// Records this command in the audit log.
 pub(super) fn audit(data: &mut DataFolder, command: &str, result: &str) -> Result<(), Failure> {
     let user = ["USER", "LOGNAME", "USERNAME"].into_iter().find_map(|name| std::env::var(name).ok());
     let entry = AuditEntry {

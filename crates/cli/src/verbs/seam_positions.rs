@@ -11,7 +11,6 @@ use seamwright_weld::SeamCurve;
 /// Maximum number of points along a seam.
 const MAX_POINTS: u32 = 10_000_000;
 
-/// Requested points.
 pub(super) enum Places {
     /// Path lengths with their angles, degrees.
     Angles(Vec<(f64, f64)>),

@@ -8,7 +8,6 @@ use seamwright_simulation::tracking::Distortion;
 use seamwright_tracking::beam::DeviationRecord;
 use std::path::Path;
 
-/// The part that the arguments describe.
 pub(super) fn read(args: &PartArgs) -> Result<Part, Failure> {
     let distortion = match &args.distortion {
         Some(path) => Some(Distortion::read(&path.display().to_string(), &files::read(path)?)?),

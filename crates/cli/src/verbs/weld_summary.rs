@@ -12,7 +12,6 @@ use seamwright_simulation::Summary;
 use seamwright_simulation::tracking::HeadSummary;
 use std::path::PathBuf;
 
-/// The summary, with the files of `paths` at its end.
 pub(super) fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     let mut text = format!("{}\n", r.title);
     labelled(&mut text, "cli-label-machine", &r.machine.title);
@@ -36,7 +35,6 @@ pub(super) fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     text
 }
 
-/// Arc energy and wire of the weld.
 fn consumption(text: &mut String, r: &WeldReport) {
     let energy = r.totals.arc_energy_kj.filter(|kj| *kj > 0.0);
     let energy = energy.map(|kj| Message::new("cli-summary-takes-energy").quantity("energy", kj, Unit::KiloJ, 1));
@@ -53,7 +51,6 @@ fn times(travel: f64, arc: f64, total: f64) -> Message {
     times.quantity("arc", arc, Unit::S, 2).quantity("total", total, Unit::S, 2)
 }
 
-/// The only pass of a weld, in many lines.
 fn only_pass(text: &mut String, pass: &PassFigures) {
     let p = &pass.plan;
     let speed = Message::new("cli-summary-speed")
@@ -124,7 +121,6 @@ fn clearance(pass: &PassFigures) -> Option<Message> {
     })
 }
 
-/// Result of a simulated pass.
 fn simulated(text: &mut String, s: &Summary) {
     if !s.welded {
         labelled(text, "cli-label-welded", Message::new("cli-summary-not-welded"));
@@ -173,7 +169,6 @@ fn tracked_head(text: &mut String, head: &HeadSummary, welded: bool) {
     }
 }
 
-/// Correction by a beam.
 fn beam_message(beam: &BeamSummary) -> Message {
     let mut message = Message::new("cli-summary-beam")
         .number("deflection", beam.deflected_mm, 3)

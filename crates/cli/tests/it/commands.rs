@@ -3,7 +3,6 @@
 use crate::common::{bad, column, example, good, run, table, write};
 use std::process::Output;
 
-/// Runs an example under commands.
 fn commanded(job: &str, commands: &str, more: &[&str]) -> Output {
     let (_folder, file) = file_of(commands);
     run(&[&["tools", "motion", &example(job), "--period-ms", "4", "--commands", &file], more].concat())
@@ -141,7 +140,6 @@ fn bad_files_are_refused_before_anything_is_written() {
     assert!(String::from_utf8(text.stderr).unwrap().contains("allowed: 0.25 to 4"));
 }
 
-/// A file of commands that lasts as long as its folder.
 fn file_of(commands: &str) -> (tempfile::TempDir, String) {
     let folder = tempfile::tempdir().unwrap();
     let file = write(folder.path(), "commands.csv", commands);

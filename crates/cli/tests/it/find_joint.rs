@@ -1,8 +1,7 @@
 //! `seamwright vision joint`: a painted joint whose midline is known, photographs with hand-read points, and the errors
 //! of other images.
 
-use crate::common::{bad, good, json, root, run, scratch_file};
-use serde_json::Value;
+use crate::common::{bad, good, json, json_file, root, run, scratch_file};
 
 /// Rows with at least this confidence are confident (docs/reference/cli.md).
 const CONFIDENT: f64 = 0.5;
@@ -96,7 +95,7 @@ fn no_joint_is_lost_at_once() {
 #[test]
 fn photographs() {
     let folder = root().join("tests/data/images");
-    let labels: Value = serde_json::from_str(&std::fs::read_to_string(folder.join("labels.json")).unwrap()).unwrap();
+    let labels = json_file(folder.join("labels.json"));
     for (name, least, widths) in [("x1.jpg", 7, 7.0..14.0), ("x3.jpg", 9, 25.0..60.0), ("x7.jpg", 6, 6.0..18.0)] {
         let points: Vec<[f64; 3]> = serde_json::from_value(labels["images"][name]["points"].clone()).unwrap();
         let ([y, x, _], [to_y, to_x, _]) = (points[0], points[1]);
@@ -133,7 +132,7 @@ fn photographs() {
 #[test]
 fn photographs_from_other_directions() {
     let folder = root().join("tests/data/images");
-    let labels: Value = serde_json::from_str(&std::fs::read_to_string(folder.join("labels.json")).unwrap()).unwrap();
+    let labels = json_file(folder.join("labels.json"));
     for name in ["x1.jpg", "x3.jpg", "x7.jpg"] {
         let points: Vec<[f64; 3]> = serde_json::from_value(labels["images"][name]["points"].clone()).unwrap();
         let ([y, x, _], [to_y, to_x, _]) = (points[0], points[1]);

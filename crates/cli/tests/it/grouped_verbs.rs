@@ -6,7 +6,6 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::process::{Command, Output};
 
-/// The verbs of a help text.
 fn verbs(help: &str) -> Vec<String> {
     let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1);
     lines
@@ -85,7 +84,6 @@ fn every_former_name_prints_its_note() {
     }
 }
 
-/// Runs a command with these variables of the locale.
 fn in_locale(arguments: &[&str], locale: &[(&str, &str)]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_seamwright"));
     for name in ["LC_ALL", "LC_MESSAGES", "LANG"] {

@@ -110,7 +110,6 @@ fn kind(schema: &Value) -> String {
     bounded(&named, schema)
 }
 
-/// `named`, with the bounds of `schema`.
 fn bounded(named: &str, schema: &Value) -> String {
     let bound = |key: &str, sign: &str| schema.get(key).map(|value| format!(" {sign} {value}"));
     let bounds =
@@ -175,7 +174,6 @@ fn page(name: &str, title: &str, folder: &str) -> String {
     text
 }
 
-/// Writes each of `types` under a heading.
 fn types(types: &Value, examples: &Examples, text: &mut String) {
     for (name, of) in types.as_object().into_iter().flatten() {
         let _ = write!(text, "\n## {name}\n");

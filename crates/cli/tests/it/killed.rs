@@ -17,7 +17,6 @@ const LAST_SECOND: f64 = 5.0;
 /// Before the weld, and in it: the position is asked every 50 ms.
 const BEGIN: &str = "on\nhome\nwait ready\narm\nweld\n";
 
-/// The job of all the moments.
 fn job(folder: &Path) -> String {
     let text = free_example("ellipse")
         .replace("[sequence]", &format!("[sequence]\noverlap_mm = {OVERLAP}"))

@@ -1,6 +1,6 @@
 //! `machine check`: shipped machines pass, all files are written, bad files and numbers are refused.
 
-use crate::common::{good, root, run, write};
+use crate::common::{good, json_file, root, run, write};
 use std::fs;
 
 const SHIPPED: [&str; 6] =
@@ -18,8 +18,7 @@ fn shipped_machines_pass_and_are_drawn() {
         let shown = out.display().to_string();
         let summary = good(&["machine", "check", name, "--poses", "500", "-o", &shown]);
         assert!(summary.contains("result       passed") && summary.contains("check.html"), "{summary}");
-        let json: serde_json::Value =
-            serde_json::from_str(&fs::read_to_string(out.join("check.json")).unwrap()).unwrap();
+        let json = json_file(out.join("check.json"));
         assert!(json["passed"] == true && json["name"] == name);
         let svg = fs::read_to_string(out.join("machine.svg")).unwrap();
         let page = fs::read_to_string(out.join("check.html")).unwrap();

@@ -1,6 +1,6 @@
 //! `machine tune`: margins on the shipped machines, settings that can be pasted, plots, bad names.
 
-use crate::common::{bad, good, json, run, write};
+use crate::common::{bad, good, has_all, json, run, write};
 use std::fs;
 use toml_edit::DocumentMut;
 
@@ -21,9 +21,7 @@ fn a_shipped_machine_is_tuned_and_the_settings_can_be_pasted() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out").display().to_string();
     let text = good(&["machine", "tune", "saddle-4axis", "-o", &out]);
-    for word in ["phase m.", "following", "theta", "beta", "tuning.toml", "bode-theta.svg"] {
-        assert!(text.contains(word), "{word}: {text}");
-    }
+    has_all(&text, &["phase m.", "following", "theta", "beta", "tuning.toml", "bode-theta.svg"]);
     for axis in ["theta", "s", "h", "beta"] {
         let svg = fs::read_to_string(folder.path().join(format!("out/bode-{axis}.svg"))).unwrap();
         assert!(svg.contains("gain margin") && svg.contains("phase margin") && svg.contains("frequency, Hz"), "{axis}");

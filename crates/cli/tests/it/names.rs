@@ -6,7 +6,6 @@ use serde_json::Value;
 use std::fs;
 use std::process::{Command, Output};
 
-/// Runs `seamwright` in a folder.
 fn run_in(folder: &std::path::Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_seamwright")).args(arguments).current_dir(folder).output().unwrap()
 }
@@ -126,7 +125,6 @@ fn what_is_named_and_missing_is_bad_input_everywhere() {
     assert!(!root().join("nowhere").exists());
 }
 
-/// An output that is a link or a pipe stays one.
 #[cfg(unix)]
 #[test]
 fn outputs_follow_links_and_are_written_to_pipes() {

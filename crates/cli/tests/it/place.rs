@@ -1,6 +1,6 @@
 //! `machine place`: the offset found is that of the points; bad tables are refused with their address.
 
-use crate::common::{self, bad, example, good, root, run, run_with};
+use crate::common::{self, bad, example, good, has_all, root, run, run_with};
 use std::f64::consts::TAU;
 use std::fs;
 
@@ -220,9 +220,7 @@ fn bad_input_is_refused_with_its_place() {
         let (code, out, text) = place(&extra, &csv);
         assert!(code == 2 && out.is_empty(), "{extra:?} {csv}: {out}{text}");
         assert!(text.contains("allowed: "), "{text}");
-        for word in words {
-            assert!(text.contains(word), "{word} in {text}");
-        }
+        has_all(&text, &words);
     }
     let output = run_with(
         &["machine", "place", &example("ellipse"), "--points", "-", "--method", "chuck"],

@@ -1,6 +1,6 @@
 //! Jobs checked against a procedure: output of `check` and `plan`, written files, and errors of bad procedure files.
 
-use crate::common::{example, good, root, run, write};
+use crate::common::{example, good, has_all, json_file, root, run, write};
 use std::fs;
 use std::path::Path;
 use std::process::Output;
@@ -35,8 +35,7 @@ fn a_plan_that_leaves_its_procedure_is_written_and_has_exit_code_1() {
     let output = run(&["plan", &path, "-o", &out.display().to_string(), "--plots"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&output.stderr).contains("current_a is 290 at s = 1600.834 mm"));
-    let report: serde_json::Value =
-        serde_json::from_str(&fs::read_to_string(out.join("report.json")).unwrap()).unwrap();
+    let report = json_file(out.join("report.json"));
     let held = &report["passes"][0]["procedure"];
     let current = held["quantities"].as_array().unwrap().iter().find(|q| q["key"] == "current_a").unwrap();
     let length = report["seam"]["weld_length_mm"].as_f64().unwrap();
@@ -45,11 +44,10 @@ fn a_plan_that_leaves_its_procedure_is_written_and_has_exit_code_1() {
     assert!((outside[1]["from_mm"].as_f64().unwrap() - length * 60.0 / 90.0).abs() < 1e-6, "{outside:?}");
     assert_eq!((&held["positions"][0]["position"], &held["joint"]), (&"PB".into(), &"fillet".into()));
     let page = fs::read_to_string(out.join("report.html")).unwrap();
-    for word in
-        ["Outside WPS 135-01", "Heat input along the seam", "Welding position", "to be measured", "outside: s ="]
-    {
-        assert!(page.contains(word), "{word}");
-    }
+    has_all(
+        &page,
+        &["Outside WPS 135-01", "Heat input along the seam", "Welding position", "to be measured", "outside: s ="],
+    );
     assert!(out.join("plots/heat-input.svg").exists() && out.join("plots/position.svg").exists());
     // The program holds its procedure and is judged alike; verbs that would weld refuse it.
     let program = out.join("program.toml").display().to_string();
@@ -64,9 +62,7 @@ fn each_kind_of_window_is_watched() {
         let output = check(procedure, changes);
         let text = String::from_utf8(output.stdout).unwrap();
         assert_eq!(output.status.code(), Some(1), "{text}");
-        for word in words {
-            assert!(text.contains(word), "{word}: {text}");
-        }
+        has_all(&text, words);
     };
     says(
         &[("[8, 12]", "[4, 6]")],
@@ -89,9 +85,7 @@ fn bad_procedures_have_an_address() {
         println!("{text}");
         assert_eq!(output.status.code(), Some(2), "{text}");
         assert!(output.stdout.is_empty() && text.contains("my.toml:"));
-        for word in words {
-            assert!(text.contains(word), "{word}: {text}");
-        }
+        has_all(&text, words);
     };
     refused("[8, 12]", "[12, 8]", &["runs[0].speed_mm_s", "above the maximum", "[minimum, maximum]"]);
     refused("process = 135 ", "process = 163 ", &["process = 163", "allowed: 111 (manual"]);

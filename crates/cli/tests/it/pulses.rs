@@ -1,7 +1,7 @@
 //! `seamwright tools pulses`: the value change dump read by a small parser of the format alone, against the set-points of
 //! `seamwright tools motion`; the same as CSV; refusals.
 
-use crate::common::{bad, column, example, good, json, root, run, run_with, table};
+use crate::common::{bad, column, example, good, has_all, json, root, run, run_with, table};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -192,10 +192,10 @@ fn microsteps_are_chosen_and_explained() {
 fn too_many_pulses_are_found_before_anything_is_written() {
     let (code, text, written) = changed(&[("max_pulse_hz = 200000", "max_pulse_hz = 50")], &[]);
     assert!(code == 1 && !written, "{text}");
-    for word in ["axis ", " at t = ", "pulses a second", "50 is the maximum", "cure: ", "max_pulse_hz", "pass 1, s = "]
-    {
-        assert!(text.contains(word), "{word} in {text}");
-    }
+    has_all(
+        &text,
+        &["axis ", " at t = ", "pulses a second", "50 is the maximum", "cure: ", "max_pulse_hz", "pass 1, s = "],
+    );
 }
 
 #[test]

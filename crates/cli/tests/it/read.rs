@@ -1,6 +1,6 @@
 //! `read`: part programs as weld programs, posted back and welded in simulation.
 
-use crate::common::{good, run as seamwright, write};
+use crate::common::{good, json_file, run as seamwright, write};
 use std::fs;
 
 fn text(bytes: &[u8]) -> String {
@@ -130,7 +130,7 @@ fn posts_say_how_they_were_proven() {
     assert!(out.status.success() && text(&out.stderr).contains("proven by reading back"), "{}", text(&out.stderr));
     let written = fs::read_to_string(&file).unwrap();
     assert!(written.contains("(proven by reading back:") && written.contains("(pass 1: tip 0.00"));
-    let json: serde_json::Value = serde_json::from_str(&fs::read_to_string(&proof).unwrap()).unwrap();
+    let json = json_file(&proof);
     assert!(json["passes"][0]["tip_mm"].as_f64().unwrap() < 0.0101);
     let refused = seamwright(&["post", example, "--dialect", "linuxcnc", "--interpolation", "pvt"]);
     assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains("PMAC"));
@@ -144,8 +144,7 @@ fn a_plan_comes_with_its_part_programs() {
     let folder = dir.path().join("plan");
     let at = folder.to_str().unwrap();
     good(&["plan", example, "-o", at, "--post", "sinumerik", "--post", "linuxcnc"]);
-    let json: serde_json::Value =
-        serde_json::from_str(&fs::read_to_string(folder.join("report.json")).unwrap()).unwrap();
+    let json = json_file(folder.join("report.json"));
     for (i, file) in ["sinumerik.mpf", "linuxcnc.ngc"].into_iter().enumerate() {
         assert_eq!(json["posts"][i]["file"], file);
         let tip = json["posts"][i]["proof"]["passes"][0]["tip_mm"].as_f64().unwrap();
@@ -213,7 +212,6 @@ fn passes_start_again_with_the_arc_off() {
     }
 }
 
-/// A rest in which an output changes is read and written again.
 #[test]
 fn rests_with_values_come_back() {
     let source = "G0 X0 Y0 Z400 A0 C0\n$A_OUTA[1]=180\n$A_OUT[1]=1\nG4 F0.3\nG1 X20 F600\n$A_OUT[1]=0\nM30\n";

@@ -1,6 +1,6 @@
 //! `seamwright records`, and `simulate --data`: welds recorded, found, exported, verified, recovered; bad input.
 
-use crate::common::{bad, example, good, json, run, table};
+use crate::common::{bad, example, good, has_all, json, json_file, run, table};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -44,19 +44,15 @@ fn a_weld_is_recorded_found_and_exported() {
     good(&["records", "export", "2", "-o", &exported.display().to_string(), "--data", &data]);
     let same = |name: &str, other: &Path| fs::read(exported.join(name)).unwrap() == fs::read(other).unwrap();
     assert!(same("trace.parquet", &folder.path().join("out/trace.parquet")));
-    let record: Value = serde_json::from_str(&fs::read_to_string(exported.join("record.json")).unwrap()).unwrap();
+    let record = json_file(exported.join("record.json"));
     assert!(record["id"] == 2 && record["files"][0]["name"] == "trace.parquet", "{record}");
     let page = fs::read_to_string(exported.join("report.html")).unwrap();
-    for wanted in ["P-2", "A. Welder", "Signature", record["files"][0]["sha256"].as_str().unwrap()] {
-        assert!(page.contains(wanted), "{wanted}");
-    }
+    has_all(&page, &["P-2", "A. Welder", "Signature", record["files"][0]["sha256"].as_str().unwrap()]);
     // In another language only the page differs.
     let russian = folder.path().join("russian");
     good(&["records", "export", "2", "-o", &russian.display().to_string(), "--data", &data, "--language", "ru"]);
     let page = fs::read_to_string(russian.join("report.html")).unwrap();
-    for wanted in ["<html lang=\"ru\">", "Протокол сварки 2", "P-2", "A. Welder"] {
-        assert!(page.contains(wanted), "{wanted}");
-    }
+    has_all(&page, &["<html lang=\"ru\">", "Протокол сварки 2", "P-2", "A. Welder"]);
     assert!(!page.contains("Signature"));
     for name in ["record.json", "program.toml", "trace.parquet"] {
         assert_eq!(fs::read(russian.join(name)).unwrap(), fs::read(exported.join(name)).unwrap(), "{name}");
@@ -94,7 +90,6 @@ fn what_was_changed_is_found() {
     assert!(found["problems"][0].as_str().unwrap().contains("trace.parquet"), "{found}");
 }
 
-/// A simulation that is killed leaves a weld that can be recovered.
 #[test]
 fn a_killed_simulation_is_recovered() {
     let folder = tempfile::tempdir().unwrap();
@@ -170,11 +165,9 @@ fn bad_input() {
     };
     written(&["--data", &file], &["library.sqlite"]);
     written(&["--part", "P-3"], &["--data"]);
-    let output = run(&[&simulate[..], &["--data", &foreign]].concat());
-    assert_eq!(output.status.code(), Some(3));
+    bad(3, &[&simulate[..], &["--data", &foreign]].concat());
 }
 
-/// The usual folder is that of the environment.
 #[test]
 fn the_usual_folder() {
     let (folder, data) = recorded();

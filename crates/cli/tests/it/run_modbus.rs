@@ -1,6 +1,6 @@
 //! `run` and `io` with a machine file whose process source and inputs are on Modbus.
 
-use crate::common::{bad, good, json, start};
+use crate::common::{bad, good, json, json_file, start};
 use crate::modbus_server::TestServer;
 use crate::modbus_welder::{MAP, welder};
 use crate::stopped::{eventually, job};
@@ -30,7 +30,7 @@ fn a_weld_by_a_device_on_modbus() {
     assert!(told.contains("simulated: drives"), "{told}");
     let bank = server.bank();
     assert!(!bank.coils[0] && !bank.coils[1] && bank.holding[..2] == [0, 0]);
-    let run: Value = serde_json::from_str(&std::fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
+    let run = json_file(out.join("run.json"));
     let device = &run["devices"][0];
     assert!(
         device["device"] == "welder" && device["connections"] == 1 && device["polls"].as_u64().unwrap() > 50,

@@ -1,10 +1,9 @@
 //! Seams in a plane and helices through the command line: welded with every choice at their corners; bad input with its
 //! address.
 
-use crate::common::{column, example, good, run, table};
+use crate::common::{column, example, good, has_all, run, table};
 use std::fs;
 
-/// The job for a seam on the machine with two axes.
 fn job(seam: &str, corner: &str) -> String {
     format!("schema = 1\ntitle = \"t\"\nmachine = \"ellipse-xy\"\n{seam}\n[weld]\nspeed_mm_s = 5\ncorner = {corner}\n")
 }
@@ -27,9 +26,7 @@ fn refused(seam: &str, key: &str, words: &[&str]) {
     println!("{text}");
     assert!(code == 2 && out.is_empty() && text.lines().count() <= 12, "{text}");
     assert!(text.contains("job.toml:") && text.contains("allowed: ") && text.contains(key), "{text}");
-    for word in words {
-        assert!(text.contains(word), "{word} in {text}");
-    }
+    has_all(&text, words);
 }
 
 const CIRCLE: &str = "[seam.circle]\nradius_mm = 20\njoint = \"butt\"\n";

@@ -85,7 +85,6 @@ fn what_cannot_be_served_is_told() {
     assert!(told.contains("users.json"), "{told}");
 }
 
-/// Sends a request with a body, and gives the whole answer.
 fn send(address: &str, head: &str, body: &str) -> String {
     let mut stream = TcpStream::connect(address).unwrap();
     let length = body.len();

@@ -1,6 +1,6 @@
 //! Invalid speeds, periods and limits: each has a clear error or finding.
 
-use crate::common::{self, example, free_example, root, run};
+use crate::common::{self, example, free_example, json_file, root, run};
 use serde_json::Value;
 use std::fs;
 use tempfile::TempDir;
@@ -24,7 +24,6 @@ fn changed(name: &str, machine: &str, job: &[(&str, &str)], limits: &[(&str, &st
     (folder, path)
 }
 
-/// Findings of a kind.
 fn findings_of(kind: &str, job: &str) -> (i32, Vec<Value>) {
     let output = run(&["check", job, "--json"]);
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
@@ -73,7 +72,7 @@ fn speeds_beyond_any_possibility() {
         let file = folder.path().join("c.json").display().to_string();
         let output = run(&["tools", "motion", &job, "--period-ms", "20", "--certificate", &file]);
         assert_eq!(output.status.code(), Some(0));
-        let certificate: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
+        let certificate = json_file(file);
         let number = |key: &str| certificate["passes"][0][key].as_f64().unwrap();
         // However much is asked for, the weld does not stop in between.
         let (least, held) = (number("least_speed_mm_s"), number("everywhere_mm_s"));

@@ -1,7 +1,7 @@
 //! `run` ended by a signal while it welds on a real device: arc, gas and values are off, the record is closed, the exit
 //! code reports it.
 
-use crate::common::{example, good, json, start, write};
+use crate::common::{example, good, json, json_file, start, write};
 use crate::modbus_server::TestServer;
 use crate::modbus_welder::{MAP, welder};
 use seamwright_record::trace::Trace;
@@ -88,7 +88,7 @@ fn a_signal_takes_the_process_away_and_closes_the_record() {
         assert!(weld["note"].as_str().unwrap().contains(&format!("signal SIG{name}")), "{weld}");
         assert!(weld["ended"].is_string(), "{weld}");
         good(&["records", "verify", "--data", &data]);
-        let run: Value = serde_json::from_str(&std::fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
+        let run = json_file(out.join("run.json"));
         assert_eq!(run["ended_by"], format!("signal SIG{name}"), "{run}");
         assert_eq!(run["mode"], "off", "it came to rest before its power went: {run}");
     }

@@ -12,7 +12,6 @@ fn placement() -> Placement {
     Placement { at: glam::DVec2::new(1.5, -1.0), turn: 0.05, mirrored: false }
 }
 
-/// An image as a PGM file.
 fn pgm(name: &str, image: &Image) -> String {
     let Image::U8 { width, height, pixels } = image else { panic!("8 bits") };
     let mut bytes = format!("P5\n{width} {height}\n255\n").into_bytes();
@@ -136,7 +135,6 @@ fn no_such_joint_ends_with_1_and_says_why() {
     );
 }
 
-/// An image with its last row first.
 fn upside_down(image: &Image) -> Image {
     let Image::U8 { width, height, pixels } = image else { panic!("8 bits") };
     let pixels = pixels.chunks(*width).rev().flatten().copied().collect();

@@ -1,6 +1,6 @@
 //! `seamwright teach`: simulated, recorded, by hand; refusals.
 
-use crate::common::{self, bad, example, good, run, run_with};
+use crate::common::{self, bad, example, good, has_all, run, run_with};
 use glam::DVec3;
 use seamwright_frames::{FrameSource as _, Recorded, TimedFrame, write_frame};
 use std::io::{BufRead as _, BufReader};
@@ -15,14 +15,12 @@ fn report(program: &str) -> String {
     std::fs::read_to_string(PathBuf::from(program).with_extension("report.json")).unwrap()
 }
 
-/// A number of the report by its key.
 fn number(report: &str, key: &str) -> f64 {
     let at = report.find(&format!("\"{key}\": ")).unwrap_or_else(|| panic!("no {key}")) + key.len() + 4;
     let end = report[at..].find([',', '\n']).unwrap();
     report[at..at + end].trim().parse().unwrap_or_else(|_| panic!("{key}: {}", &report[at..at + end]))
 }
 
-/// A short open joint on the EBW machine.
 fn short(folder: &Path) -> String {
     let job = path(folder, "short.toml");
     let text = "schema = 1\ntitle = \"short\"\nmachine = \"ebw-7axis\"\n[placement]\nmove_mm = [0, 0, 60]\n[seam.spline]\n\
@@ -74,8 +72,7 @@ fn taught_in_simulation_and_again_from_its_frames() {
     assert!(report(&again).contains("\"ended\": \"lost\""));
     // A picture cut off, positions of another machine.
     std::fs::write(folder.join("frames/000001.png"), b"\x89PNG").unwrap();
-    let output = run(&["teach", &job, "--frames", &frames, "-o", &again]);
-    assert_eq!(output.status.code(), Some(2));
+    bad(2, &["teach", &job, "--frames", &frames, "-o", &again]);
     std::fs::write(&list, "file,t_s,x,y\n000000.png,0,1,2\n").unwrap();
     let errors = bad(2, &["teach", &job, "--frames", &frames, "-o", &again]);
     assert!(errors.contains("frames.csv:1"), "{errors}");
@@ -313,11 +310,10 @@ fn the_operator_is_asked_and_it_goes_on() {
     // joint.
     let mistakes = "there\n1,2\n900,0,60\n15,12,60.5,0,0,0\n1,2,nan\n";
     let (code, told, printed) = answered(&format!("{mistakes}19.5,13.9,60.5\n"));
-    for why in
-        ["lost after ", "not three or six numbers", "not within 15 mm of the nominal seam", "no length", "taught.png"]
-    {
-        assert!(told.contains(why), "{why}: {told}");
-    }
+    has_all(
+        &told,
+        &["lost after ", "not three or six numbers", "not within 15 mm of the nominal seam", "no length", "taught.png"],
+    );
     assert_eq!(told.matches("allowed: X,Y,Z").count(), 5, "{told}");
     assert_eq!(code, Some(0), "{told}");
     assert!(printed.starts_with("joint-end after ") && printed.contains("asked: "), "{printed}");

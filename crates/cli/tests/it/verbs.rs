@@ -1,6 +1,6 @@
 //! Every verb from the outside: columns, numbers, files.
 
-use crate::common::{bad, column, example, good, json, root, run, run_with, table};
+use crate::common::{bad, column, example, good, has_all, json, root, run, run_with, table};
 use std::fs;
 use std::os::fd::OwnedFd;
 use std::os::unix::net::UnixStream;
@@ -190,9 +190,7 @@ fn lists_and_copies() {
 #[test]
 fn posted_programs_say_what_they_are() {
     let text = good(&["post", &example("trunnion-saddle"), "--dialect", "linuxcnc", "--level", "tip"]);
-    for word in ["tip level", "G21 G17 G90", "G93", "M62 P0", "M63 P0", "M67 E0 Q200", "units mm", "M2"] {
-        assert!(text.contains(word), "{word}");
-    }
+    has_all(&text, &["tip level", "G21 G17 G90", "G93", "M62 P0", "M63 P0", "M67 E0 Q200", "units mm", "M2"]);
     assert!(text.lines().all(|l| l.is_ascii() && l.len() < 256));
     // A looser tolerance needs fewer blocks.
     let blocks = |tolerance: &str| {
@@ -219,7 +217,6 @@ fn a_search_ends_when_its_time_is_over() {
     }
 }
 
-/// The exit code is the answer, even without a reader.
 #[test]
 fn several_jobs_keep_their_exit_code_without_a_reader() {
     for json in [&[][..], &["--json"]] {

@@ -17,7 +17,6 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value}"))
 }
 
-/// Value of the tile called `label`.
 fn tile(page: &str, label: &str) -> f64 {
     let tile = page.split("<dl class=\"tile").find(|tile| tile.contains(&format!("<dt>{label}</dt>"))).unwrap();
     let value = tile.split("<dd class=\"value\">").nth(1).unwrap().split('<').next().unwrap();

@@ -53,8 +53,31 @@ fn what_is_removed_takes_its_own_lines_along() {
     assert_eq!(remove("l = [1, 2, 3]\n", "l[2]"), "l = [1, 2]\n");
     let text = "[a]\nx = 1\n\n# of b\n[b]\ny = [\n  [1, 2],\n]\n";
     assert_eq!(remove(text, "a"), "# of b\n[b]\ny = [\n  [1, 2],\n]\n");
-    assert_eq!(remove(text, "b"), "[a]\nx = 1\n\n# of b\n");
+    assert_eq!(remove(text, "b"), "[a]\nx = 1\n");
     assert_eq!(remove("[[f]]\nat.x = 1\nat.y = 2\nn = 1\n", "f[0].at"), "[[f]]\nn = 1\n");
+}
+
+#[test]
+fn comments_stay_with_what_they_describe() {
+    // Tables: those directly above go along, those of others and of the file stay.
+    let text = "# file\n[a]\nx = 1\n# y = 2\n\n# loose\n\n# of b\n[b]\nx = 1\n\n# end\n";
+    assert_eq!(remove(text, "a"), "# file\n# loose\n\n# of b\n[b]\nx = 1\n\n# end\n");
+    assert_eq!(remove(text, "b"), "# file\n[a]\nx = 1\n# y = 2\n\n# loose\n\n# end\n");
+    let list = "t = 1\n\n# one\n[[f]]\nn = 1\n\n# two\n[[f]]\nn = 2\n";
+    let swapped = "t = 1\n\n# two\n[[f]]\nn = 2\n\n# one\n[[f]]\nn = 1\n";
+    assert_eq!(make(list, json!({ "op": "move", "path": "f[0]", "to": 1 })), swapped);
+    // Elements of lists.
+    let lines = "l = [\n  # one\n  1, # a\n  # two\n  2 # b\n]\n";
+    assert_eq!(remove(lines, "l[0]"), "l = [\n  # two\n  2 # b\n]\n");
+    assert_eq!(insert(lines, "l[1]", json!(3)), "l = [\n  # one\n  1, # a\n  3,\n  # two\n  2 # b\n]\n");
+    assert_eq!(insert(lines, "l[2]", json!(3)), "l = [\n  # one\n  1, # a\n  # two\n  2, # b\n  3\n]\n");
+    let moved = make(lines, json!({ "op": "move", "path": "l[1]", "to": 0 }));
+    assert_eq!(moved, "l = [\n  # two\n  2, # b\n  # one\n  1, # a\n]\n");
+    assert_eq!(remove("l = [1, # a\n  # two\n  2]\n", "l[0]"), "l = [\n  # two\n  2]\n");
+    assert_eq!(remove("l = [1, 2, # both\n  3]\n", "l[1]"), "l = [1, # both\n  3]\n");
+    assert_eq!(remove("l = [\n  1, # a\n  2]\n", "l[1]"), "l = [\n  1, # a\n  ]\n");
+    assert_eq!(remove("l = [1,]\n", "l[0]"), "l = []\n");
+    assert_eq!(insert("l = [\n  # none\n]\n", "l[0]", json!(1)), "l = [\n  # none\n1]\n");
 }
 
 #[test]

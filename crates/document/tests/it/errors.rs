@@ -86,6 +86,14 @@ fn numbers_beyond_the_bound_of_their_unit_are_refused_where_they_stand() {
 }
 
 #[test]
+fn keys_with_points_are_quoted_and_found() {
+    let text = "[part.\"a.b\"]\nlift_mm = 1e9\n";
+    let read = Document::<BTreeMap<String, BTreeMap<String, BTreeMap<String, f64>>>>::read("f", text);
+    let e = read.unwrap_err();
+    assert_eq!((e.line, e.key.as_str(), e.value.as_str()), (2, "part.\"a.b\".lift_mm", "1e9"));
+}
+
+#[test]
 fn names_that_users_choose_have_no_unit() {
     #[derive(Debug, Deserialize)]
     struct Program {
@@ -189,7 +197,6 @@ fn later_checks_point_at_their_key() {
 
 proptest::proptest! {
     #![proptest_config(proptest::prelude::ProptestConfig { failure_persistence: None, ..Default::default() })]
-    /// The reader never panics, for any text.
     #[test]
     fn any_text_is_read_or_refused(text in "(schema = 1\n)?(\\[nozzle\\]\n)?[\\PC\n]{0,60}") {
         if let Err(e) = Document::<File>::read("job.toml", &text) {

@@ -35,7 +35,6 @@ fn of_inline(inline: &InlineExpression<&str>, names: &mut BTreeSet<String>) {
     }
 }
 
-/// The codes of a language with the names of their arguments.
 fn codes(language: Language) -> BTreeMap<String, BTreeSet<String>> {
     let mut codes = BTreeMap::new();
     for area in AREAS {

@@ -96,7 +96,6 @@ fn page(area: &str, title: &str) -> Page {
 const MADE: &str =
     "Arguments are in italics. This page is made from the catalogues in `messages/en/`; do not edit it.\n";
 
-/// The reference of messages: the list of the areas, and a page for each.
 fn reference() -> Vec<Page> {
     let mut text = "# Messages\n\nFindings, errors of files, refusals, alarms and events have a code. Enter it in the search field, or open the page of\nits first word. Each code has its English text, the cause and the cure.\n\n| codes | page |\n|---|---|\n".to_owned();
     for (area, title) in AREAS {

@@ -10,7 +10,6 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// Adds the files below `folder` that end in one of `ends`.
 fn files(folder: &Path, ends: &[&str], found: &mut Vec<PathBuf>) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for path in entries.map(|entry| entry.unwrap().path()) {
@@ -50,7 +49,6 @@ fn literals(text: &str) -> impl Iterator<Item = &str> {
     text.split(['"', '\'', '`']).filter(is_code)
 }
 
-/// Codes in the catalogues with their areas.
 fn codes() -> BTreeMap<String, &'static str> {
     let mut codes = BTreeMap::new();
     for area in AREAS {

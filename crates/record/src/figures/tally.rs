@@ -29,7 +29,6 @@ struct Pass {
     judged: Vec<usize>,
 }
 
-/// One value as it is gathered.
 #[derive(Debug, Clone)]
 struct Gathered {
     judged: Judged,
@@ -54,7 +53,6 @@ struct Span {
 }
 
 impl Gathered {
-    /// Tally without data.
     fn new(judged: Judged, column: Option<usize>) -> Self {
         let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         Self {
@@ -70,7 +68,6 @@ impl Gathered {
         }
     }
 
-    /// Adds a value over a span.
     fn add(&mut self, value: f64, span: Span) {
         if !value.is_finite() {
             return;
@@ -150,7 +147,6 @@ impl Tally {
         Self { columns, tip, steady, power, efficiency, deviations, passes, values, last, figures }
     }
 
-    /// Columns of the rows that are to be added.
     pub(super) fn columns(&self) -> &[String] {
         &self.columns
     }

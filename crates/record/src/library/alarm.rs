@@ -74,9 +74,6 @@ fn alarm(row: &Row<'_>) -> rusqlite::Result<Alarm> {
 
 impl Library {
     /// Adds an alarm, with or without a weld. Returns its number.
-    ///
-    /// # Errors
-    /// If the library cannot be written.
     pub fn add_alarm(&self, weld: Option<i64>, alarm: &Alarm) -> Result<i64, Error> {
         let (by, at) = alarm.acknowledged.as_ref().map(|(by, at)| (by, at.0)).unzip();
         let Place { pass, s_mm, t_s } = alarm.place;
@@ -100,9 +97,6 @@ impl Library {
     }
 
     /// Acknowledges the alarm; the first acknowledgement counts.
-    ///
-    /// # Errors
-    /// If there is no such alarm, or the library cannot be written.
     pub fn acknowledge(&self, alarm: i64, by: &str, at: Moment) -> Result<(), Error> {
         let sql = "UPDATE alarm SET acknowledged_by = coalesce(acknowledged_by, ?2),
             acknowledged = coalesce(acknowledged, ?3) WHERE id = ?1";
@@ -116,17 +110,11 @@ impl Library {
     }
 
     /// Puts an alarm on the panel's list, where it stays until [`Library::acknowledge_listed`].
-    ///
-    /// # Errors
-    /// If the library cannot be written.
     pub fn list_alarm(&self, alarm: i64) -> Result<(), Error> {
         self.run("UPDATE alarm SET listed = 1 WHERE id = ?1", [alarm]).map(drop)
     }
 
     /// Acknowledges all alarms on the panel's list. Returns their number.
-    ///
-    /// # Errors
-    /// If the library cannot be written.
     pub fn acknowledge_listed(&self, by: &str, at: Moment) -> Result<usize, Error> {
         let sql = "UPDATE alarm SET listed = 0, acknowledged_by = coalesce(acknowledged_by, ?1),
             acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1";
@@ -135,9 +123,6 @@ impl Library {
 
     /// Acknowledges the alarms of this name on the panel's list, also those with the sentence of an older version.
     /// Returns their number.
-    ///
-    /// # Errors
-    /// If the library cannot be written.
     pub fn acknowledge_named(&self, name: &Message, by: &str, at: Moment) -> Result<usize, Error> {
         let sql = "UPDATE alarm SET listed = 0, acknowledged_by = coalesce(acknowledged_by, ?1),
             acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1 AND name IN (?3, ?4)";
@@ -145,25 +130,16 @@ impl Library {
     }
 
     /// Alarms on the panel's list, in the order in which they came.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn listed_alarms(&self) -> Result<Vec<Alarm>, Error> {
         self.all(&format!("{SELECT} WHERE listed = 1 ORDER BY id"), (), alarm)
     }
 
     /// Alarms of a weld, in the order in which they came.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn alarms(&self, weld: i64) -> Result<Vec<Alarm>, Error> {
         self.all(&format!("{SELECT} WHERE weld = ?1 ORDER BY id"), [weld], alarm)
     }
 
     /// Adds an event, with or without a weld.
-    ///
-    /// # Errors
-    /// If the library cannot be written.
     pub fn add_event(&self, weld: Option<i64>, event: &Event) -> Result<(), Error> {
         let Place { pass, s_mm, t_s } = event.place;
         let sql = "INSERT INTO event (weld, at, text, pass, s_mm, t_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
@@ -171,9 +147,6 @@ impl Library {
     }
 
     /// Events of a weld, in the order in which they came.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn events(&self, weld: i64) -> Result<Vec<Event>, Error> {
         let sql = "SELECT at, text, pass, s_mm, t_s FROM event WHERE weld = ?1 ORDER BY id";
         self.all(sql, [weld], |row| {

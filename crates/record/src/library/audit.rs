@@ -81,9 +81,6 @@ fn numbered(row: &rusqlite::Row<'_>) -> rusqlite::Result<(i64, AuditEntry)> {
 
 impl Library {
     /// Appends to the audit log; the entry's hash.
-    ///
-    /// # Errors
-    /// If the library cannot be written.
     pub fn audit(&mut self, entry: &AuditEntry) -> Result<String, Error> {
         let path = self.path.clone();
         let failed = |e| Error::database(&path, e);
@@ -104,18 +101,12 @@ impl Library {
     }
 
     /// The last `most` entries of the audit log, the newest first.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn audit_entries(&self, most: u32) -> Result<Vec<AuditEntry>, Error> {
         let page = self.audit_page(&AuditQuery { most, ..AuditQuery::default() })?;
         Ok(page.into_iter().map(|(_, entry)| entry).collect())
     }
 
     /// Entries of the audit log that match `query`, the newest first, each with its number.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn audit_page(&self, query: &AuditQuery) -> Result<Vec<(i64, AuditEntry)>, Error> {
         let sql = "SELECT id, at, user, station, command, old, new, result FROM audit
             WHERE id < ?1 AND id > ?4 AND (?2 = '' OR has_words(user, ?2) OR has_words(station, ?2)
@@ -127,9 +118,6 @@ impl Library {
 
     /// Checks every link of the audit log. Entries cut off its end are detected by the count that SQLite keeps beside
     /// the table. A change of that count too is detected only by a hash kept elsewhere.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn verify_audit(&self) -> Result<AuditCheck, Error> {
         let (mut before, mut entries, mut next, mut broken) = (BEGIN.to_owned(), 0, 1, None);
         let sql = "SELECT id, at, user, station, command, old, new, result, hash FROM audit ORDER BY id";

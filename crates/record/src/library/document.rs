@@ -49,9 +49,6 @@ pub struct Document {
 
 impl Library {
     /// The number of this text under this name: the version that has it, or a new one.
-    ///
-    /// # Errors
-    /// If the library cannot be written.
     pub fn add_document(&self, kind: DocumentKind, name: &str, text: &str) -> Result<i64, Error> {
         let hash = sha256(text.as_bytes());
         let known = "SELECT id FROM document WHERE kind = ?1 AND name = ?2 AND sha256 = ?3";
@@ -63,18 +60,12 @@ impl Library {
     }
 
     /// All versions of a text, the first first.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn documents(&self, kind: DocumentKind, name: &str) -> Result<Vec<Document>, Error> {
         let sql = format!("{SELECT} WHERE kind = ?1 AND name = ?2 ORDER BY version");
         self.all(&sql, params![kind.name(), name], document)
     }
 
     /// The text of that number.
-    ///
-    /// # Errors
-    /// If it is missing.
     pub fn document(&self, id: i64) -> Result<Document, Error> {
         let found = self.row(&format!("{SELECT} WHERE id = ?1"), [id], document)?;
         found.ok_or_else(|| {

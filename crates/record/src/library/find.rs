@@ -30,9 +30,6 @@ pub struct Query {
 
 impl Library {
     /// Welds that fit, the newest first.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn find(&self, query: &Query) -> Result<Vec<WeldRecord>, Error> {
         let (mut conditions, mut values) = (Vec::new(), Vec::new());
         let mut condition = |sql: &str, value: Value| {

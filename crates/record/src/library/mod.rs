@@ -28,7 +28,8 @@ use std::time::Duration;
 /// Maximum wait of a call for another program's.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// An open library.
+/// An open library. Every method fails if its file cannot be read or written, or if it does not have what a
+/// number names.
 #[derive(Debug)]
 pub struct Library {
     path: PathBuf,
@@ -52,9 +53,7 @@ impl Library {
     }
 
     /// Writes a copy of the present state, without blocking other users.
-    ///
-    /// # Errors
-    /// If `to` exists or cannot be written.
+    /// Fails if `to` exists or cannot be written.
     pub(crate) fn copy_to(&self, to: &Path) -> Result<(), Error> {
         let sql = "VACUUM INTO ?1";
         self.db.execute(sql, [to.to_string_lossy()]).map(drop).map_err(|e| self.failed(e))
@@ -81,15 +80,11 @@ impl Library {
         };
         match library.version()? {
             v if v == schema::MIGRATIONS.len() as i64 => Ok(library),
-            v => Err(Error::damaged(
-                path,
-                Message::new("record-schema-version").number("found", v as f64, 0).number(
-                    "known",
-                    schema::MIGRATIONS.len() as f64,
-                    0,
-                ),
-                Message::new("record-migrate"),
-            )),
+            v => {
+                let why = Message::new("record-schema-version").number("found", v as f64, 0);
+                let why = why.number("known", schema::MIGRATIONS.len() as f64, 0);
+                Err(Error::damaged(path, why, Message::new("record-migrate")))
+            }
         }
     }
 
@@ -136,9 +131,6 @@ impl Library {
     }
 
     /// True for a library of a version whose archives have a manifest.
-    ///
-    /// # Errors
-    /// If it cannot be read.
     pub(crate) fn has_manifests(&self) -> Result<bool, Error> {
         Ok(self.version()? >= schema::MANIFEST_VERSION)
     }
@@ -149,18 +141,12 @@ impl Library {
     }
 
     /// Lets the file grow to this many pages (of 4 KiB) and no further.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn limit_pages(&self, pages: u32) -> Result<(), Error> {
         let set = self.db.query_row(&format!("PRAGMA max_page_count = {pages}"), (), |_| Ok(()));
         set.map_err(|e| self.failed(e))
     }
 
     /// Faults that SQLite finds in the file; empty if it is whole.
-    ///
-    /// # Errors
-    /// If the file cannot be read.
     pub fn integrity(&self) -> Result<Vec<Message>, Error> {
         let found: Vec<String> = self.all("PRAGMA integrity_check", (), |row| row.get(0))?;
         let mut found: Vec<Message> = found.into_iter().filter(|text| text != "ok").map(Message::verbatim).collect();
@@ -171,12 +157,10 @@ impl Library {
         Ok(found)
     }
 
-    /// The one value of a query.
     fn one<T: rusqlite::types::FromSql>(&self, sql: &str, params: impl Params) -> Result<T, Error> {
         self.db.query_row(sql, params, |row| row.get(0)).map_err(|e| self.failed(e))
     }
 
-    /// The one row of a query, if any.
     fn row<T>(
         &self,
         sql: &str,
@@ -187,7 +171,6 @@ impl Library {
         self.db.query_row(sql, params, read).optional().map_err(|e| self.failed(e))
     }
 
-    /// All rows of a query.
     fn all<T>(
         &self,
         sql: &str,
@@ -208,7 +191,6 @@ impl Library {
     }
 }
 
-/// A path escaped for a URI.
 fn escaped(path: &Path) -> String {
     path.display().to_string().replace('%', "%25").replace('?', "%3f").replace('#', "%23")
 }

@@ -29,9 +29,6 @@ fn empty(db: Connection, version: i64) -> rusqlite::Result<Connection> {
 
 impl Library {
     /// Compares the schema with that of its version. Returns descriptions of foreign, changed and missing parts.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn foreign_schema(&self) -> Result<Vec<Message>, Error> {
         let version = self.version()?;
         let expected = Connection::open_in_memory().and_then(|db| objects(&empty(db, version)?));

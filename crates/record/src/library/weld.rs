@@ -190,9 +190,6 @@ fn written_result<S: serde::Serializer>(result: &WeldResult, out: S) -> Result<S
 
 impl Library {
     /// Keeps the beginning of a weld; its number, which is greater than `after` and than any that there was.
-    ///
-    /// # Errors
-    /// If the library cannot be written.
     pub fn begin_weld(&self, weld: &NewWeld, after: i64) -> Result<i64, Error> {
         if let Some(name) = &weld.welder {
             self.run("INSERT INTO welder (name) VALUES (?1) ON CONFLICT DO NOTHING", [name])?;
@@ -209,17 +206,12 @@ impl Library {
     }
 
     /// Removes a weld of which only the start was recorded. Its number is not given again.
-    ///
-    /// # Errors
-    /// If the library cannot be written, or refers to the weld.
+    /// Fails if the library cannot be written, or refers to the weld.
     pub(crate) fn take_back_weld(&self, id: i64) -> Result<(), Error> {
         self.run("DELETE FROM weld WHERE id = ?1 AND result = 'running'", [id]).map(drop)
     }
 
     /// Records the end of a weld in one transaction.
-    ///
-    /// # Errors
-    /// If the library cannot be written.
     pub fn end_weld(&mut self, id: i64, end: &WeldEnd) -> Result<(), Error> {
         let path = self.path.clone();
         let failed = |e| Error::database(&path, e);
@@ -262,17 +254,11 @@ impl Library {
     }
 
     /// Numbers of all welds, in order.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn weld_numbers(&self) -> Result<Vec<i64>, Error> {
         self.all("SELECT id FROM weld ORDER BY id", (), |row| row.get(0))
     }
 
     /// A weld.
-    ///
-    /// # Errors
-    /// If no weld has that number.
     pub fn weld(&self, id: i64) -> Result<WeldRecord, Error> {
         let found = self.row(&format!("{SELECT} WHERE weld.id = ?1"), [id], weld_record)?;
         found.ok_or_else(|| {
@@ -286,9 +272,6 @@ impl Library {
     }
 
     /// A weld with all its data.
-    ///
-    /// # Errors
-    /// If no weld has that number.
     pub fn detail(&self, id: i64) -> Result<WeldDetail, Error> {
         Ok(WeldDetail {
             weld: self.weld(id)?,
@@ -300,9 +283,6 @@ impl Library {
     }
 
     /// Inputs of a weld's figures.
-    ///
-    /// # Errors
-    /// If no weld has that number.
     pub fn basis(&self, id: i64) -> Result<Basis, Error> {
         let text: String = self.one("SELECT basis FROM weld WHERE id = ?1", [id])?;
         serde_json::from_str(&text).map_err(|e| {
@@ -312,9 +292,6 @@ impl Library {
     }
 
     /// The program of a weld, at the time of welding.
-    ///
-    /// # Errors
-    /// If no weld has that number.
     pub fn program_of(&self, id: i64) -> Result<Document, Error> {
         self.weld(id)?;
         self.document(self.one("SELECT program FROM weld WHERE id = ?1", [id])?)
@@ -344,9 +321,6 @@ impl Library {
     }
 
     /// Values of a weld against their windows.
-    ///
-    /// # Errors
-    /// If the library cannot be read.
     pub fn values(&self, weld: i64) -> Result<Vec<Value>, Error> {
         let sql = "SELECT pass, name, least, mean, greatest, allowed_least, allowed_greatest, outside_s, outside_mm
             FROM weld_value WHERE weld = ?1 ORDER BY pass, name";

@@ -18,7 +18,6 @@ use std::sync::Arc;
 /// Rows of a row group, which is in memory at once.
 const ROW_GROUP: usize = 65_536;
 
-/// Values of one column.
 enum Values {
     F64(Vec<f64>),
     F32(Vec<f32>),

@@ -21,7 +21,6 @@ const MAX_HEADER: u32 = 1 << 24;
 /// Rows are on the disk no later than this after they came.
 const SYNC_EVERY: Duration = Duration::from_millis(500);
 
-/// Description of the rows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Header {
     pub(super) columns: Vec<Column>,
@@ -52,7 +51,6 @@ pub(super) struct RawWriter {
 }
 
 impl RawWriter {
-    /// A new file with its header on the disk.
     pub(super) fn create(path: &Path, header: &Header) -> Result<Self, Error> {
         let failed = |e| Error::io(path, Doing::Write, e);
         let file = private_files::options().write(true).create_new(true).open(path).map_err(|e| match e.kind() {
@@ -90,7 +88,6 @@ impl RawWriter {
         })
     }
 
-    /// Adds a row with a value a column.
     pub(super) fn row(&mut self, values: impl IntoIterator<Item = f64>) -> Result<(), Error> {
         let begin = self.block.len();
         let mut count = 0;
@@ -155,7 +152,6 @@ impl RawWriter {
     }
 }
 
-/// True if `path` is the name of `file`.
 #[cfg(unix)]
 fn same_file(file: &File, path: &Path) -> std::io::Result<bool> {
     use std::os::unix::fs::MetadataExt as _;

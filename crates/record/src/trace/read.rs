@@ -65,9 +65,6 @@ impl Trace {
     }
 
     /// Calls `row` with the values of the columns `names`, row by row.
-    ///
-    /// # Errors
-    /// If there is no such column, or the file cannot be read.
     pub fn read(&self, names: &[&str], mut row: impl FnMut(&[f64])) -> Result<(), Error> {
         let place = |name: &&str| {
             self.columns.iter().position(|c| c.name == *name).ok_or_else(|| {
@@ -94,7 +91,6 @@ impl Trace {
     }
 }
 
-/// A column of a row group.
 fn column(group: &dyn RowGroupReader, place: usize, kind: Kind) -> Result<Vec<f64>, ParquetError> {
     let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
     Ok(match group.get_column_reader(place)? {

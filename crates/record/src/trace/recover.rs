@@ -64,7 +64,6 @@ fn move_away(raw: &Path) -> Result<(), Error> {
     fs::rename(raw, raw.with_extension("raw.damaged")).map_err(|e| Error::io(raw, Doing::Move, e))
 }
 
-/// True if a raw file in `folder` is being written.
 pub(crate) fn is_written(folder: &Path) -> bool {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut raws = entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "raw"));

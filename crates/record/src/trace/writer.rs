@@ -81,9 +81,6 @@ impl TraceWriter {
     }
 
     /// Puts all rows so far on the disk.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
     pub fn flush(&mut self) -> Result<(), Error> {
         self.raw.flush()
     }
@@ -109,7 +106,6 @@ impl TraceWriter {
         Ok(())
     }
 
-    /// Waits for the part before.
     fn wait(&mut self) {
         if let Some(part) = self.finishing.take() {
             let part = part.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
@@ -148,7 +144,6 @@ impl TraceWriter {
     }
 }
 
-/// Makes a raw file a Parquet file.
 fn finished(raw: &Path) -> Result<Part, Error> {
     let path = raw.with_extension("parquet");
     let Some(mut reader) = RawReader::open(raw)? else { return Err(Error::Busy { path: raw.to_owned() }) };

@@ -6,7 +6,6 @@ use seamwright_record::{DataFolder, Error};
 use std::fs;
 use std::path::Path;
 
-/// A folder with one weld.
 fn recorded() -> tempfile::TempDir {
     let (folder, mut data) = empty();
     let mut recording = data.begin(&plan("P-1")).unwrap();

@@ -39,7 +39,6 @@ fn weld_for_ever(folder: &Path) {
     }
 }
 
-/// Number in the last line of output that starts with `what`.
 fn last_number(lines: &[String], what: &str) -> Option<u32> {
     lines.iter().rev().find_map(|l| l.strip_prefix(what)?.trim().parse().ok())
 }

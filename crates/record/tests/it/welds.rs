@@ -9,7 +9,6 @@ use seamwright_record::{DataFolder, Error, Moment, Plan};
 use std::fs;
 use std::path::Path;
 
-/// Records one weld; its number.
 fn weld(data: &mut DataFolder, plan: &Plan, result: WeldResult) -> i64 {
     let mut recording = data.begin(plan).unwrap();
     (0..12_000).for_each(|i| recording.row(row(i)));
@@ -226,7 +225,6 @@ fn alarms_on_the_list_wait_for_somebody() {
     assert_eq!(known, [None, Some(("A. Welder".to_owned(), at))]);
 }
 
-/// A library of version 1 is brought up to date when it is opened to be written.
 #[test]
 fn an_older_library_is_brought_up_to_date() {
     let (folder, mut data) = empty();

@@ -184,7 +184,6 @@ impl<'a> Canvas<'a> {
         self.labels.push((name.to_owned(), back, 3));
     }
 
-    /// Draws the origins of base and work frame.
     fn origins(&mut self, drawing: &MachineDrawing) {
         let (base, work) = (self.map.px([0.0; 3]), self.map.px(drawing.work));
         let together = distance(base, work) < 6.0;

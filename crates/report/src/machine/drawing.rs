@@ -32,7 +32,6 @@ pub struct MachineDrawing {
     pub(super) up: [f64; 3],
 }
 
-/// One axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DrawnAxis {
     /// Name, and letter if it differs.
@@ -186,7 +185,6 @@ impl Drawing for MachineDrawing {
     }
 }
 
-/// Draws the legend of the symbols.
 fn symbols(svg: &mut Svg, baseline: f64, language: Language) {
     let y = baseline - 4.5;
     let mut x = 0.0;

@@ -95,7 +95,6 @@ fn failure(text: String) -> Finding {
     Finding { severity: Severity::Error, text, place: String::new(), cure: String::new() }
 }
 
-/// Describes a remark with its key and value.
 fn remark_text(r: &Remark, language: Language) -> String {
     let message = match r.value.is_empty() {
         true => Message::new("report-check-remark").key("key", &r.key),

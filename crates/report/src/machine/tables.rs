@@ -5,7 +5,6 @@ use crate::{Block, Language, Table, Words as _};
 use seamwright_machine::check::{AxisFigures, Check, HeadCheck, RoundTrip, SingularPlace};
 use seamwright_message::{Message, Unit};
 
-/// Returns the unit of the axis called `name`.
 pub(super) fn unit(check: &Check, name: &str) -> Unit {
     let axis = check.axes.iter().find(|a| a.name == name);
     axis.and_then(|a| Unit::from_symbol(a.unit)).unwrap_or(Unit::One)

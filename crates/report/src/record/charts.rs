@@ -46,7 +46,6 @@ pub(super) fn heat_input(figures: &Figures, values: &[Value], language: Language
     figure("report-chart-heat-input", "report-caption-heat-input-bins", chart, &curves, language)
 }
 
-/// Returns deviations along the passes.
 pub(super) fn deviations(figures: &Figures, language: Language) -> Vec<Block> {
     let (path, seam): (Vec<&Curve>, Vec<&Curve>) = figures.deviations.iter().partition(|c| c.name == "path_error_mm");
     let drawn = [

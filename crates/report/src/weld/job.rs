@@ -22,7 +22,6 @@ const SLOPES: [SlopeRows; 2] = [
 type Row = [String; 3];
 
 impl WeldReport {
-    /// Returns the requested values of the job.
     pub(super) fn data_table(&self, language: Language) -> Block {
         let mut rows = self.seam_rows(language);
         let value_row = |label, value: f64, unit| row(language, label, number(value, language), unit);

@@ -28,7 +28,6 @@ fn speeds(ends: (f64, f64)) -> Message {
     }
 }
 
-/// Returns the bounds of the speed, stretch by stretch.
 pub(super) fn bounds_table(c: &CertificateFigures, language: Language) -> Block {
     let last = c.intervals.len();
     let part = |i: usize, interval: &IntervalFigures| match interval.between {
@@ -66,7 +65,6 @@ fn owner(axis: &str) -> Message {
     if axis == TIP { Message::new("report-torch-tip") } else { Message::new("report-axis").axis("axis", axis) }
 }
 
-/// Returns the name of a bound.
 fn bound(bound: &str) -> Message {
     Message::new(match bound {
         "speed" => "report-label-speed",
@@ -85,7 +83,6 @@ pub(super) fn binds(interval: &IntervalFigures, language: Language) -> String {
     }
 }
 
-/// Returns the maximum use of each axis' limits.
 pub(super) fn uses_table(uses: &[UseFigures], language: Language) -> Block {
     let limit =
         |value: f64, of: &UseFigures, order: usize| quantity(value, units(of.unit)[order], 5).in_language(language);
@@ -100,7 +97,6 @@ pub(super) fn uses_table(uses: &[UseFigures], language: Language) -> Block {
         .captioned("report-caption-uses")
 }
 
-/// Returns the positions of each axis against its range.
 pub(super) fn axes_table(axes: &[AxisFigures], language: Language) -> Block {
     let number = |value| number(value, language);
     let range = |axis: &AxisFigures| match axis.range {

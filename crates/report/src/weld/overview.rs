@@ -88,7 +88,6 @@ impl WeldReport {
     }
 }
 
-/// Returns the key figures of the simulated pass.
 fn simulated_tiles(s: &Summary, language: Language) -> [Tile; 2] {
     let (ripple, note) = match (&s.tip_speed_mm_s, s.speed_ripple) {
         (Some(v), Some(ripple)) => {
@@ -106,7 +105,6 @@ fn simulated_tiles(s: &Summary, language: Language) -> [Tile; 2] {
 }
 
 impl PlanFigures {
-    /// Describes the result of the simulated pass.
     fn simulated(&self, s: &Summary) -> Message {
         let code = if s.speed_ripple.is_some() { "report-verdict-simulated" } else { "report-verdict-simulated-short" };
         let (path, speed) = (self.tolerance.path_mm.get(), self.tolerance.speed_percent.get());
@@ -127,7 +125,6 @@ impl PlanFigures {
     }
 }
 
-/// Returns the arc energy, if current and voltage are given.
 fn energy_tile(energy_kj_mm: Range, language: Language) -> Option<Tile> {
     let Range { min, max } = energy_kj_mm;
     if !max.is_finite() {

@@ -71,7 +71,6 @@ impl WeldReport {
         blocks
     }
 
-    /// Returns all sections about the pass of a single-pass weld.
     fn only_pass(&self, pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
         let figures = |names: &[&str]| plots.figures(names, language);
         let nearest = pass.clearance.as_ref().and_then(|clearance| clearance.nearest_text(language));
@@ -96,7 +95,6 @@ impl WeldReport {
         sections(parts, language).collect()
     }
 
-    /// Returns the pass against its procedure, if there is one.
     fn procedure(&self, pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
         let (Some(figures), Some(procedure)) = (&pass.procedure, &self.procedure) else { return Vec::new() };
         let mut blocks = vec![Block::Paragraph(procedure_text(procedure, figures, language))];
@@ -107,7 +105,6 @@ impl WeldReport {
         blocks
     }
 
-    /// Returns the results of the simulated weld, if it was simulated.
     fn simulated(&self, pass: &PassFigures, plots: &Plots, language: Language) -> Vec<Block> {
         let Some(summary) = &pass.simulation else { return Vec::new() };
         let text = simulation_text(summary, &self.machine.assumed_drives, language);
@@ -150,7 +147,6 @@ fn finding(group: &FindingGroup<'_>, several: bool, language: Language) -> Findi
     }
 }
 
-/// Formats the location of a finding, with its pass if there are several.
 fn place_text(place: &FindingPlace, several: bool, language: Language) -> String {
     let at = match place.is_point() {
         true => Message::new("report-at").significant("s", place.from_mm, Unit::Mm, 5),

@@ -22,7 +22,6 @@ const CURVES: [&str; 9] =
     ["heat-input", "position", "clearance", "speed", "speed-deviation", "tracking", "path-error", "following", "axes"];
 
 impl WeldReport {
-    /// Returns the sections about all passes, before the job.
     pub(super) fn all_passes(&self, plots: &[Plots], language: Language) -> Vec<Block> {
         let first = |name| plots.first().map_or(Vec::new(), |plots| plots.figures(&[name], language));
         let mut order = first("order");
@@ -41,7 +40,6 @@ impl WeldReport {
         sections(parts, language).collect()
     }
 
-    /// Returns the curves of one pass of each kind.
     pub(super) fn curves(&self, plots: &[Plots], language: Language) -> Vec<Block> {
         let mut blocks = vec![paragraph("report-about-curves", language)];
         for i in self.typical_passes() {
@@ -116,7 +114,6 @@ impl WeldReport {
         Block::Table(table)
     }
 
-    /// Returns the checks of each pass.
     fn checks_table(&self, language: Language) -> Block {
         let mut table = Table::of(language, &self.passes)
             .number("report-column-at-requested-speed", |pass| {
@@ -139,7 +136,6 @@ impl WeldReport {
         Block::Table(self.by_pass(table.table(language.words("report-caption-checks")), language))
     }
 
-    /// Returns the extremes of the axes over all passes.
     fn axes_of_all(&self) -> Vec<AxisFigures> {
         let mut passes = self.passes.iter().map(|pass| &pass.plan.axes);
         let mut all = passes.next().cloned().unwrap_or_default();
@@ -151,7 +147,6 @@ impl WeldReport {
         all
     }
 
-    /// Returns the maximum use of limits over all passes.
     fn uses_of_all(&self) -> Vec<UseFigures> {
         let mut passes = self.passes.iter().map(|pass| &pass.certificate.uses);
         let mut all = passes.next().cloned().unwrap_or_default();
@@ -165,7 +160,6 @@ impl WeldReport {
         all
     }
 
-    /// Returns the results of the simulated passes, if they were simulated.
     fn simulated_of_all(&self, language: Language) -> Vec<Block> {
         let Some((_, worst)) = self.worst_simulated() else { return Vec::new() };
         let simulated = |pass: &PassFigures, of: fn(&Summary) -> Option<f64>| {
@@ -255,7 +249,6 @@ fn optional(text: Option<String>) -> String {
 }
 
 impl WeldReport {
-    /// Returns the passes in the order of welding with their times.
     pub(super) fn order_table(&self, language: Language) -> Block {
         let number = |value| number(value, language);
         let mut start_s = 0.0;

@@ -25,7 +25,6 @@ impl PostFigures {
         Self { dialect: dialect.name(), file: file.to_owned(), tolerance_mm, proof }
     }
 
-    /// Returns text and table for the page.
     pub(super) fn blocks(&self, language: Language) -> [Block; 2] {
         let text = Message::new("report-program")
             .text("file", &self.file)

@@ -236,7 +236,6 @@ pub(super) fn verdict(q: &QuantityFigures, language: Language) -> String {
     message.in_language(language)
 }
 
-/// Returns the positions in order along the pass.
 pub(super) fn positions_table(figures: &PassProcedureFigures, language: Language) -> Block {
     let table = Table::of(language, &figures.positions)
         .text("report-column-position", |p| p.position.to_string())

@@ -9,13 +9,11 @@ use crate::{Block, Language, Table, Words as _};
 use seamwright_message::Message;
 use seamwright_program::WeldingPosition;
 
-/// The passes of one run.
 struct RunPasses<'a> {
     /// Number, counted from 1, and figures of each pass.
     passes: Vec<(usize, &'a PassProcedureFigures)>,
 }
 
-/// All stretches in one welding position.
 struct PositionSum {
     position: WeldingPosition,
     allowed: bool,

@@ -7,7 +7,6 @@ use crate::{Block, Language, Table, Words as _};
 use seamwright_message::{Message, Unit};
 use seamwright_simulation::Summary;
 
-/// Describes the simulation and its result.
 pub(super) fn simulation_text(s: &Summary, assumed: &[String], language: Language) -> String {
     let mut text = vec![Message::new("report-simulation").text("seed", s.seed.to_string())];
     text.extend(s.axes.iter().max_by(|a, b| a.current.total_cmp(&b.current)).map(|a| {
@@ -33,7 +32,6 @@ pub(super) fn following_table(summary: &Summary, language: Language) -> Block {
 }
 
 impl ClearanceFigures {
-    /// Describes the minimum distance and its position.
     pub(super) fn nearest_text(&self, language: Language) -> Option<String> {
         let message = Message::new("report-nearest")
             .text("objects", self.between_text(language)?)

@@ -20,13 +20,11 @@ pub(super) struct TaughtPlot {
     pub(super) charts: ChartGrid,
 }
 
-/// Plots all taught spans of `seam` in one pass.
 pub(super) fn taught(machine: &Machine, seam: &SeamCurve, motion: &PassMotion, language: Language) -> Vec<TaughtPlot> {
     let spans = seam.taught().iter().enumerate();
     spans.map(|(i, span)| Shown { seam, span, number: i + 1, language }.plot(machine, motion)).collect()
 }
 
-/// A span to plot.
 struct Shown<'a> {
     seam: &'a SeamCurve,
     span: &'a TaughtSpan,

@@ -72,7 +72,6 @@ pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary], language:
     (!charts.is_empty()).then(|| ChartGrid { title: language.words("report-chart-tracking"), columns: 1, charts })
 }
 
-/// Returns the deviations of each head with and without tracking.
 pub(super) fn table(heads: &[HeadSummary], language: Language) -> Table {
     // A head that has not welded has no deviations.
     let mm = |value: f64| match value.is_finite() {
@@ -97,7 +96,6 @@ pub(super) fn table(heads: &[HeadSummary], language: Language) -> Table {
         .table(language.words(caption))
 }
 
-/// Returns the corrections of beams; `None` without a beam.
 pub(super) fn beam_table(heads: &[HeadSummary], language: Language) -> Option<Table> {
     let number = |value| significant(value, 3, language);
     let deflected = |beam: &BeamSummary| {

@@ -36,7 +36,6 @@ struct Shelved {
     ends: Instant,
 }
 
-/// Returns number and detail of a shown alarm.
 fn key(view: &AlarmView) -> (u8, u8) {
     (view.number, view.detail)
 }
@@ -114,11 +113,8 @@ impl Mirror {
     pub(super) fn shelve(&mut self, names: &Names, asked: &Shelving, by: &str) -> Result<Message, Message> {
         let wanted = (asked.number, asked.detail);
         if asked.minutes > MAX_MINUTES {
-            return Err(Message::new("server-shelve-time").number("minutes", f64::from(asked.minutes), 0).number(
-                "max",
-                f64::from(MAX_MINUTES),
-                0,
-            ));
+            let message = Message::new("server-shelve-time").number("minutes", f64::from(asked.minutes), 0);
+            return Err(message.number("max", f64::from(MAX_MINUTES), 0));
         }
         let views = self.views(names);
         let Some(view) = views.into_iter().find(|view| key(view) == wanted) else {
@@ -175,7 +171,6 @@ impl Mirror {
     }
 }
 
-/// Returns the title of a shown alarm.
 fn title(view: &AlarmView) -> Message {
     let known = Alarm::ALL.into_iter().find(|alarm| alarm.number() == usize::from(view.number));
     known.map_or_else(|| Message::verbatim(&*view.name), |alarm| alarm.entry().title)

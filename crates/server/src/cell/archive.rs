@@ -41,7 +41,6 @@ struct Shared {
     room: usize,
 }
 
-/// Entries that wait for the disk.
 #[derive(Default)]
 struct Waiting {
     alarms: VecDeque<Entry>,
@@ -55,7 +54,6 @@ struct Waiting {
     closes: bool,
 }
 
-/// An entry to be written.
 enum Entry {
     Audit(AuditEntry),
     Alarm(Option<i64>, Box<Alarm>),
@@ -63,7 +61,6 @@ enum Entry {
     Acknowledge(String, Moment, Option<Message>),
 }
 
-/// Next step of the writer.
 enum Next {
     Write(Vec<Entry>),
     /// Everything is written: notify these clients, and close the library if true.
@@ -136,7 +133,6 @@ fn write(data: &mut DataFolder, item: &Entry) -> Result<(), Error> {
 /// Delay between attempts while disk or library cannot be written.
 const AGAIN: Duration = Duration::from_millis(200);
 
-/// The thread that writes.
 struct Writer {
     shared: Arc<Shared>,
     data: DataFolder,
@@ -190,8 +186,6 @@ impl Writer {
 }
 
 impl Archive {
-    /// # Errors
-    /// If the library cannot be written.
     pub(crate) fn open(folder: &Path, hub: Arc<Hub>) -> Result<Self, Error> {
         Self::with_room(folder, hub, MAX_WAITING)
     }
@@ -323,7 +317,7 @@ mod tests {
     #[test]
     fn nobody_waits_for_the_disk() {
         let folder = tempfile::tempdir().unwrap();
-        let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 8).unwrap();
+        let archive = Archive::with_room(folder.path(), Arc::new(Hub::default()), 8).unwrap();
         let busy = hold(folder.path());
         for i in 0..100 {
             archive.audit("ada", "panel 1", format!("stop {i}"), Change::default(), "taken");
@@ -344,7 +338,7 @@ mod tests {
     #[test]
     fn what_is_repeated_takes_no_room_of_alarms_and_orders() {
         let folder = tempfile::tempdir().unwrap();
-        let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 16).unwrap();
+        let archive = Archive::with_room(folder.path(), Arc::new(Hub::default()), 16).unwrap();
         let busy = hold(folder.path());
         for i in 0..1000 {
             if i % 200 == 0 {
@@ -372,7 +366,7 @@ mod tests {
     #[test]
     fn refusals_take_no_room_of_alarms_and_orders() {
         let folder = tempfile::tempdir().unwrap();
-        let archive = Archive::with_room(folder.path(), Arc::new(Hub::new()), 64).unwrap();
+        let archive = Archive::with_room(folder.path(), Arc::new(Hub::default()), 64).unwrap();
         let busy = hold(folder.path());
         for i in 0..20_000 {
             archive.repeatable("eve", "panel", "users.read", "refused: role");

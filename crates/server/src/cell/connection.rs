@@ -8,7 +8,6 @@ use seamwright_project::devices::{self, Lines};
 use std::path::Path;
 use std::sync::{Arc, Weak};
 
-/// Devices, for the cycle.
 pub(crate) struct CellDevices {
     cell: devices::Cell,
     to: Connection,
@@ -35,7 +34,6 @@ impl Connection {
         self.fingerprint == fingerprint && self.values.as_ref().is_none_or(|known| known == values)
     }
 
-    /// Returns true if they serve the prepared task.
     pub(crate) fn serves_it(&self, prepared: &Prepared) -> bool {
         prepared.with(|work| self.serves(prepared.fingerprint(), work.values()))
     }

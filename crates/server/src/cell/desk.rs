@@ -36,7 +36,6 @@ const SHUTDOWN: Duration = Duration::from_secs(15);
 /// Maximum number of commands that wait for the cycle.
 const WAITING: usize = 512;
 
-/// Requests to the desk.
 pub(crate) enum ToDesk {
     /// A command for the executive.
     Command(Command),

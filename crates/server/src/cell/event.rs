@@ -40,7 +40,6 @@ const KINDS: [(&str, &str); 35] = [
     ("server-event-teach-ended", "teach"),
 ];
 
-/// An event.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Happening {
     message: Message,
@@ -63,7 +62,6 @@ impl Happening {
         Self { user, ..self }
     }
 
-    /// Returns the event's view with its number and times.
     pub(super) fn view(self, number: u64, t: f64, at: String) -> EventView {
         let (key, what) = kind(&self.message).copied().unwrap_or(KINDS[1]);
         let key = key.splitn(3, '-').nth(2).unwrap_or_default().replace('-', "_");

@@ -24,7 +24,6 @@ self_cell! {
 }
 
 self_cell! {
-    /// Senses the joints of a task.
     pub(super) struct Sensing {
         owner: Arc<Base>,
         #[not_covariant]
@@ -37,9 +36,6 @@ const NOTHING: &str = "there is nothing to track";
 
 impl Guiding {
     /// Creates the tracking of a task that starts at `start`.
-    ///
-    /// # Errors
-    /// If the task cannot be tracked, in words.
     pub(super) fn of(base: &Arc<Base>, start: Place) -> Result<Self, String> {
         Self::try_new(Arc::clone(base), |base| {
             base.with_dependent(|_, cell| {
@@ -52,9 +48,6 @@ impl Guiding {
 
 impl Sensing {
     /// Creates the sensors of a task.
-    ///
-    /// # Errors
-    /// If the task cannot be tracked, in words.
     pub(super) fn of(base: &Arc<Base>) -> Result<Self, String> {
         Self::try_new(Arc::clone(base), |base| {
             base.with_dependent(|_, cell| {

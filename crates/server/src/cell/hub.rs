@@ -31,6 +31,7 @@ pub(crate) type Connected = (u32, mpsc::Receiver<Text>, watch::Receiver<Option<T
 pub(crate) type Text = Arc<str>;
 
 /// State that all clients see: the newest status, events and alarms without loss, the control token.
+#[derive(Default)]
 pub(crate) struct Hub {
     status: watch::Sender<Option<Text>>,
     latest: Mutex<Option<(Status, Joints)>>,
@@ -72,7 +73,6 @@ struct Holder {
     jogs_until: Instant,
 }
 
-/// Holder of the control token.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Control {
     pub(crate) station: u32,
@@ -94,16 +94,6 @@ fn text(message: &FromCell) -> Text {
 }
 
 impl Hub {
-    pub(crate) fn new() -> Self {
-        Self {
-            status: watch::Sender::new(None),
-            latest: Mutex::default(),
-            near: Mutex::default(),
-            shown: Mutex::default(),
-            told: Mutex::default(),
-        }
-    }
-
     /// Locks the shared state, which stays consistent even if a thread panicked.
     fn lock(&self) -> MutexGuard<'_, Told> {
         self.told.lock().unwrap_or_else(PoisonError::into_inner)
@@ -135,7 +125,6 @@ impl Hub {
         Some((station, from, self.status.subscribe()))
     }
 
-    /// Number of clients.
     #[cfg(test)]
     pub(crate) fn clients(&self) -> usize {
         self.lock().clients.len()
@@ -159,7 +148,6 @@ impl Hub {
         self.status.send_replace(Some(message));
     }
 
-    /// Newest status.
     pub(crate) fn latest(&self) -> Option<Status> {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(|(status, _)| status.clone())
     }
@@ -181,7 +169,6 @@ impl Hub {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Sends an event to all clients.
     pub(crate) fn event(&self, t: f64, happened: Happening) {
         let mut told = self.lock();
         told.numbers += 1;
@@ -200,14 +187,12 @@ impl Hub {
         told.all(&message);
     }
 
-    /// Publishes the commands without effect.
     pub(super) fn refuses(&self, refused: Vec<RefusedView>) {
         let mut told = self.lock();
         told.refused.clone_from(&refused);
         told.all(&FromCell::Commands { refused });
     }
 
-    /// Publishes the state of teaching by camera.
     pub(crate) fn teaches(&self, view: TeachView) {
         let mut told = self.lock();
         if told.teach != view {
@@ -223,7 +208,6 @@ impl Hub {
         told.everybody(&message);
     }
 
-    /// Machine of the cell.
     pub(crate) fn machine(&self) -> Option<Arc<Machine>> {
         self.lock().machine.clone()
     }
@@ -253,7 +237,6 @@ impl Hub {
         self.lock().around.clone()
     }
 
-    /// Sets the smallest distance for later statuses.
     pub(super) fn set_near(&self, near: Option<NearView>) {
         *self.near.lock().unwrap_or_else(PoisonError::into_inner) = near;
     }
@@ -262,17 +245,14 @@ impl Hub {
         self.lock().work.clone()
     }
 
-    /// Sends a message to one client.
     pub(crate) fn tell(&self, station: u32, message: &FromCell) {
         self.lock().one(station, text(message));
     }
 
-    /// Name of the user at a station.
     pub(crate) fn user(&self, station: u32) -> Option<String> {
         self.lock().clients.get(&station).map(|c| c.user.clone())
     }
 
-    /// Name of the holder of the control token.
     pub(crate) fn holder(&self) -> Option<String> {
         let told = self.lock();
         told.control.as_ref().and_then(|h| told.clients.get(&h.station)).map(|c| c.user.clone())
@@ -288,7 +268,6 @@ impl Hub {
         (!is_own).then_some(by)
     }
 
-    /// Records a heartbeat.
     pub(crate) fn beat(&self, station: u32) {
         if let Some(holder) = self.lock().control.as_mut().filter(|h| h.station == station) {
             holder.beat = Instant::now();
@@ -324,7 +303,6 @@ impl Hub {
         Ok(())
     }
 
-    /// Takes the token back from `station`, if it has it.
     pub(crate) fn give_control(&self, station: u32) {
         let mut told = self.lock();
         if told.control.as_ref().is_some_and(|h| h.station == station) {
@@ -406,7 +384,7 @@ mod tests {
     /// An operator always gets one page, and further pages do not take the places of other operators.
     #[test]
     fn places_are_kept_for_those_who_operate() {
-        let hub = Hub::new();
+        let hub = Hub::default();
         let open = |user: &str, role: Role| -> Vec<Connected> {
             std::iter::from_fn(|| hub.connect(user, role)).take(2 * MAX_PAGES).collect()
         };
@@ -422,10 +400,9 @@ mod tests {
         assert!(hub.connect("one more", Role::Operator).is_some());
     }
 
-    /// Messages to a client that does not read are bounded.
     #[test]
     fn clients_that_do_not_listen_go() {
-        let hub = Hub::new();
+        let hub = Hub::default();
         let others: Vec<Connected> =
             (0..8).map(|i| hub.connect(&format!("user {i}"), Role::Operator).unwrap()).collect();
         // The token is lost with the disconnected client.
@@ -438,7 +415,7 @@ mod tests {
     /// The token cannot be taken while its holder jogs, even after the holder took it again.
     #[test]
     fn the_token_stays_with_a_hand_that_moves() {
-        let hub = Hub::new();
+        let hub = Hub::default();
         let (ada, eve) = (hub.connect("ada", Role::Operator).unwrap(), hub.connect("eve", Role::Operator).unwrap());
         hub.take_control(ada.0, false).unwrap();
         assert!(hub.controls(ada.0, true) && !hub.controls(eve.0, true));

@@ -26,7 +26,6 @@ impl Names {
         self.machine.interlocks.iter().map(|i| i.name.as_str()).collect()
     }
 
-    /// Updates `stillness` from a cycle.
     pub(super) fn watch(&self, stillness: &mut Stillness, c: &Shown) {
         let axes = self.machine.axes.len();
         let rests = c.orders.set[..axes].iter().all(|set| set.velocity == 0.0);
@@ -34,7 +33,6 @@ impl Names {
         stillness.cycle(c.t, rests, &c.reports.drives.position, &rotary);
     }
 
-    /// Returns what an alarm is about, as data.
     pub(super) fn about(&self, alarm: Alarm, detail: u8) -> Option<Message> {
         alarm.about(detail, &self.axes(), &self.conditions())
     }
@@ -195,7 +193,6 @@ pub(super) struct Extra<'a> {
     pub(super) stands: bool,
 }
 
-/// Returns the wire's name of a mode.
 pub(super) fn mode(mode: Mode) -> &'static str {
     match mode {
         Mode::DryRun => "dry_run",

@@ -53,14 +53,8 @@ impl Desk {
                 }));
             }
             Note::Missed(cycles, longest_ms) => {
-                self.tell(happening(
-                    Message::new("server-event-cycles-missed").count("cycles", cycles as usize).quantity(
-                        "longest",
-                        longest_ms,
-                        Unit::Ms,
-                        0,
-                    ),
-                ));
+                let message = Message::new("server-event-cycles-missed").count("cycles", cycles as usize);
+                self.tell(happening(message.quantity("longest", longest_ms, Unit::Ms, 0)));
             }
             Note::PassEnds(place) => {
                 self.welding.iter_mut().for_each(|welding| welding.passes += 1);
@@ -160,7 +154,6 @@ impl Desk {
         self.refuse(command, self.names.lack(missing));
     }
 
-    /// Reports a refused command to clients and audit log.
     pub(super) fn refuse(&self, command: Command, why: Lack) {
         let station = command.origin.station;
         let user = self.hub.user(station);

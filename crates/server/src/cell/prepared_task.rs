@@ -44,9 +44,6 @@ pub(crate) struct Prepared {
 
 impl Prepared {
     /// Prepares a task with the axes at `at`; `from`: start position, if not at the start of the first pass.
-    ///
-    /// # Errors
-    /// In words, if the task is invalid.
     pub(crate) fn new(task: Task, at: &Joints, from: Option<Place>) -> Result<Self, String> {
         let tracks = matches!(&task, Task::Job(planned) if planned.part.tracking);
         let base = Arc::new(Base::of(task)?);
@@ -65,9 +62,6 @@ impl Prepared {
     }
 
     /// Prepares a machine without a program, on simulated devices.
-    ///
-    /// # Errors
-    /// In words, if the machine is invalid.
     pub(crate) fn bare(machine: &Machine) -> Result<Self, String> {
         let mut machine = machine.clone();
         machine.devices = MachineDevices::default();
@@ -81,7 +75,6 @@ impl Prepared {
         self.worked.borrow_owner().machine()
     }
 
-    /// See [`fingerprint`].
     pub(crate) fn fingerprint(&self) -> &str {
         &self.fingerprint
     }

@@ -27,7 +27,6 @@ pub(super) struct Left {
     program: String,
 }
 
-/// Weld progress of a part.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Progress {
     /// It was left at this position.
@@ -36,7 +35,6 @@ pub(super) enum Progress {
     Whole(Option<i64>),
 }
 
-/// The loaded weld.
 pub(super) struct ToWeld {
     pub(super) plan: Plan,
     /// Number of passes to be welded.
@@ -91,9 +89,6 @@ impl Left {
 
 /// Adds the position at which a failure of power or program left a weld to the events of its record. The position comes
 /// from its journal. It is then found like any other position, however many welds follow.
-///
-/// # Errors
-/// If the library cannot be read or written.
 pub(super) fn remember(at: &Position, library: &Library) -> Result<(), Error> {
     let weld = i64::try_from(at.weld).unwrap_or(0);
     // A weld without a record is skipped.
@@ -113,7 +108,6 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// Notes the progress of the loaded part.
     pub(super) fn note(&mut self, of: &ToWeld, progress: Progress) {
         self.known.insert(of.key(), progress);
     }
@@ -175,9 +169,6 @@ impl Parts {
 }
 
 /// Returns the newest weld that was left and whose part has not been completed since.
-///
-/// # Errors
-/// If the library cannot be read.
 pub(super) fn newest_left(library: &Library) -> Result<Option<Left>, Error> {
     let progress = newest_of(library, &Query::default(), |_| true)?;
     Ok(progress.and_then(|progress| if let Progress::Left(left) = progress { Some(left) } else { None }))
@@ -216,7 +207,6 @@ fn newest_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use seamwright_record::figures::Basis;
 
     fn to_weld(part: &str, start: (u32, f64)) -> ToWeld {
         let text = |text: &str| (text.to_owned(), text.to_owned());
@@ -224,17 +214,11 @@ mod tests {
             part: part.to_owned(),
             title: "Nozzle".to_owned(),
             simulated: true,
-            job: None,
             program: text("program"),
             machine: text("machine"),
-            procedure: None,
-            welder: None,
-            columns: Vec::new(),
-            about: Vec::new(),
             most_rows: 1,
             rows: 1,
-            basis: Basis::default(),
-            note: seamwright_message::Message::default(),
+            ..Plan::default()
         };
         ToWeld::new(plan, 3, Some(start))
     }

@@ -65,7 +65,6 @@ impl Recorder {
         Self { folder: folder.to_owned(), hub, archive, open: None, places: None, closing: Vec::new() }
     }
 
-    /// Data folder of the records.
     pub(super) fn folder(&self) -> &Path {
         &self.folder
     }
@@ -76,9 +75,6 @@ impl Recorder {
     }
 
     /// Starts the record of a weld with `passes` passes by `welder`; `missing`: real-time rights that the cycle lacks.
-    ///
-    /// # Errors
-    /// If it cannot be recorded.
     pub(super) fn begin(&mut self, plan: &Plan, passes: usize, welder: &str, missing: &[&str]) -> Result<(), Error> {
         self.end();
         let mut data = DataFolder::open(&self.folder)?;
@@ -221,7 +217,6 @@ impl Recorder {
     }
 }
 
-/// Converts an alarm for the library.
 fn alarm(t: f64, raised: &Raised, name: &Message) -> Alarm {
     let in_pass = raised.place.pass > 0;
     Alarm {
@@ -291,7 +286,6 @@ fn settle(open: Open, folder: &Path) -> Result<WeldResult, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use seamwright_record::figures::Basis;
     use seamwright_record::library::Query;
     use seamwright_record::trace::{Column, Kind};
 
@@ -301,22 +295,17 @@ mod tests {
             part: "L-1".to_owned(),
             title: "Short".to_owned(),
             simulated: true,
-            job: None,
             program: text("a program"),
             machine: text("a machine"),
-            procedure: None,
-            welder: None,
             columns: vec![Column::new("t_s", "s", Kind::F64)],
-            about: Vec::new(),
             most_rows: 1000,
             rows: 1000,
-            basis: Basis::default(),
-            note: Message::default(),
+            ..Plan::default()
         }
     }
 
     fn recorder(folder: &Path) -> Recorder {
-        let hub = Arc::new(Hub::new());
+        let hub = Arc::new(Hub::default());
         let archive = Archive::open(folder, Arc::clone(&hub)).unwrap();
         Recorder::new(folder, hub, archive)
     }

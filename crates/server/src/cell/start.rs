@@ -24,7 +24,6 @@ use std::thread::JoinHandle;
 /// Capacity of the queues of programs to and from the cycle.
 const PROGRAMS: usize = 4;
 
-/// A running cell.
 pub(crate) struct Cell {
     pub(crate) hub: Arc<Hub>,
     pub(crate) archive: Archive,
@@ -66,7 +65,7 @@ impl Cell {
         let left = progress::newest_left(folder.library()).map_err(|e| e.message())?;
         let unknown = folder.library().listed_alarms().map_err(|e| e.message())?;
         drop(folder);
-        let hub = Arc::new(Hub::new());
+        let hub = Arc::new(Hub::default());
         hub.set_machine(machine);
         hub.set_around(Arc::new(Around::new(machine, &Clamped::default())?));
         for weld in &interrupted {

@@ -11,7 +11,6 @@ use self_cell::self_cell;
 /// Random seed of a simulated cell.
 pub(super) const SEED: u64 = 1;
 
-/// A planned job, owned.
 pub(crate) struct Planned {
     pub(crate) loaded: Loaded,
     pub(crate) motion: WeldMotion,
@@ -61,8 +60,6 @@ self_cell! {
 }
 
 impl Base {
-    /// # Errors
-    /// In words, if the task is invalid.
     pub(super) fn of(task: Task) -> Result<Self, String> {
         let stood = Stood::try_new(task, |task| {
             let nothing = Clamped::default();

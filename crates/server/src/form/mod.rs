@@ -3,6 +3,7 @@
 mod points;
 mod schema;
 
+use crate::document_kind::{Kind, kind_of};
 use crate::planner::{JOB, wrong_view};
 use crate::wire::{FormAnswer, FormChange, FormEntry, FormTable, FormText, FormValue, FormView};
 use schema::{Place, Schema};
@@ -18,6 +19,9 @@ use std::sync::LazyLock;
 
 /// Longest list that a form shows element by element.
 const MAX_ITEMS: usize = 6;
+
+/// Maximum number of tables of a form; the others are changed in the text.
+const MAX_TABLES: usize = 2000;
 
 /// A format of files: its schema, and the reader that judges a text.
 struct Format {
@@ -38,14 +42,12 @@ static PROCEDURES: LazyLock<Format> =
 // A machine refers to other files; it is judged when it is saved or used.
 static MACHINES: LazyLock<Format> = LazyLock::new(|| Format::new::<MachineFile>(|_| None));
 
-/// The format of a text, by tables that only it has.
 fn format_of(tables: &[TableEntries]) -> &'static Format {
-    let has = |key: &str| tables.iter().any(|table| table.path.is_empty() && has_key(table, key));
-    match (has("passes"), has("runs"), has("tool") || has("work")) {
-        (true, ..) => &PROGRAMS,
-        (_, true, _) => &PROCEDURES,
-        (.., true) => &MACHINES,
-        _ => &JOBS,
+    match kind_of(|key| tables.iter().any(|table| table.path.is_empty() && has_key(table, key))) {
+        Kind::Program => &PROGRAMS,
+        Kind::Procedure => &PROCEDURES,
+        Kind::Machine => &MACHINES,
+        Kind::Job => &JOBS,
     }
 }
 
@@ -74,7 +76,7 @@ fn answered(form: FormText, format_of: FormatOf) -> Result<FormAnswer, DocumentE
             let format = format_of(&tables);
             let tables =
                 tables.iter().filter_map(|table| Some(table_view(&format.schema, table, &steps(&table.path)?)));
-            let form = FormView { tables: tables.collect(), passes: points::passes(&text) };
+            let form = FormView { tables: tables.take(MAX_TABLES).collect(), passes: points::passes(&text) };
             let wrong = (format.fault)(&text).map(|error| wrong_view(&error));
             FormAnswer { text, form: Some(form), wrong }
         }

@@ -161,3 +161,9 @@ fn solids_of_every_shape_are_added_and_go_without_a_trace() {
         }
     }
 }
+
+#[test]
+fn a_form_has_a_bounded_number_of_tables() {
+    let text: String = (0..=MAX_TABLES).map(|i| format!("[offsets.o{i}]\n")).collect();
+    assert_eq!(ask(&text, json!([])).form.unwrap().tables.len(), MAX_TABLES);
+}

@@ -19,7 +19,6 @@ const SMALL: usize = 64 << 10;
 /// Maximum size of a piece, bytes: a connection that copies pieces copies little.
 const CHUNK: usize = 64 << 10;
 
-/// Memory limit of answers.
 pub(super) struct Answers(Arc<Room>);
 
 impl Default for Answers {
@@ -58,7 +57,6 @@ struct Counted {
     taken: Arc<Taken>,
 }
 
-/// A piece of a body, with its room.
 struct Piece {
     bytes: Bytes,
     _taken: Arc<Taken>,

@@ -15,7 +15,6 @@ const SHARE: usize = 16 << 20;
 /// Bodies up to this size, bytes, do not wait for room: the number of connections bounds them.
 const SMALL: usize = 64 << 10;
 
-/// Memory limit of bodies.
 pub(super) struct Bodies(Arc<Room>);
 
 impl Default for Bodies {

@@ -15,7 +15,6 @@ pub(super) const MAX_STRANGERS_OF_ADDRESS: usize = 64;
 pub(super) const MAX_KNOWN: usize = 400;
 pub(super) const MAX_OF_USER: usize = 64;
 
-/// All connections.
 #[derive(Clone, Default)]
 pub(super) struct Places(Arc<Mutex<Table>>);
 

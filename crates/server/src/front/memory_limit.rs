@@ -94,7 +94,6 @@ mod tests {
         assert!(room.held().of_users.is_empty() && room.held().all == 0);
     }
 
-    /// A waiting task wakes when room is freed.
     #[tokio::test]
     async fn room_that_is_freed_is_taken_by_who_waits() {
         let room = Room::new(10, 10);

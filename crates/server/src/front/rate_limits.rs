@@ -12,7 +12,6 @@ const BURST: f64 = 400.0;
 /// Maximum number of remembered sessions and addresses.
 const MAX_KEYS: usize = 2000;
 
-/// Sender of a request.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub(super) enum Asker {
     /// A session, by its identifier.

@@ -24,7 +24,6 @@ impl Deadline {
     }
 }
 
-/// A connection with its slot.
 pub(super) struct Held {
     stream: TcpStream,
     _place: Place,

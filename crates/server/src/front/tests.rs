@@ -43,7 +43,6 @@ impl Fronted {
         TcpStream::connect(&self.address).await.unwrap()
     }
 
-    /// Sends the start of a request.
     async fn say(&self, what: &str) -> TcpStream {
         let mut stream = self.connect().await;
         stream.write_all(what.as_bytes()).await.unwrap();
@@ -67,7 +66,6 @@ impl Drop for Fronted {
     }
 }
 
-/// Reads everything until the connection ends.
 async fn all(mut stream: TcpStream) -> String {
     let mut said = Vec::new();
     // An error at the end is irrelevant.

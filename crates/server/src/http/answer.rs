@@ -8,7 +8,6 @@ use seamwright_project::Failure;
 /// Content type of most bodies.
 pub(super) const JSON: &str = "application/json";
 
-/// A refused or failed request.
 #[derive(Debug)]
 pub(crate) struct Refused {
     pub(crate) status: StatusCode,
@@ -45,6 +44,13 @@ impl IntoResponse for Refused {
     fn into_response(self) -> Response {
         let trouble = wire::Trouble { key: self.key.to_owned(), message: self.message.into() };
         (self.status, Json(trouble)).into_response()
+    }
+}
+
+/// What is wrong with a request.
+impl From<Message> for Refused {
+    fn from(message: Message) -> Self {
+        Self::input(message)
     }
 }
 

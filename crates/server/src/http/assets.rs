@@ -5,7 +5,6 @@ use axum::body::Body;
 use axum::http::{HeaderMap, Method, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
 
-/// A file of the panel.
 struct File {
     /// Its path, `assets/index-1a2b.js`.
     name: &'static str,
@@ -22,7 +21,6 @@ static FILES: &[File] = include!(concat!(env!("OUT_DIR"), "/panel.rs"));
 /// Minimum size for compression, bytes; smaller files do not gain from it.
 const MIN_COMPRESSED: usize = 256;
 
-/// Serves a file of the panel.
 pub(super) async fn serve(method: Method, uri: Uri, headers: HeaderMap) -> Response {
     let path = uri.path().trim_start_matches('/');
     if !matches!(method, Method::GET | Method::HEAD) || path.starts_with("api/") {
@@ -88,7 +86,6 @@ fn kind(name: &str) -> (&'static str, bool) {
     }
 }
 
-/// Names and contents of all files.
 #[cfg(test)]
 pub(crate) fn panel_files() -> impl Iterator<Item = (&'static str, &'static [u8])> {
     FILES.iter().map(|file| (file.name, file.plain))

@@ -1,5 +1,5 @@
 use super::answer::Answer;
-use super::panel::Panel;
+use super::panel::Shared;
 use super::records::reads;
 use crate::cell::from_stored;
 use crate::view::written;
@@ -7,7 +7,6 @@ use crate::wire::AuditRow;
 use axum::extract::{Query, State};
 use seamwright_record::library::{AuditEntry, AuditQuery};
 use serde::Deserialize;
-use std::sync::Arc;
 
 /// Default and maximum number of entries sent.
 const SENT: u32 = 200;
@@ -36,7 +35,7 @@ fn row(id: i64, entry: AuditEntry) -> AuditRow {
     }
 }
 
-pub(super) async fn list(State(panel): State<Arc<Panel>>, Query(asked): Query<Asked>) -> Answer<Vec<AuditRow>> {
+pub(super) async fn list(State(panel): Shared, Query(asked): Query<Asked>) -> Answer<Vec<AuditRow>> {
     let query = AuditQuery {
         before: asked.before,
         after: asked.after.unwrap_or(0),

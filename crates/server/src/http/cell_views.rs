@@ -1,5 +1,5 @@
 use super::answer::{Answer, Refused};
-use super::panel::Panel;
+use super::panel::Shared;
 use crate::view::{device_views, machine_view, simulated_view};
 use crate::wire::{AlarmEntry, DeviceView, MachineView, WorkView};
 use axum::Json;
@@ -8,10 +8,9 @@ use seamwright_executive::Alarm;
 use seamwright_message::Message;
 use seamwright_project::load::machine_among;
 use serde::Deserialize;
-use std::sync::Arc;
 
-pub(super) async fn machine(State(panel): State<Arc<Panel>>) -> Answer<MachineView> {
-    let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))?;
+pub(super) async fn machine(State(panel): Shared) -> Answer<MachineView> {
+    let machine = panel.machine()?;
     Ok(Json(machine_view(&machine)))
 }
 
@@ -23,10 +22,7 @@ pub(super) struct OfMachine {
 }
 
 /// Returns the machine that a job names, to show its plan. It may differ from the cell's.
-pub(super) async fn machine_of_job(
-    State(panel): State<Arc<Panel>>,
-    Query(of): Query<OfMachine>,
-) -> Answer<MachineView> {
+pub(super) async fn machine_of_job(State(panel): Shared, Query(of): Query<OfMachine>) -> Answer<MachineView> {
     let folder = panel.jobs();
     let look = move || {
         let machine = machine_among(&of.name, &folder)?;
@@ -37,9 +33,9 @@ pub(super) async fn machine_of_job(
     panel.reading.run(look).await.map(Json)
 }
 
-pub(super) async fn devices(State(panel): State<Arc<Panel>>) -> Answer<Vec<DeviceView>> {
+pub(super) async fn devices(State(panel): Shared) -> Answer<Vec<DeviceView>> {
     let hub = &panel.cell.hub;
-    let machine = hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))?;
+    let machine = panel.machine()?;
     let (status, work) = (hub.latest(), hub.work());
     let values = work.as_ref().map_or(&[][..], |work| &work.values);
     let connection = hub.connection().ok_or_else(|| Refused::server(Message::new("server-no-devices")))?;
@@ -51,7 +47,7 @@ pub(super) async fn devices(State(panel): State<Arc<Panel>>) -> Answer<Vec<Devic
     Ok(Json(views))
 }
 
-pub(super) async fn work(State(panel): State<Arc<Panel>>) -> Answer<Option<WorkView>> {
+pub(super) async fn work(State(panel): Shared) -> Answer<Option<WorkView>> {
     Ok(Json(panel.cell.hub.work().as_deref().cloned()))
 }
 

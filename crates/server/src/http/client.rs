@@ -242,7 +242,6 @@ impl Client {
     }
 }
 
-/// Returns true if the command starts motion.
 fn leaves_rest(ask: &Ask) -> bool {
     matches!(ask, Ask::Home | Ask::HomeAxis(_) | Ask::StartJog | Ask::StartTeach | Ask::StartDryRun | Ask::StartWeld)
 }

@@ -1,6 +1,6 @@
 use super::answer::{Answer, Refused};
 use super::loading::document_message;
-use super::panel::Panel;
+use super::panel::Shared;
 use crate::form;
 use crate::wire::{EditAnswer, FormAnswer, FormText};
 use axum::Json;
@@ -8,7 +8,6 @@ use axum::extract::State;
 use seamwright_message::Message;
 use seamwright_program::edit::{Editor, Operation};
 use serde::Deserialize;
-use std::sync::Arc;
 
 /// Maximum number of operations in a request.
 const MAX_OPERATIONS: usize = 1000;
@@ -24,7 +23,7 @@ pub(super) struct Edit {
     operations: Vec<Operation>,
 }
 
-pub(super) async fn edit(State(panel): State<Arc<Panel>>, Json(edit): Json<Edit>) -> Answer<EditAnswer> {
+pub(super) async fn edit(State(panel): Shared, Json(edit): Json<Edit>) -> Answer<EditAnswer> {
     let edited = panel.reading.run(move || edited(&edit).map_err(Refused::input));
     edited.await.map(Json)
 }
@@ -44,9 +43,9 @@ fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
     Ok(EditAnswer { text: editor.text().to_owned(), words })
 }
 
-pub(super) async fn form(State(panel): State<Arc<Panel>>, Json(asked): Json<FormText>) -> Answer<FormAnswer> {
+pub(super) async fn form(State(panel): Shared, Json(asked): Json<FormText>) -> Answer<FormAnswer> {
     if asked.changes.len() > MAX_CHANGES {
-        return Err(Refused::input(Message::new("server-too-many-operations").count("max", MAX_CHANGES)));
+        return Err(Message::new("server-too-many-operations").count("max", MAX_CHANGES).into());
     }
     let answer = move || form::answer(asked).map_err(|e| Refused::input(document_message(&e)));
     panel.reading.run(answer).await.map(Json)

@@ -1,10 +1,13 @@
 use super::answer::Refused;
 use super::login::same;
-use super::panel::Panel;
 use crate::refusal::{action_word, panel_word};
+use super::panel::{Panel, Shared};
 use crate::users::{Session, may};
 use crate::wire::Role;
-use axum::extract::{Request, State};
+use axum::Extension;
+use axum::extract::rejection::ExtensionRejection;
+use axum::extract::{FromRequestParts, Request, State};
+use axum::http::request::Parts;
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
@@ -18,7 +21,6 @@ pub(super) const COOKIE: &str = "seamwright";
 /// The same for encrypted connections: browsers accept such a name only from this host and encrypted.
 const COOKIE_TLS: &str = "__Host-seamwright";
 
-/// Returns the name of the session cookie.
 pub(super) fn cookie_name(tls: bool) -> &'static str {
     if tls { COOKIE_TLS } else { COOKIE }
 }
@@ -28,7 +30,6 @@ pub(super) fn device_name(tls: bool) -> &'static str {
     if tls { "__Host-seamwright-device" } else { "seamwright-device" }
 }
 
-/// Requirements of a route.
 #[derive(Clone)]
 pub(super) struct Need {
     pub(super) panel: Arc<Panel>,
@@ -39,7 +40,7 @@ pub(super) struct Need {
 }
 
 /// Refuses requests with an unknown host name before anything else (DNS rebinding), and requests from foreign pages.
-pub(super) async fn host(State(panel): State<Arc<Panel>>, request: Request, next: Next) -> Response {
+pub(super) async fn host(State(panel): Shared, request: Request, next: Next) -> Response {
     let headers = request.headers();
     let host = text(headers, header::HOST.as_str()).unwrap_or_default();
     if !panel.hosts.iter().any(|known| known.eq_ignore_ascii_case(host)) {
@@ -80,6 +81,14 @@ fn secured(mut response: Response) -> Response {
     }
     headers.entry(header::CACHE_CONTROL).or_insert(HeaderValue::from_static("no-store"));
     response
+}
+
+impl<S: Send + Sync> FromRequestParts<S> for Session {
+    type Rejection = ExtensionRejection;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, ExtensionRejection> {
+        Extension::from_request_parts(parts, state).await.map(|Extension(session)| session)
+    }
 }
 
 /// Passes a request on if its user may do the action; the handler finds the [`Session`] in the extensions.
@@ -148,12 +157,10 @@ fn text<'a>(headers: &'a HeaderMap, name: &str) -> Option<&'a str> {
     headers.get(name).and_then(|value| value.to_str().ok())
 }
 
-/// Returns the value of the session cookie.
 pub(crate) fn cookie(headers: &HeaderMap, tls: bool) -> Option<&str> {
     named_cookie(headers, cookie_name(tls))
 }
 
-/// Returns the value of the cookie of this name.
 pub(super) fn named_cookie<'a>(headers: &'a HeaderMap, wanted: &str) -> Option<&'a str> {
     let all = headers.get_all(header::COOKIE).into_iter().filter_map(|v| v.to_str().ok());
     let pairs = all.flat_map(|v| v.split(';')).filter_map(|pair| pair.trim().split_once('='));

@@ -8,5 +8,5 @@ pub(super) fn checked(name: &str) -> Result<&str, Refused> {
     if is_toml && name.len() <= 120 && !name.starts_with(['.', ' ']) && name.chars().all(good) && !name.contains("..") {
         return Ok(name);
     }
-    Err(Refused::input(Message::new("server-job-name").text("name", name).value("max", 120.0, Unit::Byte)))
+    Err(Message::new("server-job-name").text("name", name).value("max", 120.0, Unit::Byte).into())
 }

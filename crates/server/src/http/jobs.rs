@@ -1,12 +1,13 @@
 use super::answer::{Answer, Refused};
 use super::job_name::checked;
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use crate::cell::Change;
+use crate::document_kind::{Kind, kind_of_head};
 use crate::users::Session;
 use crate::wire::{DistortionRow, JobKept, JobRow, JobText};
+use axum::Json;
 use axum::extract::{Path, State};
 use axum::http::StatusCode;
-use axum::{Extension, Json};
 use seamwright_message::Message;
 use seamwright_program::Procedure;
 use seamwright_project::examples::{DISTORTIONS, EXAMPLES, Example};
@@ -58,34 +59,17 @@ pub(super) fn head(path: &std::path::Path) -> std::io::Result<String> {
     Ok(String::from_utf8_lossy(&head).into_owned())
 }
 
-/// Kind of a file among the jobs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    Job,
-    /// A machine file, which jobs name.
-    Machine,
-    /// A procedure file, which jobs name.
-    Procedure,
-}
-
-/// Returns the kind by tables that only such a file contains; its reader validates it.
-pub(super) fn kind(head: &str) -> Kind {
-    let has = |table: &str| head.lines().any(|line| line.trim() == table);
-    match (has("[[runs]]"), has("[[tool]]") || has("[[work]]")) {
-        (true, _) => Kind::Procedure,
-        (_, true) => Kind::Machine,
-        _ => Kind::Job,
-    }
-}
-
-pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>> {
-    let asked = Arc::clone(&panel);
-    let list = move || {
+pub(super) async fn list(State(panel): Shared) -> Answer<Vec<JobRow>> {
+    let list = move |asked: &Arc<Panel>| {
         let row = |name: String| match head(&asked.jobs().join(&name)) {
-            Ok(head) => (kind(&head) == Kind::Job).then(|| JobRow { name, title: title(&head), example: false }),
+            Ok(head) => matches!(kind_of_head(&head), Kind::Job | Kind::Program).then(|| JobRow {
+                name,
+                title: title(&head),
+                example: false,
+            }),
             Err(e) => Some(JobRow { name, title: e.to_string(), example: false }),
         };
-        let mut rows: Vec<JobRow> = own(&asked)?.into_iter().take(MAX_JOBS).filter_map(row).collect();
+        let mut rows: Vec<JobRow> = own(asked)?.into_iter().take(MAX_JOBS).filter_map(row).collect();
         for example in EXAMPLES {
             let name = format!("{}.toml", example.name);
             if rows.iter().all(|row| row.name != name) {
@@ -94,7 +78,7 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>>
         }
         Ok(rows)
     };
-    panel.reading.run(list).await.map(Json)
+    panel.run(|panel| &panel.reading, list).await.map(Json)
 }
 
 pub(super) async fn distortions() -> Json<Vec<DistortionRow>> {
@@ -102,28 +86,26 @@ pub(super) async fn distortions() -> Json<Vec<DistortionRow>> {
     Json(DISTORTIONS.iter().map(row).collect())
 }
 
-pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(name): Path<String>) -> Answer<JobText> {
-    let asked = Arc::clone(&panel);
-    panel.reading.run(move || Ok(JobText { text: text(&asked, &name)? })).await.map(Json)
+pub(super) async fn get(State(panel): Shared, Path(name): Path<String>) -> Answer<JobText> {
+    panel.run(|panel| &panel.reading, move |asked| Ok(JobText { text: text(asked, &name)? })).await.map(Json)
 }
 
 pub(super) async fn put(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Path(name): Path<String>,
     Json(job): Json<JobKept>,
 ) -> Answer<JobRow> {
-    let on = Arc::clone(&panel);
-    panel.saving.run(move || keep(&on, &session, &name, &job)).await.map(Json)
+    panel.run(|panel| &panel.saving, move |on| keep(on, &session, &name, &job)).await.map(Json)
 }
 
 fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<JobRow, Refused> {
     let name = checked(name)?;
     if example(name).is_some() {
-        return Err(Refused::input(Message::new("server-template-name").text("job", name)));
+        return Err(Message::new("server-template-name").text("job", name).into());
     }
     // A job may be incomplete; an invalid procedure would invalidate every job that names it.
-    if kind(&job.text) == Kind::Procedure {
+    if kind_of_head(&job.text) == Kind::Procedure {
         Procedure::read(name, &job.text).map_err(Failure::from)?;
     }
     let path = panel.jobs().join(name);
@@ -132,28 +114,22 @@ fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<J
         return Err(Refused::new(StatusCode::CONFLICT, "other", Message::new("server-other-text").text("job", name)));
     }
     if !path.is_file() && own(panel)?.len() >= MAX_JOBS {
-        return Err(Refused::input(Message::new("server-too-many-jobs").count("max", MAX_JOBS)));
+        return Err(Message::new("server-too-many-jobs").count("max", MAX_JOBS).into());
     }
     files::write(&path, &job.text)?;
     let hash = |text: &str| seamwright_record::sha256(text.as_bytes());
     let (old, new) = (hash(&old), hash(&job.text));
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-save-job").text("job", name),
-        Change { old: &old, new: &new },
-        Message::new("server-audit-saved"),
-    );
+    let command = Message::new("server-audit-save-job").text("job", name);
+    panel.audit(&session.user, command, Change { old: &old, new: &new }, Message::new("server-audit-saved"));
     Ok(JobRow { name: name.to_owned(), title: title(&job.text), example: false })
 }
 
 pub(super) async fn delete(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Path(name): Path<String>,
 ) -> Result<StatusCode, Refused> {
-    let on = Arc::clone(&panel);
-    panel.saving.run(move || remove(&on, &session, &name)).await?;
+    panel.run(|panel| &panel.saving, move |on| remove(on, &session, &name)).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 
@@ -167,12 +143,7 @@ fn remove(panel: &Panel, session: &Session, name: &str) -> Result<(), Refused> {
     std::fs::remove_file(&path).map_err(|e| {
         Refused::server(Message::new("server-job-not-deleted").text("job", name).text("why", e.to_string()))
     })?;
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-delete-job").text("job", name),
-        Change { old: &old, new: "" },
-        Message::new("server-audit-deleted"),
-    );
+    let command = Message::new("server-audit-delete-job").text("job", name);
+    panel.audit(&session.user, command, Change { old: &old, new: "" }, Message::new("server-audit-deleted"));
     Ok(())
 }

@@ -49,9 +49,7 @@ pub(super) fn ready(load: &Load, text: &str, jobs: &FilePath, number: u64) -> Re
 }
 
 /// Performs all steps of loading that take memory and time, and discards the result.
-///
-/// # Errors
-/// If the job is invalid. The approach from the current axis positions is not checked.
+/// Fails if the job is invalid. The approach from the current axis positions is not checked.
 pub(crate) fn try_load(load: &Load, text: &str, jobs: &FilePath) -> Result<(), Refused> {
     let Ready { loaded, motion, part, from, view, .. } = ready(load, text, jobs, 0)?;
     let home = loaded.machine.home();
@@ -70,14 +68,12 @@ pub(super) fn overlap(load: &Load) -> Result<f64, Refused> {
     if (0.0..=MAX_OVERLAP_MM).contains(&overlap_mm) {
         return Ok(overlap_mm);
     }
-    Err(Refused::input(Message::new("server-overlap").value("value", overlap_mm, Unit::Mm).value(
-        "max",
-        MAX_OVERLAP_MM,
-        Unit::Mm,
-    )))
+    Err(Message::new("server-overlap")
+        .value("value", overlap_mm, Unit::Mm)
+        .value("max", MAX_OVERLAP_MM, Unit::Mm)
+        .into())
 }
 
-/// Returns the part to be welded, for simulated devices.
 fn simulated_part(distortion: Option<&str>) -> Result<Part, Refused> {
     let distortion = distortion.map(|text| Distortion::read("distortion", text)).transpose();
     let distortion = distortion.map_err(|e| Refused::input(document_message(&e)))?;

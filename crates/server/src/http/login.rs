@@ -1,6 +1,6 @@
 use super::answer::{Answer, Refused};
 use super::guard::{TOKEN, cookie, cookie_name, device_name, named_cookie};
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use crate::cell::Change;
 use crate::log;
 use crate::users::{NEEDS, OWNER, Origin, Session, may};
@@ -37,7 +37,6 @@ pub(super) fn address(from: &From) -> IpAddr {
 /// Minimum time of the answer to a wrong password: it does not reveal which users exist.
 const ANSWER: Duration = Duration::from_millis(300);
 
-/// Returns the wait after wrong passwords as a refusal.
 fn slowed(wait: Duration) -> Refused {
     let message = Message::new("server-wrong-passwords").quantity("wait", wait.as_secs_f64().ceil(), Unit::S, 0);
     Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", message)
@@ -95,7 +94,7 @@ fn fits(panel: &Panel, origin: &Origin, user: &str, password: &str) -> Result<Op
 }
 
 pub(super) async fn login(
-    State(panel): State<Arc<Panel>>,
+    State(panel): Shared,
     from: From,
     headers: HeaderMap,
     Json(login): Json<Login>,
@@ -105,30 +104,16 @@ pub(super) async fn login(
         return Err(Refused::new(StatusCode::FORBIDDEN, "token", message));
     }
     if login.user.len() > MAX_LOGIN_BYTES || login.password.len() > MAX_LOGIN_BYTES {
-        return Err(Refused::input(Message::new("server-login-too-long").value(
-            "max",
-            MAX_LOGIN_BYTES as f64,
-            Unit::Byte,
-        )));
+        return Err(Message::new("server-login-too-long").value("max", MAX_LOGIN_BYTES as f64, Unit::Byte).into());
     }
     let name = if login.user.is_empty() { OWNER.to_owned() } else { login.user };
     let right = checked(&panel, &from, &headers, &name, login.password).await?;
     let station = Message::new("server-audit-panel-at").text("address", address(&from).to_string());
+    let (archive, command) = (&panel.cell.archive, Message::new("server-audit-log-in"));
     if right.is_some() {
-        panel.cell.archive.audit(
-            &name,
-            station.clone(),
-            Message::new("server-audit-log-in"),
-            Change::default(),
-            Message::new("server-audit-logged-in"),
-        );
+        archive.audit(&name, station, command, Change::default(), Message::new("server-audit-logged-in"));
     } else {
-        panel.cell.archive.repeatable(
-            &name,
-            station,
-            Message::new("server-audit-log-in"),
-            Message::new("server-audit-refused"),
-        );
+        archive.repeatable(&name, station, command, Message::new("server-audit-refused"));
     }
     let wrong = || Refused::new(StatusCode::UNAUTHORIZED, "login", Message::new("server-login-wrong"));
     let right = right.ok_or_else(wrong)?;
@@ -178,28 +163,16 @@ pub(super) fn same(a: &[u8], b: &[u8]) -> bool {
     a.len() == b.len() && a.iter().zip(b).fold(0, |differ, (a, b)| differ | (a ^ b)) == 0
 }
 
-pub(super) async fn logout(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    headers: HeaderMap,
-) -> Response {
+pub(super) async fn logout(State(panel): Shared, session: Session, headers: HeaderMap) -> Response {
     if let Some(cookie) = cookie(&headers, panel.tls) {
         panel.sessions.end(cookie);
     }
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-log-out"),
-        Change::default(),
-        Message::new("server-audit-logged-out"),
-    );
+    let command = Message::new("server-audit-log-out");
+    panel.audit(&session.user, command, Change::default(), Message::new("server-audit-logged-out"));
     let gone = set_cookie(&panel, cookie_name(panel.tls), "", "; Max-Age=0");
     (StatusCode::NO_CONTENT, AppendHeaders([(header::SET_COOKIE, gone)])).into_response()
 }
 
-pub(super) async fn session(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-) -> Answer<SessionView> {
+pub(super) async fn session(State(panel): Shared, session: Session) -> Answer<SessionView> {
     Ok(Json(session_view(&panel, &session)))
 }

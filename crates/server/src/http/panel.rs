@@ -1,8 +1,12 @@
+use crate::cell::{Cell, Change};
+use super::answer::Refused;
 use super::work_limit::{Turn, Turns};
-use crate::cell::Cell;
 use crate::planner::Planner;
 use crate::teaching::{Cameras, Teaching};
 use crate::users::{Accounts, Checks, Devices, MAX_USERS, OWNER, Session, Sessions, Tries};
+use axum::extract::State;
+use seamwright_machine::Machine;
+use seamwright_message::Message;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
@@ -30,11 +34,13 @@ impl Loads {
         Announced { _held: Arc::clone(&self.0) }
     }
 
-    /// Returns true while at least one load is announced.
     pub(crate) fn any(&self) -> bool {
         Arc::strong_count(&self.0) > 1
     }
 }
+
+/// The panel as an argument of handlers.
+pub(super) type Shared = State<Arc<Panel>>;
 
 /// State shared by all handlers.
 pub(crate) struct Panel {
@@ -117,12 +123,29 @@ impl Panel {
         known && self.sessions.lives(session, used)
     }
 
-    /// Folder of the jobs.
+    /// Adds a request of `user` to the audit log.
+    pub(super) fn audit(&self, user: &str, command: Message, change: Change<'_>, result: Message) {
+        self.cell.archive.audit(user, Message::new("server-audit-panel"), command, change, result);
+    }
+
+    pub(super) fn machine(&self) -> Result<Arc<Machine>, Refused> {
+        self.cell.hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))
+    }
+
+    /// Does `work` on this panel in the turns that `of` chooses.
+    pub(super) async fn run<T: Send + 'static>(
+        self: &Arc<Self>,
+        of: fn(&Self) -> &Turns,
+        work: impl FnOnce(&Arc<Self>) -> Result<T, Refused> + Send + 'static,
+    ) -> Result<T, Refused> {
+        let panel = Arc::clone(self);
+        of(self).run(move || work(&panel)).await
+    }
+
     pub(crate) fn jobs(&self) -> PathBuf {
         self.data.join("jobs")
     }
 
-    /// Returns a number for a new plan.
     pub(crate) fn plan_number(&self) -> u64 {
         self.plans.fetch_add(1, Ordering::Relaxed) + 1
     }

@@ -54,37 +54,32 @@ fn check(asked: &PlaceText) -> Result<(), Refused> {
         PlaceMethod::Chuck => &["face", "round"],
     };
     if !(0.0..=LARGEST_MM).contains(&asked.probe_radius_mm) {
-        return Err(Refused::input(
-            Message::new("server-probe-radius").value("value", asked.probe_radius_mm, Unit::Mm).value(
-                "max",
-                LARGEST_MM,
-                Unit::Mm,
-            ),
-        ));
+        return Err(Message::new("server-probe-radius")
+            .value("value", asked.probe_radius_mm, Unit::Mm)
+            .value("max", LARGEST_MM, Unit::Mm)
+            .into());
     }
     if asked.points.len() > MAX_POINTS {
-        return Err(Refused::input(
-            Message::new("server-too-many-points").count("n", asked.points.len()).count("max", MAX_POINTS),
-        ));
+        return Err(Message::new("server-too-many-points")
+            .count("n", asked.points.len())
+            .count("max", MAX_POINTS)
+            .into());
     }
     for (i, point) in asked.points.iter().enumerate() {
         let number = i + 1;
         if !features.contains(&point.feature.as_str()) {
             let allowed = features.join(", ");
-            return Err(Refused::input(
-                Message::new("server-feature")
-                    .count("point", number)
-                    .text("feature", &point.feature)
-                    .text("allowed", allowed),
-            ));
+            return Err(Message::new("server-feature")
+                .count("point", number)
+                .text("feature", &point.feature)
+                .text("allowed", allowed)
+                .into());
         }
         if point.tip.iter().any(|v| v.is_nan() || v.abs() > FARTHEST_MM) {
-            return Err(Refused::input(Message::new("server-point-far").count("point", number).quantity(
-                "max",
-                FARTHEST_MM,
-                Unit::Mm,
-                0,
-            )));
+            return Err(Message::new("server-point-far")
+                .count("point", number)
+                .quantity("max", FARTHEST_MM, Unit::Mm, 0)
+                .into());
         }
     }
     Ok(())
@@ -95,11 +90,10 @@ fn refused(e: &seamwright_geometry::Error) -> Refused {
     Refused::input(Message::new("server-more-points").message("why", e.message()))
 }
 
-/// Fits the surfaces to the points by least squares.
 fn fitted(loaded: &Loaded, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let program = &loaded.welding.program;
     let Some(seam) = &program.value.seam else {
-        return Err(Refused::input(Message::new("server-no-surfaces")));
+        return Err(Message::new("server-no-surfaces").into());
     };
     let surfaces = SeamSurfaces::new(program, seam).map_err(seamwright_project::Failure::from)?;
     let touch = |point: &TouchedPoint| {
@@ -117,7 +111,6 @@ fn fitted(loaded: &Loaded, points: &[TouchedPoint], radius: f64) -> Result<Found
     Ok(Found { offset: fit.transform * placed.inverse(), residuals: fit.residuals, notes })
 }
 
-/// Returns the points of a feature.
 fn of(points: &[TouchedPoint], feature: &str) -> Vec<DVec3> {
     points.iter().filter(|p| p.feature == feature).map(|p| DVec3::from_array(p.tip)).collect()
 }
@@ -129,7 +122,6 @@ fn in_order<const N: usize>(points: &[TouchedPoint], lists: [(&str, &[f64]); N])
     points.iter().filter_map(next).collect()
 }
 
-/// Aligns three faces of the part.
 fn faces(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [plane, line, point] = ["plane", "line", "point"].map(|feature| of(points, feature));
     let fit = plane_line_point(&plane, &line, &point, radius, &program.work_offset()).map_err(|e| refused(&e))?;
@@ -137,7 +129,6 @@ fn faces(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
     Ok(Found { offset: fit.transform, residuals, notes: Vec::new() })
 }
 
-/// Aligns a plane of the part and two marks on it.
 fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [plane, origin, direction] = ["plane", "origin", "direction"].map(|feature| of(points, feature));
     let found = three_points([&plane, &origin, &direction], radius, &program.work_offset());
@@ -148,7 +139,6 @@ fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
     Ok(Found { offset: found.transform, residuals, notes })
 }
 
-/// Aligns a round part in a chuck.
 fn round(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [face, round] = ["face", "round"].map(|feature| of(points, feature));
     let found = chuck(&face, &round, radius, &program.work_offset())

@@ -2,19 +2,19 @@ use super::answer::{Answer, JSON, Refused, page_of};
 use super::job_name::checked;
 use super::jobs::text;
 use super::loading::{Ready, overlap, ready};
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use super::records::{reads, spoken};
 use crate::cell::{Around, CellDevices, Change, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
 use crate::planner::{Asked, Page, Question};
 use crate::users::Session;
 use crate::view::tuning_view;
 use crate::wire::{JobText, Load, PlaceText, PlanningView, PostText, TuningView, WorkView};
+use axum::Json;
 use axum::extract::rejection::ExtensionRejection;
 use axum::extract::{FromRequestParts, Path, Query, State};
 use axum::http::request::Parts;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
-use axum::{Extension, Json};
 use seamwright_message::Message;
 use serde::Deserialize;
 use std::sync::Arc;
@@ -39,54 +39,38 @@ impl<S: Send + Sync> FromRequestParts<S> for Page {
     type Rejection = ExtensionRejection;
 
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, ExtensionRejection> {
-        let Extension(session) = Extension::<Session>::from_request_parts(parts, state).await?;
+        let session = Session::from_request_parts(parts, state).await?;
         let page = parts.headers.get(PAGE).and_then(|value| value.to_str().ok()).unwrap_or_default();
         Ok(Self { user: session.user, session: session.id, page: page.chars().take(MAX_PAGE).collect() })
     }
 }
 
-/// Asks the planner a question.
 async fn answered(panel: &Panel, page: Page, question: Question) -> Result<Response, Refused> {
     let json = panel.planner.ask(page, question, panel.jobs()).await?;
     Ok(([(header::CONTENT_TYPE, JSON)], json).into_response())
 }
 
-pub(super) async fn plan(
-    State(panel): State<Arc<Panel>>,
-    page: Page,
-    Json(job): Json<JobText>,
-) -> Result<Response, Refused> {
+pub(super) async fn plan(State(panel): Shared, page: Page, Json(job): Json<JobText>) -> Result<Response, Refused> {
     let question = Question::Plan { text: job.text, number: panel.plan_number() };
     answered(&panel, page, question).await
 }
 
-/// Describes a text at once, without a plan.
-pub(super) async fn draft(
-    State(panel): State<Arc<Panel>>,
-    page: Page,
-    Json(job): Json<JobText>,
-) -> Result<Response, Refused> {
+pub(super) async fn draft(State(panel): Shared, page: Page, Json(job): Json<JobText>) -> Result<Response, Refused> {
     answered(&panel, page, Question::Draft { text: job.text }).await
 }
 
-pub(super) async fn place(
-    State(panel): State<Arc<Panel>>,
-    page: Page,
-    Json(asked): Json<PlaceText>,
-) -> Result<Response, Refused> {
+pub(super) async fn place(State(panel): Shared, page: Page, Json(asked): Json<PlaceText>) -> Result<Response, Refused> {
     answered(&panel, page, Question::Place { asked }).await
 }
 
-/// Lists questions of a page that are being answered.
-pub(super) async fn planning(State(panel): State<Arc<Panel>>, page: Page) -> Json<Vec<PlanningView>> {
+pub(super) async fn planning(State(panel): Shared, page: Page) -> Json<Vec<PlanningView>> {
     let asked = panel.planner.asked(&page);
     let view =
         |asked: Asked| PlanningView { kind: asked.name.to_owned(), elapsed_s: asked.since.elapsed().as_secs_f64() };
     Json(asked.into_iter().map(view).collect())
 }
 
-/// Cancels all questions of a page.
-pub(super) async fn cancel(State(panel): State<Arc<Panel>>, page: Page) -> StatusCode {
+pub(super) async fn cancel(State(panel): Shared, page: Page) -> StatusCode {
     panel.planner.cancel(&page);
     StatusCode::NO_CONTENT
 }
@@ -99,10 +83,10 @@ fn part(number: &str) -> Result<(), Refused> {
     if number.chars().count() <= MAX_PART_CHARS && !number.chars().any(crate::cell::hides) {
         return Ok(());
     }
-    Err(Refused::input(Message::new("server-part-number").count("max", MAX_PART_CHARS)))
+    Err(Message::new("server-part-number").count("max", MAX_PART_CHARS).into())
 }
 
-pub(super) async fn load(State(panel): State<Arc<Panel>>, page: Page, Json(load): Json<Load>) -> Answer<WorkView> {
+pub(super) async fn load(State(panel): Shared, page: Page, Json(load): Json<Load>) -> Answer<WorkView> {
     checked(&load.job)?;
     part(load.part.as_deref().unwrap_or_default())?;
     let (what, job) = (Message::new("server-audit-load").text("job", &load.job), load.job.clone());
@@ -113,7 +97,7 @@ pub(super) async fn load(State(panel): State<Arc<Panel>>, page: Page, Json(load)
     };
     let loaded = |_: &_| Message::new("server-audit-loaded");
     let said = result.as_ref().map_or_else(|refused| refused.message.clone(), loaded);
-    panel.cell.archive.audit(&user, Message::new("server-audit-panel"), what, Change { old: "", new: &job }, said);
+    panel.audit(&user, what, Change { old: "", new: &job }, said);
     result.map(|view| Json((*view).clone()))
 }
 
@@ -182,7 +166,7 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
     let (own, folder) = panel.cell.devices.clone();
     let its = &loading.prepared.machine().devices;
     if !its.is_empty() && *its != own {
-        return Err(Refused::input(Message::new("server-other-devices")));
+        return Err(Message::new("server-other-devices").into());
     }
     if let Some(now) = now.filter(Connection::is_real) {
         let prepared = Box::new(Prepared::bare(loading.prepared.machine()).map_err(Refused::input)?);
@@ -206,7 +190,6 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, 
     .await
 }
 
-/// Loads a job at the start of the panel.
 pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), Message> {
     let load = Load { job: job.to_owned(), from: None, overlap_mm: None, part: None, distortion: None };
     put_in(panel, load, Page::default()).await.map(drop).map_err(|refused| refused.message)
@@ -228,11 +211,7 @@ fn loading(panel: &Panel, load: &Load, text: &str, user: String) -> Result<Loadi
 }
 
 /// Plans a recorded weld again, to show the torch of its record.
-pub(super) async fn recorded(
-    State(panel): State<Arc<Panel>>,
-    page: Page,
-    Path(id): Path<i64>,
-) -> Result<Response, Refused> {
+pub(super) async fn recorded(State(panel): Shared, page: Page, Path(id): Path<i64>) -> Result<Response, Refused> {
     let Json(program) = reads(&panel, move |data| Ok(data.library().program_of(id)?)).await?;
     let question = Question::Recorded { name: program.name, text: program.text, number: panel.plan_number() };
     answered(&panel, page, question).await
@@ -244,9 +223,9 @@ pub(super) struct OfAxis {
     axis: String,
 }
 
-pub(super) async fn tuning(State(panel): State<Arc<Panel>>, Query(of): Query<OfAxis>) -> Answer<TuningView> {
+pub(super) async fn tuning(State(panel): Shared, Query(of): Query<OfAxis>) -> Answer<TuningView> {
     let answer = alone(&panel, move |panel| {
-        let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server(Message::new("server-no-machine")))?;
+        let machine = panel.machine()?;
         let axis = machine.axes.iter().find(|axis| axis.name == of.axis).ok_or_else(|| {
             let names: Vec<&str> = machine.axes.iter().map(|axis| axis.name.as_str()).collect();
             Refused::not_found(Message::new("server-no-axis").text("axis", &of.axis).text("allowed", names.join(", ")))
@@ -264,11 +243,7 @@ pub(super) struct Named {
     language: Option<String>,
 }
 
-pub(super) async fn report(
-    State(panel): State<Arc<Panel>>,
-    page: Page,
-    Query(named): Query<Named>,
-) -> Result<Response, Refused> {
+pub(super) async fn report(State(panel): Shared, page: Page, Query(named): Query<Named>) -> Result<Response, Refused> {
     let language = spoken(named.language)?.code().to_owned();
     let (asked, name) = (Arc::clone(&panel), checked(&named.job)?.to_owned());
     let text = panel.reading.run(move || text(&asked, &named.job)).await?;
@@ -278,11 +253,7 @@ pub(super) async fn report(
     Ok(page_of(html))
 }
 
-pub(super) async fn post(
-    State(panel): State<Arc<Panel>>,
-    page: Page,
-    Json(asked): Json<PostText>,
-) -> Result<Response, Refused> {
+pub(super) async fn post(State(panel): Shared, page: Page, Json(asked): Json<PostText>) -> Result<Response, Refused> {
     let question = Question::Post { text: asked.text, dialect: asked.dialect };
     answered(&panel, page, question).await
 }

@@ -1,14 +1,14 @@
 use super::answer::{Answer, Refused, page_of};
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use crate::cell::Change;
 use crate::users::{Session, may};
 use crate::view::written;
 use crate::wire::{JudgedView, RecordRow, RecordView, RecordedAlarm, RecordedEvent, TraceView};
+use axum::Json;
 use axum::body::Body;
 use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use axum::{Extension, Json};
 use seamwright_executive::Alarm;
 use seamwright_message::Message;
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
@@ -29,7 +29,6 @@ const MAX_VALUES: usize = 400_000;
 /// Maximum number of welds listed, the newest.
 const MAX_WELDS: u32 = 5000;
 
-/// Filter of welds.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Asked {
@@ -94,7 +93,7 @@ pub(super) async fn reads<T: Send + 'static>(
     panel.reading.run(move || read(&DataFolder::open_to_read(&path)?)).await.map(Json)
 }
 
-pub(super) async fn list(State(panel): State<Arc<Panel>>, Query(asked): Query<Asked>) -> Answer<Vec<RecordRow>> {
+pub(super) async fn list(State(panel): Shared, Query(asked): Query<Asked>) -> Answer<Vec<RecordRow>> {
     let query = asked.query()?;
     reads(&panel, move |data| Ok(data.library().find(&query)?.iter().map(row).collect())).await
 }
@@ -113,7 +112,7 @@ fn words(title: &Message, cause: &Message) -> (Message, Message) {
     }
 }
 
-pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) -> Answer<RecordView> {
+pub(super) async fn get(State(panel): Shared, Path(id): Path<i64>) -> Answer<RecordView> {
     reads(&panel, move |data| {
         let detail = data.library().detail(id)?;
         let traces = traces(data, id)?;
@@ -175,7 +174,7 @@ pub(super) struct Wanted {
 }
 
 pub(super) async fn trace(
-    State(panel): State<Arc<Panel>>,
+    State(panel): Shared,
     Path(id): Path<i64>,
     Query(wanted): Query<Wanted>,
 ) -> Answer<TraceView> {
@@ -183,22 +182,25 @@ pub(super) async fn trace(
     let columns: Vec<String> = wanted.columns.split(',').map(|c| c.trim().to_owned()).collect();
     if columns.len() > MAX_COLUMNS || columns.len() * most > MAX_VALUES {
         let message = Message::new("server-too-many-values").count("columns", columns.len()).count("rows", most);
-        return Err(Refused::input(message.count("max-columns", MAX_COLUMNS).count("max-values", MAX_VALUES)));
+        return Err(message.count("max-columns", MAX_COLUMNS).count("max-values", MAX_VALUES).into());
     }
     let least = Outline::least(columns.len());
     if !(least..=MAX_ROWS).contains(&most) {
-        return Err(Refused::input(
-            Message::new("server-row-count").count("value", most).count("min", least).count("max", MAX_ROWS),
-        ));
+        return Err(Message::new("server-row-count")
+            .count("value", most)
+            .count("min", least)
+            .count("max", MAX_ROWS)
+            .into());
     }
     reads(&panel, move |data| {
         let traces = traces(data, id)?;
         let known = traces.first().map_or(&[][..], Trace::columns);
         if let Some(unknown) = columns.iter().find(|c| known.iter().all(|k| k.name != **c)) {
             let names: Vec<&str> = known.iter().map(|c| c.name.as_str()).collect();
-            return Err(Refused::input(
-                Message::new("server-no-column").text("column", unknown).text("allowed", names.join(", ")),
-            ));
+            return Err(Message::new("server-no-column")
+                .text("column", unknown)
+                .text("allowed", names.join(", "))
+                .into());
         }
         let names: Vec<&str> = columns.iter().map(String::as_str).collect();
         let rows: u64 = traces.iter().map(Trace::rows).sum();
@@ -230,7 +232,7 @@ pub(super) fn spoken(code: Option<String>) -> Result<Language, Refused> {
 }
 
 pub(super) async fn report(
-    State(panel): State<Arc<Panel>>,
+    State(panel): Shared,
     Path(id): Path<i64>,
     Query(asked): Query<Spoken>,
 ) -> Result<Response, Refused> {
@@ -269,17 +271,9 @@ impl std::io::Write for ToClient {
     }
 }
 
-pub(super) async fn backup(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-) -> Result<Response, Refused> {
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-backup"),
-        Change::default(),
-        Message::new("server-audit-begun"),
-    );
+pub(super) async fn backup(State(panel): Shared, session: Session) -> Result<Response, Refused> {
+    let command = Message::new("server-audit-backup");
+    panel.audit(&session.user, command, Change::default(), Message::new("server-audit-begun"));
     // Password hashes are only for users who may change passwords.
     let with_users = may(session.role, "users.write");
     let (to, mut from) = tokio::sync::mpsc::channel(PIECES);

@@ -1,15 +1,15 @@
 use super::answer::{Answer, Refused};
 use super::login::From;
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use super::users::again;
 use crate::cell::Change;
 use crate::users::{Accounts, Session};
 use crate::view::written;
 use crate::wire::{ArchiveView, OwnPassword};
+use axum::Json;
 use axum::body::{Body, Bytes};
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
-use axum::{Extension, Json};
 use futures_util::StreamExt as _;
 use seamwright_message::{Message, Unit};
 use seamwright_record::library::{Query, WeldResult};
@@ -58,8 +58,8 @@ fn unfit(e: &Error) -> Refused {
 
 /// Receives an archive and checks it completely; replaces nothing.
 pub(super) async fn take(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     headers: HeaderMap,
     body: Body,
 ) -> Answer<ArchiveView> {
@@ -80,13 +80,7 @@ pub(super) async fn take(
     });
     let ((), checked) = tokio::join!(feed(body, to), checked);
     let said = checked.as_ref().map_or_else(|e| e.message.clone(), |_| Message::new("server-audit-checked"));
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-check-archive"),
-        Change::default(),
-        said,
-    );
+    panel.audit(&session.user, Message::new("server-audit-check-archive"), Change::default(), said);
     checked.map(Json)
 }
 
@@ -128,7 +122,7 @@ fn keep(upload: &Path, mut from: Receiver<Piece>, most: u64) -> Result<(), Refus
                 file.write_all(&piece).map_err(failed)?;
             }
             Some(None) => return Ok(()),
-            None => return Err(Refused::input(Message::new("server-archive-broke-off"))),
+            None => return Err(Message::new("server-archive-broke-off").into()),
         }
     }
 }
@@ -157,10 +151,10 @@ fn checked(panel: &Panel, upload: &Path) -> Result<ArchiveView, Refused> {
 
 /// Replaces all data by the last checked archive: the cell ends and restarts with it.
 pub(super) async fn begin(
-    State(panel): State<Arc<Panel>>,
+    State(panel): Shared,
     from: From,
     headers: HeaderMap,
-    Extension(session): Extension<Session>,
+    session: Session,
     Json(own): Json<OwnPassword>,
 ) -> Result<StatusCode, Refused> {
     again(&panel, &from, &headers, &session, own.own_password).await?;
@@ -180,13 +174,8 @@ pub(super) async fn begin(
     let Some(turn) = panel.backing_up.now() else {
         return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "busy", Message::new("server-backup-runs")));
     };
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-restore"),
-        Change::default(),
-        Message::new("server-audit-begun"),
-    );
+    let command = Message::new("server-audit-restore");
+    panel.audit(&session.user, command, Change::default(), Message::new("server-audit-begun"));
     panel.restores.send_replace(Some(Arc::new((session.user, turn))));
     Ok(StatusCode::ACCEPTED)
 }

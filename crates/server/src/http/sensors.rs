@@ -1,17 +1,17 @@
 //! Setup of sensors: the map from a camera's pixels to mm, from a picture of a grid, and numbers of the machine file.
 
 use super::answer::{Answer, Refused};
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use super::setup::{Changed, ChangedPart, OfCell, of_cell, tell};
 use crate::cell::Change;
 use crate::users::Session;
 use crate::view::{SENSOR_KEYS, height_view, sensors_view, steps};
 use crate::wire::{HeightView, SensorAnswer, SensorChange, SensorsView};
+use axum::Json;
 use axum::body::Bytes;
 use axum::extract::{Query, State};
 use axum::http::header;
 use axum::response::{IntoResponse as _, Response};
-use axum::{Extension, Json};
 use seamwright_frames::{Overlay, decode};
 use seamwright_geometry::{HeightTable, MapParameters};
 use seamwright_machine::{Machine, Sensor, Sight};
@@ -51,11 +51,11 @@ pub(super) struct Plate {
 fn camera<'a>(machine: &'a Machine, of: &Plate) -> Result<(&'a Sensor, MapParameters), Refused> {
     let sensor = sensor(machine, &of.name)?;
     let Sight::Camera(camera) = &sensor.sight else {
-        return Err(Refused::input(Message::new("server-no-camera").text("sensor", &of.name)));
+        return Err(Message::new("server-no-camera").text("sensor", &of.name).into());
     };
     if !of.pitch_mm.is_finite() || of.pitch_mm <= 0.0 || !of.z_mm.is_finite() {
         let message = Message::new("server-grid").value("pitch", of.pitch_mm, Unit::Mm).value("z", of.z_mm, Unit::Mm);
-        return Err(Refused::input(message));
+        return Err(message.into());
     }
     let believed = nearest(&camera.table, -of.z_mm).map_err(|e| Refused::input(e.message()))?;
     Ok((sensor, believed))
@@ -78,58 +78,40 @@ fn view(of: &OfCell, panel: &Panel) -> Result<SensorsView, Refused> {
     Ok(SensorsView { file: of.file(panel), pending: of.pending(panel), simulated, sensors })
 }
 
-pub(super) async fn sensors(State(panel): State<Arc<Panel>>) -> Answer<SensorsView> {
-    let on = Arc::clone(&panel);
-    panel.drawing.run(move || view(&of_cell(&on)?, &on)).await.map(Json)
+pub(super) async fn sensors(State(panel): Shared) -> Answer<SensorsView> {
+    panel.run(|panel| &panel.drawing, move |on| view(&of_cell(on)?, on)).await.map(Json)
 }
 
-pub(super) async fn picture(State(panel): State<Arc<Panel>>, Query(asked): Query<Plate>) -> Result<Response, Refused> {
-    let on = Arc::clone(&panel);
-    let painted = move || {
-        let machine = of_cell(&on)?.machine;
+pub(super) async fn picture(State(panel): Shared, Query(asked): Query<Plate>) -> Result<Response, Refused> {
+    let painted = move |on: &Arc<Panel>| {
+        let machine = of_cell(on)?.machine;
         let (sensor, believed) = camera(&machine, &asked)?;
         let count: usize = sensor.size_px.iter().product();
         if !machine.devices.is_empty() || count > MAX_PX {
-            return Err(Refused::input(Message::new("server-not-simulated").count("max", MAX_PX)));
+            return Err(Message::new("server-not-simulated").count("max", MAX_PX).into());
         }
         let (image, _) = plate(&believed, asked.pitch_mm, asked.seed).map_err(|e| Refused::input(e.message()))?;
         let frame = image.frame().map_err(|e| Refused::server(e.message()))?;
         Overlay::of(&frame).png().map_err(Refused::server)
     };
-    let png = panel.drawing.run(painted).await?;
+    let png = panel.run(|panel| &panel.drawing, painted).await?;
     Ok(([(header::CONTENT_TYPE, "image/png")], png).into_response())
 }
 
-pub(super) async fn find(
-    State(panel): State<Arc<Panel>>,
-    Query(asked): Query<Plate>,
-    png: Bytes,
-) -> Answer<SensorAnswer> {
-    let on = Arc::clone(&panel);
-    let found = move || {
-        let machine = of_cell(&on)?.machine;
+pub(super) async fn find(State(panel): Shared, Query(asked): Query<Plate>, png: Bytes) -> Answer<SensorAnswer> {
+    let found = move |on: &Arc<Panel>| {
+        let machine = of_cell(on)?.machine;
         let (sensor, believed) = camera(&machine, &asked)?;
         Ok(match decode(&png) {
             Ok(image) => seen(&image, sensor, &believed, &asked),
             Err(e) => none("picture", vec![], e.message()),
         })
     };
-    panel.drawing.run(found).await.map(Json)
+    panel.run(|panel| &panel.drawing, found).await.map(Json)
 }
 
-/// Returns an answer without a map, with the reason.
 fn none(verdict: &str, of: Vec<String>, message: Message) -> SensorAnswer {
-    let (was, found, dots) = (None, None, Vec::new());
-    SensorAnswer {
-        verdict: verdict.to_owned(),
-        of,
-        message: message.into(),
-        was,
-        found,
-        dots,
-        rms_px: 0.0,
-        max_px: 0.0,
-    }
+    SensorAnswer { verdict: verdict.to_owned(), of, message: message.into(), ..SensorAnswer::default() }
 }
 
 fn seen(image: &Image, sensor: &Sensor, believed: &MapParameters, plate: &Plate) -> SensorAnswer {
@@ -184,13 +166,11 @@ fn refused(e: &GridError) -> SensorAnswer {
 }
 
 pub(super) async fn keep(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Json(asked): Json<SensorChange>,
 ) -> Answer<SensorsView> {
-    let on = Arc::clone(&panel);
-    let kept = move || {
-        let panel = &on;
+    let kept = move |panel: &Arc<Panel>| {
         let of = of_cell(panel)?;
         let name = &sensor(&of.machine, &asked.name)?.name;
         let before = of.own.text.clone();
@@ -221,7 +201,7 @@ pub(super) async fn keep(
         tell(panel, &session.user, part, Change { old: &old.join(", "), new: &new.join(", ") });
         Ok(view)
     };
-    panel.planning.run(kept).await.map(Json)
+    panel.run(|panel| &panel.planning, kept).await.map(Json)
 }
 
 /// Returns the tables and the key of a sensor's number, if one with this name and length exists.
@@ -229,17 +209,14 @@ fn known(key: &str, numbers: &[f64]) -> Result<(&'static [&'static str], &'stati
     let path = |(tables, key, ..): &(&[&str], &str, &str, u32)| [tables, &[*key][..]].concat().join(".");
     let Some(row) = SENSOR_KEYS.iter().find(|row| path(row) == key) else {
         let allowed: Vec<String> = SENSOR_KEYS.iter().map(path).collect();
-        return Err(Refused::input(
-            Message::new("server-no-sensor-key").text("key", key).text("allowed", allowed.join(", ")),
-        ));
+        return Err(Message::new("server-no-sensor-key").text("key", key).text("allowed", allowed.join(", ")).into());
     };
     if !numbers.is_empty() && numbers.len() != row.3 as usize {
-        return Err(Refused::input(
-            Message::new("server-number-count")
-                .text("key", key)
-                .count("n", numbers.len())
-                .count("allowed", row.3 as usize),
-        ));
+        return Err(Message::new("server-number-count")
+            .text("key", key)
+            .count("n", numbers.len())
+            .count("allowed", row.3 as usize)
+            .into());
     }
     Ok((row.0, row.1))
 }
@@ -248,9 +225,7 @@ fn known(key: &str, numbers: &[f64]) -> Result<(&'static [&'static str], &'stati
 /// between them.
 fn with_heights(own: &OwnMachine, name: &str, had: usize, heights: &[HeightView]) -> Result<String, Refused> {
     if heights.len() > MAX_HEIGHTS {
-        return Err(Refused::input(
-            Message::new("server-too-many-planes").count("n", heights.len()).count("max", MAX_HEIGHTS),
-        ));
+        return Err(Message::new("server-too-many-planes").count("n", heights.len()).count("max", MAX_HEIGHTS).into());
     }
     let rows: Vec<Vec<(&str, Setting)>> = heights.iter().map(row).collect();
     let map = steps(name, &["map"]);

@@ -1,14 +1,14 @@
 //! Setup of the machine: axes, drives and tools in its file; shelving of alarms.
 
 use super::answer::{Answer, Refused};
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use crate::cell::{Change, ToDesk, fingerprint, happening};
 use crate::users::Session;
 use crate::view::{PARAMETERS, parameters_view};
 use crate::wire::{ParameterChange, ParametersView, Shelving, ToolAnswer, ToolTip, ToolTouches};
+use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
-use axum::{Extension, Json};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::{outliers, pivot, rms};
 use seamwright_machine::{Joints, MAX_AXES, Machine};
@@ -72,9 +72,8 @@ impl OfCell {
     }
 }
 
-pub(super) async fn parameters(State(panel): State<Arc<Panel>>) -> Answer<ParametersView> {
-    let asked = Arc::clone(&panel);
-    panel.drawing.run(move || of_cell(&asked)?.view(&asked)).await.map(Json)
+pub(super) async fn parameters(State(panel): Shared) -> Answer<ParametersView> {
+    panel.run(|panel| &panel.drawing, move |asked| of_cell(asked)?.view(asked)).await.map(Json)
 }
 
 /// Formats keys with their values for the audit log.
@@ -84,19 +83,18 @@ fn format_values<'a>(values: impl Iterator<Item = (&'a str, Option<f64>)>) -> St
 }
 
 pub(super) async fn change(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Json(asked): Json<ParameterChange>,
 ) -> Answer<ParametersView> {
-    let on = Arc::clone(&panel);
-    let changed = move || {
-        let panel = &on;
+    let changed = move |panel: &Arc<Panel>| {
         let of = of_cell(panel)?;
         let names: Vec<&str> = of.machine.axes.iter().map(|axis| axis.name.as_str()).collect();
         let Some(axis) = of.machine.axes.iter().find(|axis| axis.name == asked.axis) else {
-            return Err(Refused::input(
-                Message::new("server-no-axis").text("axis", &asked.axis).text("allowed", names.join(", ")),
-            ));
+            return Err(Message::new("server-no-axis")
+                .text("axis", &asked.axis)
+                .text("allowed", names.join(", "))
+                .into());
         };
         let axis_table =
             of.own.axis_table(&axis.name).ok_or_else(|| Refused::server(Message::new("server-axis-not-in-file")))?;
@@ -105,12 +103,13 @@ pub(super) async fn change(
         for (key, value) in &asked.values {
             let Some((_, group, kind)) = PARAMETERS.iter().find(|(known, ..)| known == key) else {
                 let allowed: Vec<&str> = PARAMETERS.iter().map(|(key, ..)| *key).collect();
-                return Err(Refused::input(
-                    Message::new("server-no-parameter").text("key", key).text("allowed", allowed.join(", ")),
-                ));
+                return Err(Message::new("server-no-parameter")
+                    .text("key", key)
+                    .text("allowed", allowed.join(", "))
+                    .into());
             };
             if kind.is_some_and(|kind| kind != axis.kind) {
-                return Err(Refused::input(Message::new("server-other-kind-of-axis").text("key", key)));
+                return Err(Message::new("server-other-kind-of-axis").text("key", key).into());
             }
             let list = if *group == "axis" { &mut of_axis } else { &mut of_drive };
             list.push((key.as_str(), Setting::Number(*value)));
@@ -142,7 +141,7 @@ pub(super) async fn change(
         tell(panel, &session.user, part, Change { old: old.trim(), new: new.trim() });
         Ok(view)
     };
-    panel.planning.run(changed).await.map(Json)
+    panel.run(|panel| &panel.planning, changed).await.map(Json)
 }
 
 /// Kind of a changed part of a machine file.
@@ -172,13 +171,7 @@ pub(super) fn tell(panel: &Panel, user: &str, part: ChangedPart<'_>, change: Cha
         }
     };
     let command = Message::new(audit).text("name", name).text("file", file);
-    panel.cell.archive.audit(
-        user,
-        Message::new("server-audit-panel"),
-        command,
-        change,
-        Message::new("server-audit-kept"),
-    );
+    panel.audit(user, command, change, Message::new("server-audit-kept"));
     let t = panel.cell.hub.latest().map_or(0.0, |status| status.t);
     panel.cell.hub.event(t, happening(event.text("file", file)).by(Some(user.to_owned())));
 }
@@ -191,20 +184,20 @@ fn head(machine: &Machine, head: u32) -> Result<usize, Refused> {
     })
 }
 
-pub(super) async fn find_tool(State(panel): State<Arc<Panel>>, Json(asked): Json<ToolTouches>) -> Answer<ToolAnswer> {
-    let on = Arc::clone(&panel);
-    let found = move || {
-        let machine = of_cell(&on)?.machine;
+pub(super) async fn find_tool(State(panel): Shared, Json(asked): Json<ToolTouches>) -> Answer<ToolAnswer> {
+    let found = move |on: &Arc<Panel>| {
+        let machine = of_cell(on)?.machine;
         let head = head(&machine, asked.head)?;
         if asked.touches.len() > MAX_TOUCHES {
-            return Err(Refused::input(
-                Message::new("server-too-many-touches").count("n", asked.touches.len()).count("max", MAX_TOUCHES),
-            ));
+            return Err(Message::new("server-too-many-touches")
+                .count("n", asked.touches.len())
+                .count("max", MAX_TOUCHES)
+                .into());
         }
         let frames: Result<Vec<DAffine3>, Refused> = asked.touches.iter().map(|t| frame(&machine, head, t)).collect();
         tool(&machine, head, &frames?)
     };
-    panel.drawing.run(found).await.map(Json)
+    panel.run(|panel| &panel.drawing, found).await.map(Json)
 }
 
 /// Returns the tool's frame at a touch; its origin is the assumed tip.
@@ -212,7 +205,7 @@ fn frame(machine: &Machine, head: usize, touch: &[f64]) -> Result<DAffine3, Refu
     let axes = &machine.axes;
     if touch.len() != axes.len() || touch.iter().any(|v| !v.is_finite() || v.abs() > 1e6) {
         let message = Message::new("server-touch").text("touch", format!("{touch:?}")).count("n", axes.len());
-        return Err(Refused::input(message));
+        return Err(message.into());
     }
     let mut q: Joints = [0.0; MAX_AXES];
     q.iter_mut().zip(axes).zip(touch).for_each(|((q, axis), value)| *q = axis.from_file(*value));
@@ -250,23 +243,18 @@ fn tool(machine: &Machine, head: usize, frames: &[DAffine3]) -> Result<ToolAnswe
 }
 
 pub(super) async fn keep_tool(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Json(asked): Json<ToolTip>,
 ) -> Answer<ParametersView> {
-    let on = Arc::clone(&panel);
-    let kept = move || {
-        let panel = &on;
+    let kept = move |panel: &Arc<Panel>| {
         let of = of_cell(panel)?;
         let head = head(&of.machine, asked.head)?;
         if asked.tip_mm.iter().any(|v| v.is_nan() || v.abs() > FARTHEST_MM) {
-            return Err(Refused::input(
-                Message::new("server-tip-far").text("tip", format!("{:?}", asked.tip_mm)).value(
-                    "max",
-                    FARTHEST_MM,
-                    Unit::Mm,
-                ),
-            ));
+            return Err(Message::new("server-tip-far")
+                .text("tip", format!("{:?}", asked.tip_mm))
+                .value("max", FARTHEST_MM, Unit::Mm)
+                .into());
         }
         let name = of.machine.heads[head].name.clone();
         let was = of.machine.heads[head].tip;
@@ -281,12 +269,12 @@ pub(super) async fn keep_tool(
         tell(panel, &session.user, part, Change { old: &change.0, new: &change.1 });
         Ok(view)
     };
-    panel.planning.run(kept).await.map(Json)
+    panel.run(|panel| &panel.planning, kept).await.map(Json)
 }
 
 pub(super) async fn shelve(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
+    State(panel): Shared,
+    session: Session,
     Json(asked): Json<Shelving>,
 ) -> Result<StatusCode, Refused> {
     let gone = || Refused::server(Message::new("server-cell-ended"));
@@ -296,6 +284,6 @@ pub(super) async fn shelve(
     panel.cell.desk.send(ToDesk::Shelve(asked, session.user.clone(), answer)).map_err(|_| gone())?;
     let result = answered.await.map_err(|_| gone())?;
     let said = result.as_ref().map_or_else(Message::clone, |()| Message::new("server-audit-accepted"));
-    panel.cell.archive.audit(&session.user, Message::new("server-audit-panel"), command, Change::default(), said);
+    panel.audit(&session.user, command, Change::default(), said);
     result.map(|()| StatusCode::NO_CONTENT).map_err(Refused::input)
 }

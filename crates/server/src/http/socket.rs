@@ -1,9 +1,8 @@
 use super::answer::Refused;
 use super::client::Client;
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use crate::cell::{Connected, Text, ToDesk};
 use crate::users::Session;
-use axum::Extension;
 use axum::extract::State;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::http::StatusCode;
@@ -23,11 +22,7 @@ const PATIENCE: Duration = Duration::from_secs(20);
 /// Period of checking the session.
 const CHECK: Duration = Duration::from_secs(2);
 
-pub(super) async fn live(
-    State(panel): State<Arc<Panel>>,
-    Extension(session): Extension<Session>,
-    upgrade: WebSocketUpgrade,
-) -> Response {
+pub(super) async fn live(State(panel): Shared, session: Session, upgrade: WebSocketUpgrade) -> Response {
     // Browsers send cookies with sockets of foreign pages too: the guard has compared their origin with the host.
     let Some(connected) = panel.cell.hub.connect(&session.user, session.role) else {
         let message = seamwright_message::Message::new("server-too-many-pages");
@@ -106,7 +101,6 @@ async fn tell(
     }
 }
 
-/// Waits until the session is over.
 async fn over(panel: &Panel, session: &Session) {
     let mut check = tokio::time::interval(CHECK);
     while panel.stands(session, false) {

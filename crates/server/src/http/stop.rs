@@ -1,5 +1,5 @@
 use super::login::{From, address};
-use super::panel::Panel;
+use super::panel::Shared;
 use crate::cell::Change;
 use crate::refusal::panel_word;
 use crate::wire::Stopped;
@@ -7,7 +7,7 @@ use axum::Json;
 use axum::extract::State;
 use seamwright_executive::Ask;
 use seamwright_message::Message;
-use std::sync::{Arc, PoisonError};
+use std::sync::PoisonError;
 use std::time::{Duration, Instant};
 
 /// Repeated stops are audited once in this time.
@@ -15,19 +15,14 @@ const ONCE: Duration = Duration::from_secs(1);
 
 /// Handles STOP from a page without a session. Like any stop, it needs neither role nor token. Pages of other origins
 /// are refused earlier.
-pub(super) async fn stop(State(panel): State<Arc<Panel>>, from: From) -> Json<Stopped> {
+pub(super) async fn stop(State(panel): Shared, from: From) -> Json<Stopped> {
     panel.cell.urgent.ask(&Ask::Stop);
     let mut stopped = panel.stopped.lock().unwrap_or_else(PoisonError::into_inner);
     if stopped.is_none_or(|at| at.elapsed() > ONCE) {
         *stopped = Some(Instant::now());
         let station = Message::new("server-audit-panel-at").text("address", address(&from).to_string());
-        panel.cell.archive.audit(
-            "",
-            station,
-            panel_word("do", "stop"),
-            Change::default(),
-            Message::new("server-audit-accepted"),
-        );
+        let accepted = Message::new("server-audit-accepted");
+        panel.cell.archive.audit("", station, panel_word("do", "stop"), Change::default(), accepted);
     }
     let hub = &panel.cell.hub;
     let mode = hub.latest().map_or_else(String::new, |status| status.mode);

@@ -1,5 +1,5 @@
 use super::answer::{Answer, Refused};
-use super::panel::Panel;
+use super::panel::Shared;
 use super::plan::alone;
 use crate::teaching::program;
 use crate::wire::{StandingView, TaughtProgram, TaughtView, TeachProgram};
@@ -8,11 +8,10 @@ use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
 use seamwright_message::Message;
-use std::sync::Arc;
 
 /// Returns the standing position of the machine, for recording a point. Refused during motion: a passed position would
 /// be outdated when recorded.
-pub(super) async fn position(State(panel): State<Arc<Panel>>) -> Answer<StandingView> {
+pub(super) async fn position(State(panel): Shared) -> Answer<StandingView> {
     let refused = |message: Message| Refused::new(StatusCode::CONFLICT, "busy", message);
     let hub = &panel.cell.hub;
     let known = hub.latest().zip(hub.machine());
@@ -26,18 +25,15 @@ pub(super) async fn position(State(panel): State<Arc<Panel>>) -> Answer<Standing
     Ok(Json(StandingView { axes: status.axes.iter().map(|axis| axis.position).collect(), tip: status.tip }))
 }
 
-/// Returns the points taught so far.
-pub(super) async fn taught(State(panel): State<Arc<Panel>>) -> Answer<TaughtView> {
+pub(super) async fn taught(State(panel): Shared) -> Answer<TaughtView> {
     Ok(Json(panel.teaching.taught()))
 }
 
-/// Returns the newest picture of the camera.
-pub(super) async fn picture(State(panel): State<Arc<Panel>>) -> Result<Response, Refused> {
+pub(super) async fn picture(State(panel): Shared) -> Result<Response, Refused> {
     let png = panel.teaching.picture().ok_or_else(|| Refused::not_found(Message::new("server-no-image")))?;
     Ok(([(header::CONTENT_TYPE, "image/png")], png.to_vec()).into_response())
 }
 
-/// Returns a program of the taught points; stores nothing.
-pub(super) async fn made(State(panel): State<Arc<Panel>>, Json(asked): Json<TeachProgram>) -> Answer<TaughtProgram> {
+pub(super) async fn made(State(panel): Shared, Json(asked): Json<TeachProgram>) -> Answer<TaughtProgram> {
     alone(&panel, move |panel| Ok(program(&panel.teaching, &asked)?)).await.map(Json)
 }

@@ -1,16 +1,16 @@
 use super::answer::{Answer, Refused};
 use super::login::{From, checked};
-use super::panel::Panel;
+use super::panel::{Panel, Shared};
 use crate::cell::Change;
 use crate::users::Session;
 use crate::wire::{OwnPassword, UserChange, UserRow};
+use axum::Json;
 use axum::extract::{Path, State};
 use axum::http::{HeaderMap, StatusCode};
-use axum::{Extension, Json};
 use seamwright_message::Message;
 use std::sync::Arc;
 
-pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<UserRow>> {
+pub(super) async fn list(State(panel): Shared) -> Answer<Vec<UserRow>> {
     Ok(Json(panel.accounts.list()))
 }
 
@@ -28,30 +28,24 @@ pub(super) async fn again(
     if checked(panel, from, headers, &session.user, password.unwrap_or_default()).await?.is_some() {
         return Ok(());
     }
-    panel.cell.archive.repeatable(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-own-password"),
-        Message::new("server-audit-refused"),
-    );
+    let [station, command, refused] =
+        ["server-audit-panel", "server-audit-own-password", "server-audit-refused"].map(Message::new);
+    panel.cell.archive.repeatable(&session.user, station, command, refused);
     Err(Refused::new(StatusCode::FORBIDDEN, "password", Message::new("server-own-password")))
 }
 
 pub(super) async fn put(
-    State(panel): State<Arc<Panel>>,
+    State(panel): Shared,
     from: From,
     headers: HeaderMap,
-    Extension(session): Extension<Session>,
+    session: Session,
     Path(name): Path<String>,
     Json(change): Json<UserChange>,
 ) -> Answer<UserRow> {
     again(&panel, &from, &headers, &session, change.own_password.clone()).await?;
     if change.only_new == Some(true) && panel.accounts.has(&name) {
-        return Err(Refused::new(
-            StatusCode::CONFLICT,
-            "exists",
-            Message::new("server-user-exists").text("user", name),
-        ));
+        let message = Message::new("server-user-exists").text("user", name);
+        return Err(Refused::new(StatusCode::CONFLICT, "exists", message));
     }
     let old = panel.accounts.role(&name).map_or(String::new(), |role| format!("{role:?}"));
     let (changed, user) = (Arc::clone(&panel), name.clone());
@@ -62,21 +56,16 @@ pub(super) async fn put(
     panel.devices.forget(&name);
     super::login::keep_devices(&panel);
     let new = format!("{:?}{}", row.role, if row.enabled { "" } else { ", disabled" });
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-change-user").text("user", &name),
-        Change { old: &old, new: &new },
-        Message::new("server-audit-changed"),
-    );
+    let command = Message::new("server-audit-change-user").text("user", &name);
+    panel.audit(&session.user, command, Change { old: &old, new: &new }, Message::new("server-audit-changed"));
     Ok(Json(row))
 }
 
 pub(super) async fn delete(
-    State(panel): State<Arc<Panel>>,
+    State(panel): Shared,
     from: From,
     headers: HeaderMap,
-    Extension(session): Extension<Session>,
+    session: Session,
     Path(name): Path<String>,
     Json(own): Json<OwnPassword>,
 ) -> Result<StatusCode, Refused> {
@@ -88,12 +77,7 @@ pub(super) async fn delete(
     panel.sessions.end_all_of(&name);
     panel.devices.forget(&name);
     super::login::keep_devices(&panel);
-    panel.cell.archive.audit(
-        &session.user,
-        Message::new("server-audit-panel"),
-        Message::new("server-audit-delete-user").text("user", &name),
-        Change::default(),
-        Message::new("server-audit-deleted"),
-    );
+    let command = Message::new("server-audit-delete-user").text("user", &name);
+    panel.audit(&session.user, command, Change::default(), Message::new("server-audit-deleted"));
     Ok(StatusCode::NO_CONTENT)
 }

@@ -35,9 +35,7 @@ impl Turns {
 
     /// Runs `work` in its turn, in a separate thread with lower priority than the cycle's. The turn lasts until the
     /// work is done, even if its caller has gone.
-    ///
-    /// # Errors
-    /// If too many wait, or the work fails.
+    /// Fails if too many wait, or the work fails.
     pub(crate) async fn run<T: Send + 'static>(
         &self,
         work: impl FnOnce() -> Result<T, Refused> + Send + 'static,

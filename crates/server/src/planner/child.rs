@@ -82,7 +82,7 @@ fn heard(out: ChildStdout) -> Option<Said> {
             out.read_to_end(&mut body).ok()?;
             if body.len() != bytes {
                 let message = Message::new("server-plan-too-large").value("max", (MAX_ANSWER >> 20) as f64, Unit::MiB);
-                return (bytes >= MAX_ANSWER - line.len()).then(|| Err(Refused::input(message)));
+                return (bytes >= MAX_ANSWER - line.len()).then(|| Err(message.into()));
             }
             Some(Ok(body))
         }

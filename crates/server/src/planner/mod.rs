@@ -49,7 +49,6 @@ impl Header {
     }
 }
 
-/// Cancellation of a question.
 #[derive(Debug, Default)]
 struct Token {
     is_cancelled: AtomicBool,
@@ -127,7 +126,6 @@ pub(crate) struct Asked {
     pub(crate) since: Instant,
 }
 
-/// Answers questions.
 pub(crate) struct Planner {
     /// The program that answers; `None`: a thread of this process, without a memory limit.
     program: Option<PathBuf>,
@@ -175,9 +173,7 @@ impl Planner {
     }
 
     /// Answers with JSON or an HTML page. Cancels an earlier question of the same kind from this page.
-    ///
-    /// # Errors
-    /// If the text is invalid, needs too much memory or time, or was superseded, or if there are too many questions.
+    /// Fails if the text is invalid, needs too much memory or time, or was superseded, or if there are too many questions.
     pub(crate) async fn ask(&self, page: Page, question: Question, jobs: PathBuf) -> Result<Vec<u8>, Refused> {
         let sort = Sort::of(&question);
         let (turns, patience) = match sort {
@@ -219,14 +215,12 @@ impl Planner {
         Ok(Ticket { table: Arc::clone(&self.running), number, token })
     }
 
-    /// Returns the questions of a page that are being answered.
     pub(crate) fn asked(&self, page: &Page) -> Vec<Asked> {
         let table = lock(&self.running);
         let own = table.running.values().filter(|running| running.page == *page);
         own.map(|running| Asked { name: running.name, since: running.since }).collect()
     }
 
-    /// Cancels all questions of a page. Returns their number.
     pub(crate) fn cancel(&self, page: &Page) -> usize {
         let table = lock(&self.running);
         let own = table.running.values().filter(|running| running.page == *page);

@@ -17,7 +17,6 @@ use std::path::Path;
 /// File name of the text in question.
 pub(crate) const JOB: &str = "job.toml";
 
-/// A question about a text.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub(crate) enum Question {
@@ -38,7 +37,6 @@ pub(crate) enum Question {
 }
 
 impl Question {
-    /// Name of the kind of question.
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Draft { .. } => "draft",
@@ -52,9 +50,7 @@ impl Question {
     }
 
     /// Answers with the bytes of JSON or of an HTML page.
-    ///
-    /// # Errors
-    /// If the text is invalid, unless the answer contains the reason.
+    /// Fails if the text is invalid, unless the answer contains the reason.
     pub(super) fn answer(&self, jobs: &Path) -> Result<Vec<u8>, Refused> {
         match self {
             Self::Draft { text } => json(&draft(text, jobs)),
@@ -130,7 +126,7 @@ fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {
         "pmac" => Dialect::Pmac,
         other => {
             let allowed = "sinumerik, linuxcnc, grblhal, pmac";
-            return Err(Refused::input(Message::new("server-no-dialect").text("name", other).text("allowed", allowed)));
+            return Err(Message::new("server-no-dialect").text("name", other).text("allowed", allowed).into());
         }
     };
     let loaded = load_foreign(JOB, text, jobs)?;

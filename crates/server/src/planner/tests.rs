@@ -129,7 +129,6 @@ fn failures_of_the_process_are_answers() {
     assert!(ask("cut", long).is_err());
 }
 
-/// Without a program, a thread gives the same answer.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn without_a_program_a_thread_answers() {
     let folder = tempfile::tempdir().unwrap();

@@ -20,7 +20,6 @@ const STALLED_S: f64 = 0.4;
 /// Maximum attempts to continue after the cell stopped the axes: jog commands of a busy computer may be late.
 const TRIES: u32 = 4;
 
-/// Result of a move.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Came {
     /// At the target, at rest.

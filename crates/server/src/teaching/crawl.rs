@@ -152,7 +152,6 @@ fn turn(panel: &Panel) -> Option<Turn> {
     None
 }
 
-/// Returns the first camera of a machine, with its map.
 fn camera(machine: &Machine) -> Result<(&Sensor, &HeightTable), Failure> {
     let none = || Failure::input(Message::new("server-teach-no-camera").text("machine", &machine.name));
     machine.cameras().next().ok_or_else(none)
@@ -189,7 +188,6 @@ fn crawl(
     Ok(Outcome::of(&crawl, &run, asked.ended))
 }
 
-/// Updates the pages' view from a frame.
 fn update_view(state: &mut State, look: &Look, axes: &[Vec<f64>], nominal: &SeamLine) {
     let (line, notes) = (look.crawl.line(), look.crawl.notes());
     let view = &mut state.view;

@@ -33,9 +33,7 @@ const STEPS_MM: (f64, f64) = (1.0, 100.0);
 const MAX_TACK_MM: f64 = 100.0;
 
 /// Handles an order of the page `station`, which has control.
-///
-/// # Errors
-/// If the order is invalid in this phase, or its numbers are not allowed.
+/// Fails if the order is invalid in this phase, or its numbers are not allowed.
 pub(crate) fn order(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), Lack> {
     let teaching = &panel.teaching;
     match order {

@@ -8,9 +8,7 @@ use seamwright_teaching::{self as teaching, Figures, Kind, ReductionTolerances, 
 use std::sync::Arc;
 
 /// Converts the taught points to a program.
-///
-/// # Errors
-/// If no points were taught, or numbers are not allowed.
+/// Fails if no points were taught, or numbers are not allowed.
 pub(crate) fn program(teaching: &Teaching, asked: &TeachProgram) -> Result<TaughtProgram, Failure> {
     let wrong = |what: &str, value: f64, most: f64| {
         let message = Message::new("server-teach-above").key("key", what);

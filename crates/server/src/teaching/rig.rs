@@ -23,7 +23,6 @@ const WAITING: Duration = Duration::from_millis(300);
 /// Minimum axis displacement for a new picture of the camera simulator, mm or rad.
 const MOVED: f64 = 5e-3;
 
-/// Source of frames.
 pub(super) enum Sees<'a> {
     /// The camera simulator, from the true axis positions.
     Simulated(Box<CameraSimulator<'a>>),
@@ -190,7 +189,6 @@ impl Rig for CellRig<'_, '_> {
     }
 }
 
-/// The operator at the panel.
 pub(super) struct Asked<'s, 'a> {
     pub(super) station: &'s Station<'a>,
     /// The operator has confirmed that the joint ends where it was lost.

@@ -10,7 +10,6 @@ use seamwright_teaching::{Answer, Outcome, SeamLine};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// Settings of a session.
 #[derive(Debug, Clone)]
 pub(crate) struct Open {
     pub(super) job: String,
@@ -87,7 +86,6 @@ impl Teaching {
         self.turned.notify_all();
     }
 
-    /// Waits for a change of the state, at most `most`.
     pub(super) fn wait(&self, most: Duration) {
         drop(self.turned.wait_timeout(self.state(), most));
     }
@@ -121,7 +119,6 @@ impl Teaching {
         });
     }
 
-    /// Marks the session as ended.
     pub(super) fn ended(&self, hub: &Hub, change: impl FnOnce(&mut State)) {
         self.change(hub, |state| {
             state.lives = false;
@@ -146,7 +143,6 @@ impl Teaching {
         Ok(())
     }
 
-    /// Ends the joint where it was lost.
     pub(super) fn end_here(&self) -> Result<(), Lack> {
         let mut state = self.state();
         if state.view.phase != TeachPhase::Asks {
@@ -169,7 +165,6 @@ impl Teaching {
         Ok(())
     }
 
-    /// Resumes for page `station`.
     pub(super) fn resume(&self, station: u32) -> Result<(), Lack> {
         let mut state = self.state();
         if !state.lives || state.wish != Wish::Pause {
@@ -192,7 +187,6 @@ impl Teaching {
         Ok(())
     }
 
-    /// Takes the operator's answer.
     pub(super) fn take_answer(&self) -> Option<Answer> {
         self.state().said.take()
     }
@@ -210,12 +204,10 @@ impl Teaching {
         self.state().sight.map(|(camera, height)| camera.transform_point3(DVec3::Z * height))
     }
 
-    /// Returns the newest picture, as PNG.
     pub(crate) fn picture(&self) -> Option<Arc<Vec<u8>>> {
         self.state().picture.clone()
     }
 
-    /// Returns the points taught so far.
     pub(crate) fn taught(&self) -> TaughtView {
         self.state().taught.clone()
     }

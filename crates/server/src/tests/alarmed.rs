@@ -5,7 +5,6 @@ use axum::http::StatusCode;
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// Returns the state of the alarm of this name in a list of alarms.
 fn state<'a>(list: &'a Value, name: &str) -> Option<&'a str> {
     list["list"].as_array()?.iter().find(|alarm| alarm["name"] == name)?["state"].as_str()
 }
@@ -17,8 +16,7 @@ async fn until(page: &mut Page, name: &str, wanted: Option<&str>) {
 /// An unacknowledged alarm is listed again after a restart, until acknowledged.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_nobody_acknowledged_is_there_after_a_restart() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
+    let (served, owner) = Served::with_owner().await;
     let mut page = served.page_up(&owner).await;
     page.order("start_jog").await;
     page.mode("jog").await;
@@ -30,9 +28,8 @@ async fn what_nobody_acknowledged_is_there_after_a_restart() {
     let mut page = served.page(&served.bench.owner().await).await;
     until(&mut page, "panel silent", Some("returned")).await;
     // Loading another program does not clear it; acknowledging does.
-    let load = json!({ "job": "ellipse.toml", "from": null, "part": null });
     let owner = served.bench.owner().await;
-    assert!(served.bench.ask(owner.request("POST", "/api/load", Some(&load))).await.0.is_success());
+    assert!(served.bench.load(&owner, "ellipse.toml", None).await.0.is_success());
     let mut other = served.page(&owner).await;
     until(&mut other, "panel silent", Some("returned")).await;
     page.say(&json!({ "kind": "take_control", "over": false })).await;
@@ -47,7 +44,6 @@ async fn what_nobody_acknowledged_is_there_after_a_restart() {
     until(&mut page, "panel silent", None).await;
 }
 
-/// An unwritable record raises an alarm, which clears with the next record.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn the_next_record_ends_the_alarm_of_the_last() {
     let served = Served::new().await;
@@ -63,10 +59,9 @@ async fn the_next_record_ends_the_alarm_of_the_last() {
     page.order("acknowledge").await;
     std::fs::remove_file(&welds).unwrap();
     std::fs::rename(&away, &welds).unwrap();
-    let load = json!({ "job": "ellipse.toml", "from": null, "part": null });
     let owner = bench.owner().await;
     // Gas flows on for a while.
-    while bench.ask(owner.request("POST", "/api/load", Some(&load))).await.0 == StatusCode::CONFLICT {
+    while bench.load(&owner, "ellipse.toml", None).await.0 == StatusCode::CONFLICT {
         tokio::time::sleep(Duration::from_millis(50)).await;
     }
     page.weld().await;

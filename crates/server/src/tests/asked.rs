@@ -11,8 +11,7 @@ use serde_json::json;
 
 #[tokio::test(flavor = "multi_thread")]
 async fn jobs_are_kept_planned_posted_and_edited() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
     let text = example["text"].as_str().unwrap().to_owned();
     let put = owner.request("PUT", "/api/jobs/mine.toml", Some(&json!({ "text": text })));
@@ -64,8 +63,7 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     assert_eq!(bench.ask(owner.request("DELETE", "/api/jobs/wps.toml", None)).await.0, StatusCode::NO_CONTENT);
     // A job can be posted.
     let post = json!({ "text": text, "dialect": "linuxcnc" });
-    let (status, answer) = bench.ask(owner.request("POST", "/api/post", Some(&post))).await;
-    assert_eq!(status, StatusCode::OK, "{answer}");
+    let answer = bench.did(&owner, "POST", "/api/post", post).await;
     assert!(answer["text"].as_str().unwrap().contains("G93") && !answer["proof"].as_array().unwrap().is_empty());
     let post = json!({ "text": text, "dialect": "basic" });
     assert_eq!(bench.ask(owner.request("POST", "/api/post", Some(&post))).await.0, StatusCode::UNPROCESSABLE_ENTITY);
@@ -112,10 +110,9 @@ async fn a_job_is_planned_beside_the_cell_before_it_is_loaded() {
     assert!(bench.panel.cell.hub.work().is_none() && !bench.panel.loads.any());
 }
 
-/// Starts are refused while a job is planned in the cell's process.
 #[tokio::test(flavor = "multi_thread")]
 async fn nothing_starts_while_a_job_is_planned_to_be_loaded() {
-    let bench = Bench::new(&[HOST]).await;
+    let bench = Bench::new().await;
     bench.everybody().await;
     let (_, session) = bench.panel.sessions.begin("Operator", Role::Operator).unwrap();
     let says = |seq: u32| {

@@ -1,13 +1,13 @@
 //! Thousands of malformed requests and messages, path traversal, expired sessions, guessed passwords.
 
 use super::lived::Served;
-use super::{Bench, HOST, KEY, Visitor};
+use super::{Bench, KEY, Visitor, login};
 use crate::cell::Change;
 use crate::http::{all_routes, hears};
 use crate::users::{least, may};
 use crate::wire::{AskView, Role};
 use axum::body::Body;
-use axum::http::{Request, StatusCode};
+use axum::http::StatusCode;
 use futures_util::StreamExt as _;
 use seamwright_testkit::Random;
 use serde_json::{Value, json};
@@ -48,7 +48,6 @@ const BODIES: [&str; 8] = [
 /// Query of a picture of a grid.
 const PLATE: &str = "?name=camera&pitch_mm=3&z_mm=0";
 
-/// Returns the content type of a route's body.
 fn takes(method: &str, route: &str) -> &'static str {
     match (method, route) {
         ("put", "/api/restore") => "application/x-tar",
@@ -60,8 +59,7 @@ fn takes(method: &str, route: &str) -> &'static str {
 /// Every request is answered without a server error, and nothing has changed afterwards.
 #[tokio::test(flavor = "multi_thread")]
 async fn thousands_of_malformed_requests_are_refused() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let mut random = Random::new(10);
     let mut asked = 0;
     for (method, route, _) in all_routes() {
@@ -122,7 +120,6 @@ async fn thousands_of_malformed_requests_are_refused() {
     assert!(entries.iter().all(|e| ![&e.user, &e.command, &e.result].iter().any(|f| f.contains(char::is_control))));
 }
 
-/// All commands, from the schema of the interface.
 fn commands() -> Vec<Value> {
     let schema = schemars::schema_for!(AskView).to_value();
     let kinds = schema["oneOf"].as_array().unwrap();
@@ -173,11 +170,9 @@ async fn every_command_wants_a_role_control_and_a_new_number() {
     }
 }
 
-/// A socket needs a session, and a page and host name of the panel.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn sockets_want_a_session_and_a_page_of_ours() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
+    let (served, owner) = Served::with_owner().await;
     let open = |name: &'static str, value: String| {
         let mut request = format!("ws://{}/api/live", served.address).into_client_request().unwrap();
         request.headers_mut().insert("cookie", owner.cookie.parse().unwrap());
@@ -229,7 +224,7 @@ async fn sockets_want_a_session_and_a_page_of_ours() {
 /// Random mutations of all messages, from a viewer: no motion, no control.
 #[tokio::test(flavor = "multi_thread")]
 async fn thousands_of_malformed_messages_move_nothing() {
-    let bench = Bench::new(&[HOST]).await;
+    let bench = Bench::new().await;
     let mut all: Vec<String> =
         commands().into_iter().map(|ask| json!({ "kind": "command", "seq": 1, "ask": ask }).to_string()).collect();
     all.push(json!({ "kind": "jog", "seq": 1, "of": "tip", "speeds": [1.0, -1.0, 0.0] }).to_string());
@@ -265,7 +260,7 @@ async fn thousands_of_malformed_messages_move_nothing() {
 /// Texts from the panel read only files in the folder of jobs, and reveal nothing of others.
 #[tokio::test(flavor = "multi_thread")]
 async fn jobs_lead_to_no_other_files() {
-    let bench = Bench::new(&[HOST]).await;
+    let bench = Bench::new().await;
     bench.everybody().await;
     let outside = bench.path().join("users.json");
     let outside = outside.to_str().unwrap();
@@ -326,9 +321,9 @@ async fn a_session_ends_with_what_it_was_given_for() {
     assert_eq!(bench.ask(late.request("GET", "/api/session", None)).await.0, StatusCode::UNAUTHORIZED);
     // Another login ends the previous session, and a cookie set beforehand is not accepted.
     let login = |cookie: &str| {
-        let body = json!({ "user": "Viewer", "password": "password of Viewer" }).to_string();
-        let request = Request::post("/api/login").header("host", HOST).header("x-seamwright", "login");
-        request.header("content-type", "application/json").header("cookie", cookie).body(Body::from(body)).unwrap()
+        let mut request = login("Viewer", "password of Viewer");
+        request.headers_mut().insert("cookie", cookie.parse().unwrap());
+        request
     };
     let viewer = of(Role::Viewer);
     let answer = bench.raw(login(&viewer.cookie)).await;
@@ -343,13 +338,9 @@ async fn a_session_ends_with_what_it_was_given_for() {
 /// Simultaneous guesses are counted individually; long names take no room; log entries are single lines.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn guesses_at_once_count_one_by_one() {
-    let bench = Bench::new(&[HOST]).await;
+    let bench = Bench::new().await;
     bench.everybody().await;
-    let guess = |user: &str, password: &str| {
-        let body = json!({ "user": user, "password": password }).to_string();
-        let request = Request::post("/api/login").header("host", HOST).header("x-seamwright", "login");
-        bench.ask(request.header("content-type", "application/json").body(Body::from(body)).unwrap())
-    };
+    let guess = |user: &str, password: &str| bench.ask(login(user, password));
     let all = futures_util::future::join_all((0..60).map(|i| guess("Admin", &format!("guess {i}")))).await;
     let checked = all.iter().filter(|(status, _)| *status == StatusCode::UNAUTHORIZED).count();
     assert_eq!(checked, 5);
@@ -367,8 +358,7 @@ async fn guesses_at_once_count_one_by_one() {
 /// Small requests cannot ask for large answers.
 #[tokio::test(flavor = "multi_thread")]
 async fn what_is_asked_for_is_bounded() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     for query in
         [format!("columns={}", vec!["t_s"; 100].join(",")), format!("columns={}&most=20000", "t_s,".repeat(30))]
     {
@@ -377,10 +367,9 @@ async fn what_is_asked_for_is_bounded() {
         assert!(answer["text"].as_str().unwrap().contains("columns"), "{answer}");
     }
     for (job, part) in [("x\nada  load", ""), ("ellipse.toml", "a\nb"), ("ellipse.toml", "\u{202e}17-N")] {
-        let load = json!({ "job": job, "from": null, "part": part });
-        let (status, _) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+        let (status, _) = bench.load(&owner, job, Some(part)).await;
         assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY, "{job:?} {part:?}");
     }
-    let load = json!({ "job": "ellipse.toml", "from": null, "part": "x".repeat(121) });
-    assert_eq!(bench.ask(owner.request("POST", "/api/load", Some(&load))).await.0, StatusCode::UNPROCESSABLE_ENTITY);
+    let (status, _) = bench.load(&owner, "ellipse.toml", Some(&"x".repeat(121))).await;
+    assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY);
 }

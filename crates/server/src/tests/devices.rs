@@ -46,11 +46,6 @@ async fn jobs(bench: &Bench, owner: &Visitor, machine: &str) {
     }
 }
 
-async fn load(bench: &Bench, owner: &Visitor, job: &str) -> (StatusCode, Value) {
-    let load = json!({ "job": job, "from": null, "part": null });
-    bench.ask(owner.request("POST", "/api/load", Some(&load))).await
-}
-
 async fn simulated(bench: &Bench, owner: &Visitor) -> bool {
     let (_, machine) = bench.ask(owner.request("GET", "/api/machine", None)).await;
     machine["simulated"].as_bool().unwrap()
@@ -82,34 +77,34 @@ async fn programs_find_the_devices_they_need() {
     jobs(bench, &owner, &machine).await;
     // The cell has the devices of the start until a program needs none.
     assert!(!simulated(bench, &owner).await);
-    assert!(load(bench, &owner, "ellipse.toml").await.0.is_success() && simulated(bench, &owner).await);
+    assert!(bench.load(&owner, "ellipse.toml", None).await.0.is_success() && simulated(bench, &owner).await);
     // A job must not choose other devices.
-    let (status, refused) = load(bench, &owner, "foreign.toml").await;
+    let (status, refused) = bench.load(&owner, "foreign.toml", None).await;
     assert!(status.is_client_error() && refused["text"].as_str().unwrap().contains("was started"), "{refused}");
-    let (status, work) = load(bench, &owner, "real.toml").await;
+    let (status, work) = bench.load(&owner, "real.toml", None).await;
     assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
     let mut page = served.page(&owner).await;
     weld(&mut page, &server, [900, 1200]).await;
     // Another set of values: the devices are reconnected, and values are not mixed up.
-    let (status, work) = load(bench, &owner, "plain.toml").await;
+    let (status, work) = bench.load(&owner, "plain.toml", None).await;
     assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
     weld(&mut page, &server, [900, 0]).await;
     // Devices are not changed while powered.
     page.order("switch_on").await;
     page.until_status("power", |v| v["powered"] == true).await;
-    let (status, refused) = load(bench, &owner, "real.toml").await;
+    let (status, refused) = bench.load(&owner, "real.toml", None).await;
     assert_eq!((status, &refused["key"]), (StatusCode::CONFLICT, &json!("busy")), "{refused}");
     page.down().await;
     // If they do not answer, no real device is left; the next ones that answer are connected.
     server.stop();
-    let (status, refused) = load(bench, &owner, "real.toml").await;
+    let (status, refused) = bench.load(&owner, "real.toml", None).await;
     assert!(status.is_client_error() && refused["text"].as_str().unwrap().contains("`welder`"), "{refused}");
     assert!(simulated(bench, &owner).await);
     server.start();
-    let (status, work) = load(bench, &owner, "real.toml").await;
+    let (status, work) = bench.load(&owner, "real.toml", None).await;
     assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
     // A machine without devices releases them: the watchdog is no longer updated.
-    let (status, work) = load(bench, &owner, "ellipse.toml").await;
+    let (status, work) = bench.load(&owner, "ellipse.toml", None).await;
     assert!(status.is_success() && simulated(bench, &owner).await, "{work}");
     let reads = server.bank().reads;
     tokio::time::sleep(Duration::from_millis(300)).await;
@@ -127,7 +122,7 @@ async fn a_shutdown_in_a_weld_leaves_the_device_safe_and_the_record_closed() {
         let bench = &served.bench;
         let owner = bench.owner().await;
         jobs(bench, &owner, &machine).await;
-        assert!(load(bench, &owner, "real.toml").await.0.is_success());
+        assert!(bench.load(&owner, "real.toml", None).await.0.is_success());
         let mut page = served.page_up(&owner).await;
         page.weld().await;
         page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 1.0).await;
@@ -175,7 +170,7 @@ async fn a_device_let_go_without_an_answer_is_reported_and_holds_nobody_up() {
             last = Instant::now();
         }
     };
-    let ((status, work), longest) = tokio::join!(load(bench, &owner, "ellipse.toml"), watches);
+    let ((status, work), longest) = tokio::join!(bench.load(&owner, "ellipse.toml", None), watches);
     assert!(status.is_success() && simulated(bench, &owner).await, "{work}");
     assert!(longest < Duration::from_secs(2), "the desk stood still for {longest:?}");
     let panel = std::sync::Arc::clone(&bench.panel);
@@ -183,7 +178,6 @@ async fn a_device_let_go_without_an_answer_is_reported_and_holds_nobody_up() {
     assert!(unconfirmed.len() == 1 && unconfirmed[0].contains("`welder`"), "{unconfirmed:?}");
 }
 
-/// If a device does not confirm its safe outputs at the end, the panel ends with an error.
 #[test]
 fn the_panel_ends_with_an_error_if_a_device_does_not_confirm_its_safe_outputs() {
     for silent in [false, true] {

@@ -1,6 +1,6 @@
 //! Drawings beside the plan: sections, bodies, clearance, devices, pose of the part.
 
-use super::{Bench, HOST};
+use super::Bench;
 use axum::http::StatusCode;
 use serde_json::{Value, json};
 
@@ -26,8 +26,7 @@ fn area(outline: &Value) -> f64 {
 /// Sections of two joints: beads fill the groove, and outlines have the reported areas.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_draft_has_the_joint_as_it_is_written() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     for name in ["thick-saddle.toml", "tube-plate.toml", "ellipse.toml"] {
         let text = example(&bench, &owner, name).await;
         let (status, draft) = bench.ask(owner.request("POST", "/api/draft", Some(&json!({ "text": text })))).await;
@@ -54,8 +53,7 @@ async fn a_draft_has_the_joint_as_it_is_written() {
 /// A body added to the job is in the draft at once; a plan reports the minimum distance along its passes.
 #[tokio::test(flavor = "multi_thread")]
 async fn clearance_is_told_along_the_passes() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let text = example(&bench, &owner, "saddle.toml").await;
     let plan = |text: String| owner.request("POST", "/api/plan", Some(&json!({ "text": text })));
     let (_, answer) = bench.ask(plan(text.clone())).await;
@@ -78,8 +76,7 @@ async fn clearance_is_told_along_the_passes() {
 /// A collision of a job for another machine than the cell's: the answer contains machine, axes and the colliding pair.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_collision_of_a_job_for_another_machine_can_be_seen() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let text = example(&bench, &owner, "saddle.toml").await;
     let plan = async |text: &str| {
         let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": text })))).await;
@@ -116,8 +113,7 @@ async fn a_collision_of_a_job_for_another_machine_can_be_seen() {
 /// A plan has the axes of its own machine, and a value for each in every sample: the cell has another machine.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_plan_names_the_axes_of_its_machine() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     for (job, axes) in [("saddle", "theta deg s mm h mm beta deg"), ("ellipse", "x mm y mm")] {
         let text = example(&bench, &owner, &format!("{job}.toml")).await;
         let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": text })))).await;
@@ -133,8 +129,7 @@ async fn a_plan_names_the_axes_of_its_machine() {
 /// comes close to it.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_plan_says_what_bounds_it() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let text = example(&bench, &owner, "ellipse.toml").await;
     let fast = text.replacen("speed_mm_s = 5", "speed_mm_s = 200\non_limit = \"slow\"", 1);
     assert_ne!(fast, text);
@@ -162,8 +157,7 @@ async fn a_plan_says_what_bounds_it() {
 /// Without a motion, passes are drawn as the job requests them, at the same positions as with a motion.
 #[tokio::test(flavor = "multi_thread")]
 async fn what_cannot_be_welded_is_drawn() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     for name in ["first-weld.toml", "points.toml", "radiator.toml", "spline.toml"] {
         let text = example(&bench, &owner, name).await;
         let speed = text.lines().find(|line| line.starts_with("speed_mm_s = "));
@@ -212,8 +206,7 @@ async fn what_cannot_be_welded_is_drawn() {
 /// A job can name shipped machines and procedures, and own files, which are then not listed as jobs.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_job_can_name_what_ships_and_what_is_kept() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let (_, choices) = bench.ask(owner.request("GET", "/api/choices", None)).await;
     let of = |choices: &Value, kind: &str| choices[kind].as_array().unwrap().clone();
     assert!(of(&choices, "machines").iter().any(|m| m["name"] == "saddle-4axis" && m["own"] == false));
@@ -236,8 +229,7 @@ async fn a_job_can_name_what_ships_and_what_is_kept() {
 /// Spans match the file: one along a seam, one for each run of points, without gaps.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_plan_has_its_spans() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     for (job, count) in [("points", 3), ("first-weld", 1)] {
         let text = example(&bench, &owner, &format!("{job}.toml")).await;
         let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": text })))).await;
@@ -259,8 +251,7 @@ async fn a_plan_has_its_spans() {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn simulated_inputs_and_outputs_have_names_and_values() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     while bench.panel.cell.hub.latest().is_none() {
         tokio::time::sleep(std::time::Duration::from_millis(10)).await;
     }
@@ -278,8 +269,7 @@ async fn simulated_inputs_and_outputs_have_names_and_values() {
 /// Points of the example, touched on a part moved by a known offset.
 #[tokio::test(flavor = "multi_thread")]
 async fn touched_points_tell_where_the_part_stands() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let text = example(&bench, &owner, "saddle.toml").await;
     let table = include_str!("../../../../examples/saddle-touched.csv");
     let header: Vec<&str> = table.lines().next().unwrap().split(',').map(str::trim).collect();
@@ -314,11 +304,9 @@ async fn touched_points_tell_where_the_part_stands() {
     }
 }
 
-/// The offset follows from marks on a plane, or from a round in a chuck.
 #[tokio::test(flavor = "multi_thread")]
 async fn marks_and_a_chuck_tell_where_the_part_stands() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let text = example(&bench, &owner, "saddle.toml").await;
     let touched = |list: &[(&str, [f64; 3])]| {
         list.iter().map(|(feature, tip)| json!({ "feature": feature, "tip": tip })).collect::<Vec<_>>()

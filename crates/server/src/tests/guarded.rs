@@ -1,6 +1,6 @@
 //! Every route without a session, with too low a role, from foreign pages, with wrong bodies.
 
-use super::{Bench, HOST, Visitor};
+use super::{Bench, HOST, Visitor, login};
 use crate::http::all_routes;
 use crate::users::may;
 use axum::body::Body;
@@ -31,7 +31,7 @@ fn path(path: &str) -> String {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn every_route_wants_a_session_a_role_a_token_and_json() {
-    let bench = Bench::new(&[HOST]).await;
+    let bench = Bench::new().await;
     let everybody = bench.everybody().await;
     let mut checked = 0;
     for (method, route, action) in all_routes() {
@@ -64,7 +64,7 @@ async fn every_route_wants_a_session_a_role_a_token_and_json() {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn foreign_hosts_and_origins_are_refused_everywhere() {
-    let bench = Bench::new(&[HOST]).await;
+    let bench = Bench::new().await;
     let mut owner = bench.owner().await;
     for (method, route, _) in all_routes() {
         let method = method.to_uppercase();
@@ -104,8 +104,7 @@ async fn foreign_hosts_and_origins_are_refused_everywhere() {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn wrong_bodies_are_told_and_passwords_slowed() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     for body in [json!({}), json!({ "text": 5 }), json!({ "text": "x", "more": 1 }), json!([])] {
         let (status, _) = bench.ask(owner.request("POST", "/api/plan", Some(&body))).await;
         assert!(status.is_client_error(), "{body}: {status}");
@@ -122,22 +121,14 @@ async fn wrong_bodies_are_told_and_passwords_slowed() {
     assert_eq!(std::fs::read_dir(bench.path().join("jobs")).unwrap().count(), 0);
     let mut slowed = 0;
     for _ in 0..8 {
-        let body = json!({ "user": "ada", "password": "guess" }).to_string();
-        let request = Request::post("/api/login")
-            .header("host", HOST)
-            .header("content-type", "application/json")
-            .header("x-seamwright", "login")
-            .body(Body::from(body))
-            .unwrap();
-        slowed += u32::from(bench.ask(request).await.0 == StatusCode::TOO_MANY_REQUESTS);
+        slowed += u32::from(bench.ask(login("ada", "guess")).await.0 == StatusCode::TOO_MANY_REQUESTS);
     }
     assert_eq!(slowed, 3);
 }
 
-/// Creating a new user never changes an existing one.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_new_user_takes_nobodys_place() {
-    let bench = Bench::new(&[HOST]).await;
+    let bench = Bench::new().await;
     let everybody = bench.everybody().await;
     let (_, admin) = &everybody[0];
     let change = |role: &str, only_new: Option<bool>| {

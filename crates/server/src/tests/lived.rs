@@ -14,14 +14,12 @@ use tokio_tungstenite::tungstenite::client::IntoClientRequest as _;
 
 type Socket = tokio_tungstenite::WebSocketStream<tokio_tungstenite::MaybeTlsStream<tokio::net::TcpStream>>;
 
-/// A listening panel.
 pub(super) struct Served {
     pub(super) bench: Bench,
     pub(super) address: String,
     _front: Threads,
 }
 
-/// The threads of the front end.
 struct Threads(Option<Runtime>);
 
 impl Drop for Threads {
@@ -35,6 +33,12 @@ impl Drop for Threads {
 impl Served {
     pub(super) async fn new() -> Self {
         Self::on(tempfile::tempdir().unwrap()).await
+    }
+
+    pub(super) async fn with_owner() -> (Self, Visitor) {
+        let served = Self::new().await;
+        let owner = served.bench.owner().await;
+        (served, owner)
     }
 
     /// Starts on existing data.
@@ -67,7 +71,6 @@ impl Served {
         page(&self.address, visitor).await
     }
 
-    /// Returns the visitor's page once the axes are referenced.
     pub(super) async fn page_up(&self, visitor: &Visitor) -> Page {
         let mut page = self.page(visitor).await;
         page.up().await;
@@ -75,21 +78,12 @@ impl Served {
     }
 }
 
-/// Opens a page at this address.
 pub(crate) async fn page(address: &str, visitor: &Visitor) -> Page {
     let mut request = format!("ws://{address}/api/live").into_client_request().unwrap();
     request.headers_mut().insert("cookie", visitor.cookie.parse().unwrap());
     let (socket, _) = tokio_tungstenite::connect_async(request).await.unwrap();
-    Page {
-        socket,
-        seq: 0,
-        jogs: 0,
-        status: Value::Null,
-        taught: Value::Null,
-        alarms: Value::Null,
-        events: Vec::new(),
-        beat: Instant::now(),
-    }
+    let [status, taught, alarms] = std::array::from_fn(|_| Value::Null);
+    Page { socket, seq: 0, jogs: 0, status, taught, alarms, events: Vec::new(), beat: Instant::now() }
 }
 
 /// A page in a user's browser.
@@ -137,7 +131,6 @@ impl Page {
         }
     }
 
-    /// Receives messages until one matches.
     pub(super) async fn until(&mut self, what: &str, fits: impl Fn(&Value) -> bool) -> Value {
         let begin = Instant::now();
         loop {
@@ -162,7 +155,6 @@ impl Page {
         self.mode("off").await;
     }
 
-    /// Returns the next status that fits.
     pub(super) async fn until_status(&mut self, what: &str, fits: impl Fn(&Value) -> bool) -> Value {
         self.until(what, |v| v["kind"] == "status" && fits(v)).await
     }
@@ -171,12 +163,10 @@ impl Page {
         self.until_status(mode, |v| v["mode"] == mode).await;
     }
 
-    /// Sends a command; returns the answer.
     pub(super) async fn ask(&mut self, what: Value) -> Value {
         self.command("command", "ask", what).await
     }
 
-    /// Sends an order to teaching by camera; returns the answer.
     pub(super) async fn teach(&mut self, order: Value) -> Value {
         self.command("teach", "order", order).await
     }
@@ -193,13 +183,11 @@ impl Page {
         assert_eq!(answer["ok"], true, "{what}: {answer}");
     }
 
-    /// Repeats the command with the same number.
     pub(super) async fn again(&mut self, what: Value) -> Value {
         self.seq -= 1;
         self.ask(what).await
     }
 
-    /// Waits until the other side closes.
     pub(super) async fn closed(&mut self) {
         let ended = async { while let Some(Ok(_)) = self.socket.next().await {} };
         tokio::time::timeout(Duration::from_secs(20), ended).await.expect("it stays open");
@@ -209,7 +197,6 @@ impl Page {
         self.hand(json!({ "kind": "jog", "of": "joints", "speeds": speeds })).await;
     }
 
-    /// Sends a jog message.
     pub(super) async fn hand(&mut self, mut what: Value) {
         self.jogs += 1;
         what["seq"] = json!(self.jogs);
@@ -219,6 +206,12 @@ impl Page {
     /// Takes control, also if it was lost while the test was busy.
     pub(super) async fn control(&mut self) {
         self.say(&json!({ "kind": "take_control", "over": false })).await;
+        self.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
+    }
+
+    /// Takes control, also from another page.
+    pub(super) async fn take_over(&mut self) {
+        self.say(&json!({ "kind": "take_control", "over": true })).await;
         self.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
     }
 
@@ -271,8 +264,7 @@ async fn one_page_commands_and_the_others_watch() {
         (&json!("control"), &json!("Operator"))
     );
     // Nor may its user replace the program.
-    let load = json!({ "job": "half-ring.toml", "from": null, "part": null });
-    let (status, refused) = served.bench.ask(of("Service").request("POST", "/api/load", Some(&load))).await;
+    let (status, refused) = served.bench.load(&of("Service"), "half-ring.toml", None).await;
     assert_eq!((status, refused["key"].as_str()), (StatusCode::CONFLICT, Some("control")), "{refused}");
     second.say(&json!({ "kind": "take_control", "over": true })).await;
     first.until("the loss", |v| v["kind"] == "control" && v["mine"] == false).await;
@@ -305,15 +297,13 @@ async fn one_page_commands_and_the_others_watch() {
 /// The axis stops within 250 ms of the last message, however the jog ends. A lost connection resumes nothing.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_hand_that_goes_stops_the_axes() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
+    let (served, owner) = Served::with_owner().await;
     for way in ["silent", "rest", "closed"] {
         let mut page = served.page(&owner).await;
         if way == "silent" {
             page.up().await;
         } else {
-            page.say(&json!({ "kind": "take_control", "over": true })).await;
-            page.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
+            page.take_over().await;
         }
         page.order("start_jog").await;
         page.mode("jog").await;
@@ -342,8 +332,7 @@ async fn a_hand_that_goes_stops_the_axes() {
         // Silence is detected after 200 ms, then the axis decelerates; the computer may be busy.
         assert!(moving < Duration::from_millis(850), "{way}: {moving:?}");
         assert!((place - before).abs() > 0.5, "{way}: {before} {place}");
-        watcher.say(&json!({ "kind": "take_control", "over": true })).await;
-        watcher.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
+        watcher.take_over().await;
         watcher.order("hold").await;
         watcher.mode("ready").await;
         if way == "silent" {
@@ -356,14 +345,12 @@ async fn a_hand_that_goes_stops_the_axes() {
 /// Jog keys and displayed values need the axis names of the moving machine.
 #[tokio::test]
 async fn another_machine_is_told_to_every_page() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
+    let (served, owner) = Served::with_owner().await;
     let mut pages = [served.page(&owner).await, served.page(&owner).await];
     for page in &mut pages {
         page.until("the machine", |v| v["kind"] == "machine").await;
     }
-    let load = json!({ "job": "half-ring.toml", "from": null, "part": null });
-    let (status, told) = served.bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    let (status, told) = served.bench.load(&owner, "half-ring.toml", None).await;
     assert!(status.is_success(), "{told}");
     for page in &mut pages {
         page.until("another machine", |v| v["kind"] == "machine").await;
@@ -374,11 +361,9 @@ async fn another_machine_is_told_to_every_page() {
     }
 }
 
-/// A jog with negligible speed moves nothing, and does not hold the control token.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_jog_that_moves_nothing_does_not_hold_control() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
+    let (served, owner) = Served::with_owner().await;
     let (mut first, mut second) = (served.page(&owner).await, served.page(&owner).await);
     first.up().await;
     first.order("start_jog").await;

@@ -30,7 +30,7 @@ use axum::http::{Request, Response, StatusCode};
 use http_body_util::BodyExt as _;
 use seamwright_executive::realtime::Shutdown;
 use seamwright_machine::{Machine, shipped};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::Arc;
 use tempfile::TempDir;
@@ -55,11 +55,17 @@ pub(crate) struct Visitor {
 }
 
 impl Bench {
-    async fn new(hosts: &[&str]) -> Self {
+    async fn new() -> Self {
         let machine = shipped("ellipse-xy").unwrap().text;
-        let bench = Self::bare(tempfile::tempdir().unwrap(), hosts, machine);
+        let bench = Self::bare(tempfile::tempdir().unwrap(), &[HOST], machine);
         begin_with(&bench.panel, "ellipse.toml").await.unwrap();
         bench
+    }
+
+    async fn with_owner() -> (Self, Visitor) {
+        let bench = Self::new().await;
+        let owner = bench.owner().await;
+        (bench, owner)
     }
 
     /// Starts on existing data with the text of a machine file, without a program.
@@ -84,7 +90,6 @@ impl Bench {
         self.folder.as_ref().unwrap().path()
     }
 
-    /// Ends the cell; its data stay.
     fn end(mut self) -> TempDir {
         self.panel.cell.end();
         self.folder.take().unwrap()
@@ -97,19 +102,17 @@ impl Bench {
         (status, serde_json::from_slice(&bytes).unwrap_or(Value::Null))
     }
 
+    async fn load(&self, who: &Visitor, job: &str, part: Option<&str>) -> (StatusCode, Value) {
+        let load = json!({ "job": job, "from": null, "part": part });
+        self.ask(who.request("POST", "/api/load", Some(&load))).await
+    }
+
     async fn raw(&self, request: Request<Body>) -> Response<Body> {
         self.app.clone().oneshot(request).await.unwrap()
     }
 
     async fn log_in(&self, user: &str, password: &str) -> Option<Visitor> {
-        let body = serde_json::json!({ "user": user, "password": password }).to_string();
-        let request = Request::post("/api/login")
-            .header("host", HOST)
-            .header("content-type", "application/json")
-            .header("x-seamwright", "login")
-            .body(Body::from(body))
-            .unwrap();
-        let response = self.raw(request).await;
+        let response = self.raw(login(user, password)).await;
         let cookie = response.headers().get("set-cookie").map(|c| c.to_str().unwrap().to_owned());
         let bytes = response.into_body().collect().await.unwrap().to_bytes();
         let view: Value = serde_json::from_slice(&bytes).unwrap();
@@ -137,6 +140,12 @@ impl Bench {
     }
 }
 
+fn login(user: &str, password: &str) -> Request<Body> {
+    let body = json!({ "user": user, "password": password }).to_string();
+    let request = Request::post("/api/login").header("host", HOST).header("x-seamwright", "login");
+    request.header("content-type", "application/json").body(Body::from(body)).unwrap()
+}
+
 impl Visitor {
     fn request(&self, method: &str, path: &str, body: Option<&Value>) -> Request<Body> {
         let request = Request::builder()
@@ -158,13 +167,12 @@ impl Drop for Bench {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn the_first_key_opens_until_there_is_an_administrator() {
-    let bench = Bench::new(&[HOST]).await;
+    let bench = Bench::new().await;
     assert!(bench.log_in("", "guess").await.is_none());
     let owner = bench.owner().await;
     let (status, view) = bench.ask(owner.request("GET", "/api/session", None)).await;
     assert_eq!((status, &view["role"], &view["first_run"]), (StatusCode::OK, &"admin".into(), &true.into()));
-    let ada =
-        serde_json::json!({ "role": "admin", "password": "correct horse", "enabled": true, "own_password": null });
+    let ada = json!({ "role": "admin", "password": "correct horse", "enabled": true, "own_password": null });
     assert_eq!(bench.ask(owner.request("PUT", "/api/users/ada", Some(&ada))).await.0, StatusCode::OK);
     assert!(bench.log_in("", KEY).await.is_none());
     // The session of the first key ends with it.

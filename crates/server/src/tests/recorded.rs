@@ -1,7 +1,6 @@
 //! Reading of existing records.
 
-use super::{Bench, HOST};
-use seamwright_record::figures::Basis;
+use super::Bench;
 use seamwright_record::library::{AuditEntry, WeldResult};
 use seamwright_record::trace::{Column, Kind};
 use seamwright_record::{DataFolder, Moment, Outcome, Plan};
@@ -18,17 +17,12 @@ fn record(bench: &Bench, at: u32) -> i64 {
         part: "L-1".to_owned(),
         title: "Long".to_owned(),
         simulated: true,
-        job: None,
         program: text("a program"),
         machine: text("a machine"),
-        procedure: None,
-        welder: None,
         columns: COLUMNS.map(|name| Column::new(name, "1", Kind::F64)).to_vec(),
-        about: Vec::new(),
         most_rows: u64::from(ROWS / 2),
         rows: u64::from(ROWS),
-        basis: Basis::default(),
-        note: seamwright_message::Message::default(),
+        ..Plan::default()
     };
     let mut recording = data.begin(&plan).unwrap();
     for i in 0..ROWS {
@@ -47,8 +41,7 @@ fn numbers(column: &Value) -> Vec<f64> {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn a_peak_of_one_row_is_sent_of_every_column() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     for at in [0, 12_345, 29_998, 59_990] {
         let id = record(&bench, at);
         let path = format!("/api/records/{id}/trace?columns=pass,s_mm,arc,current_a,path_error_mm&most=400");
@@ -71,8 +64,7 @@ async fn a_peak_of_one_row_is_sent_of_every_column() {
 /// Pages from newest to oldest contain each entry once; a search covers all entries.
 #[tokio::test(flavor = "multi_thread")]
 async fn the_audit_log_is_read_page_by_page_and_searched_whole() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let entry = |n: i64| AuditEntry {
         at: Moment(n),
         user: "A. Welder".to_owned(),
@@ -87,8 +79,7 @@ async fn the_audit_log_is_read_page_by_page_and_searched_whole() {
     let mut data = DataFolder::open(bench.path()).unwrap();
     (0..450).for_each(|n| drop(data.library_mut().audit(&entry(n)).unwrap()));
     let page = async |query: &str| {
-        let (status, list) = bench.ask(owner.request("GET", &format!("/api/audit?{query}"), None)).await;
-        assert!(status.is_success(), "{list}");
+        let list = bench.did(&owner, "GET", &format!("/api/audit?{query}"), Value::Null).await;
         let id = |row: &Value| row["id"].as_i64().unwrap();
         list.as_array().unwrap().iter().map(id).collect::<Vec<i64>>()
     };

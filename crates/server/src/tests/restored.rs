@@ -1,6 +1,7 @@
 //! Replacement of all data from a page.
 
-use super::{Bench, HOST, Visitor};
+use super::lived::Served;
+use super::{Bench, Visitor};
 use crate::serve::{Settings, until};
 use crate::wire::Role;
 use axum::body::Body;
@@ -31,8 +32,7 @@ async fn backup(bench: &Bench, of: &Visitor) -> Vec<u8> {
 /// Checks before anything is replaced: permission, size and completeness.
 #[tokio::test(flavor = "multi_thread")]
 async fn archives_are_checked_whole_and_by_the_administrator_only() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     // An archive without users keeps those of the cell.
     let without = backup(&bench, &owner).await;
     assert_eq!(bench.ask(archive(&owner, without.clone())).await.0, StatusCode::OK);
@@ -83,9 +83,8 @@ async fn archives_are_checked_whole_and_by_the_administrator_only() {
 /// With powered drives nothing is replaced or checked.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_machine_that_is_on_keeps_its_data() {
-    let served = super::lived::Served::new().await;
+    let (served, owner) = Served::with_owner().await;
     let bench = &served.bench;
-    let owner = bench.owner().await;
     let whole = backup(bench, &owner).await;
     assert_eq!(bench.ask(archive(&owner, whole.clone())).await.0, StatusCode::OK);
     let mut page = served.page(&owner).await;
@@ -131,8 +130,7 @@ pub(super) fn settings(data: &Path) -> Settings {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn the_cell_begins_anew_with_restored_data() {
     // Data of yesterday, with user Ada and a job.
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
     let body = json!({ "text": example["text"] });
     bench.ask(owner.request("PUT", "/api/jobs/yesterday.toml", Some(&body))).await;

@@ -1,7 +1,7 @@
 //! Setup of sensors: a camera's map found from a picture of a grid, reviewed, kept; numbers changed within the loader's
 //! checks.
 
-use super::{Bench, HOST, Visitor};
+use super::{Bench, Visitor};
 use axum::body::Body;
 use http_body_util::BodyExt as _;
 use seamwright_frames::Overlay;
@@ -10,14 +10,12 @@ use seamwright_vision::Image;
 use serde_json::{Value, json};
 
 impl Bench {
-    /// Returns the simulated picture of a plate.
     async fn plate(&self, who: &Visitor, of: &str) -> Vec<u8> {
         let response = self.raw(who.request("GET", &format!("/api/sensor/picture?{of}"), None)).await;
         assert!(response.status().is_success(), "{of}: {}", response.status());
         response.into_body().collect().await.unwrap().to_bytes().to_vec()
     }
 
-    /// Returns the evaluation of a picture.
     async fn seen(&self, who: &Visitor, of: &str, picture: &[u8]) -> Value {
         let mut request = who.request("POST", &format!("/api/sensor?{of}"), None);
         request.headers_mut().insert("content-type", "image/png".parse().unwrap());
@@ -45,8 +43,7 @@ fn heights(machine: &Machine) -> Vec<(f64, f64, f64)> {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn a_camera_is_found_from_a_grid_and_kept() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     bench.short(&owner).await;
     let of = "name=camera&pitch_mm=3&z_mm=20&seed=3";
     let picture = bench.plate(&owner, of).await;
@@ -102,8 +99,7 @@ async fn a_camera_is_found_from_a_grid_and_kept() {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn what_is_no_picture_of_the_grid_is_refused_with_its_reason() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     bench.short(&owner).await;
     let of = "name=camera&pitch_mm=3&z_mm=20&seed=1";
     let verdict = async |of: &str, picture: &[u8]| {
@@ -140,8 +136,7 @@ async fn what_is_no_picture_of_the_grid_is_refused_with_its_reason() {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn a_stripe_sensors_numbers_are_changed_as_the_loader_allows() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     bench.short(&owner).await;
     let change = |values: Value| json!({ "name": "stripe", "values": values, "heights": null });
     let asked = change(json!([["at.move_mm", [0, 27.5, 0]], ["map.camera.focal_px", [3600]], ["latency_ms", [12]]]));

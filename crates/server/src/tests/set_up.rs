@@ -1,7 +1,7 @@
 //! Setup of tools, axes and drives in the machine file; alarms acknowledged individually, and shelved.
 
 use super::lived::Served;
-use super::{Bench, HOST, Visitor};
+use super::{Bench, Visitor};
 use axum::http::StatusCode;
 use glam::DVec3;
 use serde_json::{Value, json};
@@ -37,7 +37,6 @@ impl Bench {
         answer["text"].as_str().unwrap().to_owned()
     }
 
-    /// Loads the short job into the cell.
     pub(super) async fn short(&self, who: &Visitor) {
         self.did(who, "PUT", "/api/jobs/short.toml", json!({ "text": JOB })).await;
         self.did(who, "POST", "/api/load", json!({ "job": "short.toml", "from": null, "part": null })).await;
@@ -52,8 +51,7 @@ fn value(view: &Value, axis: usize, key: &str) -> Value {
 /// The torch only swings about one axis, 100 mm above the tip: the found point is on this axis, undetermined along it.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_tool_is_found_reviewed_and_kept() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     bench.short(&owner).await;
     let touches: Vec<[f64; 4]> = [-40.0, -20.0, 0.0, 20.0, 40.0].map(|beta| [0.0, 0.0, 120.0, beta]).to_vec();
     let asked = json!({ "head": 0, "touches": touches });
@@ -95,8 +93,7 @@ async fn a_tool_is_found_reviewed_and_kept() {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn drives_are_set_as_the_loader_allows() {
-    let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let (bench, owner) = Bench::with_owner().await;
     bench.short(&owner).await;
     let change = |values: Value, notches: Value| json!({ "axis": "s", "values": values, "notches": notches });
     let asked =
@@ -127,11 +124,9 @@ async fn drives_are_set_as_the_loader_allows() {
     assert_eq!(machine.axes[1].drive.as_ref().unwrap().notches.len(), 1);
 }
 
-/// An alarm is shelved, unshelved, and acknowledged individually.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn alarms_are_acknowledged_one_by_one_and_put_aside() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
+    let (served, owner) = Served::with_owner().await;
     let mut page = served.page_up(&owner).await;
     page.order("start_jog").await;
     page.mode("jog").await;

@@ -37,11 +37,9 @@ async fn rest(served: &Served, page: &mut Page) -> Vec<f64> {
     }
 }
 
-/// A position can be recorded only at rest.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn no_place_is_recorded_while_something_moves() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
+    let (served, owner) = Served::with_owner().await;
     let mut page = served.page(&owner).await;
     let position = || served.bench.ask(owner.request("GET", "/api/position", None));
     page.up().await;
@@ -66,8 +64,7 @@ async fn no_place_is_recorded_while_something_moves() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_step_goes_so_far_and_no_farther() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
+    let (served, owner) = Served::with_owner().await;
     let mut page = served.page(&owner).await;
     let let_go = json!({ "kind": "jog", "of": "joints", "speeds": [0.0, 0.0] });
     let step = |of: &str, index: u32, by: f64| json!({ "kind": "step", "of": of, "index": index, "by": by });
@@ -367,8 +364,7 @@ async fn assert_programs_are_stored(served: &Served, owner: &super::Visitor) {
     assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY);
     for method in ["spline", "greedy"] {
         let how = json!({ "tolerance_mm": 0.1, "attitude_deg": 0.5, "method": method });
-        let (status, made) = bench.ask(owner.request("POST", "/api/teach/program", Some(&how))).await;
-        assert_eq!(status, StatusCode::OK, "{made}");
+        let made = bench.did(owner, "POST", "/api/teach/program", how).await;
         let truth = made["truth_mm"][0].as_f64().unwrap();
         assert!(made["error_mm"].as_f64().unwrap() <= 0.1 && truth < 0.2, "{}", made["truth_mm"]);
         // The part is some millimetres off its nominal position.
@@ -406,8 +402,7 @@ async fn without_its_page_teaching_stands() {
     tokio::time::sleep(Duration::from_millis(500)).await;
     assert_eq!(rest(&served, &mut other).await, stood);
     // The next holder of the control token can resume.
-    other.say(&json!({ "kind": "take_control", "over": true })).await;
-    other.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
+    other.take_over().await;
     other.taken(json!({ "do": "resume" })).await;
     other.until("a frame", |v| v["kind"] == "teach" && v["frames"].as_u64().unwrap() >= 1).await;
     other.taken(json!({ "do": "stop" })).await;

@@ -16,9 +16,8 @@ async fn trace(served: &Served, owner: &super::Visitor, id: i64, columns: &str) 
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_part_that_lies_elsewhere_is_tracked_and_its_corrections_recorded() {
-    let served = Served::new().await;
+    let (served, owner) = Served::with_owner().await;
     let bench = &served.bench;
-    let owner = bench.owner().await;
     let (_, example) = bench.ask(owner.request("GET", "/api/jobs/saddle.toml", None)).await;
     let text = example["text"].as_str().unwrap().replace("overlap_mm = 20", SHORT);
     assert!(text.contains(SHORT));
@@ -50,8 +49,7 @@ async fn a_part_that_lies_elsewhere_is_tracked_and_its_corrections_recorded() {
     let (least, most) = (corrections[0], corrections[corrections.len() - 1]);
     assert!((0.5..=0.7).contains(&least) && (0.5..=0.7).contains(&most), "{least} .. {most}");
     // The next program is welded as planned, without the guide.
-    let load = json!({ "job": "short.toml", "from": null, "part": "T-2" });
-    let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    let (status, work) = bench.load(&owner, "short.toml", Some("T-2")).await;
     assert!(status.is_success() && work["tracked"] == 0, "{work}");
     page.order("start_dry_run").await;
     let seen = page.until_status("travel", |v| v["s_mm"].as_f64().unwrap_or(0.0) > 1.0).await;

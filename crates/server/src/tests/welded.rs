@@ -6,7 +6,6 @@ use http_body_util::BodyExt as _;
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// Saves a part of the ellipse as `short.toml`.
 async fn short_job(bench: &Bench, owner: &Visitor) {
     let example = bench.did(owner, "GET", "/api/jobs/ellipse.toml", Value::Null).await;
     let text = example["text"].as_str().unwrap();
@@ -17,19 +16,17 @@ async fn short_job(bench: &Bench, owner: &Visitor) {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
-    let served = Served::new().await;
+    let (served, owner) = Served::with_owner().await;
     let bench = &served.bench;
-    let owner = bench.owner().await;
     short_job(bench, &owner).await;
-    let load = json!({ "job": "short.toml", "from": null, "part": "N-17" });
-    bench.did(&owner, "POST", "/api/load", load.clone()).await;
+    assert!(bench.load(&owner, "short.toml", Some("N-17")).await.0.is_success());
     let mut page = served.page_up(&owner).await;
     // Not armed: refused with the reason.
     assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "arming");
     page.weld().await;
     page.until_status("the arc", |v| v["process"]["burning"] == true).await;
     // Loading is refused during a weld.
-    let (status, refused) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    let (status, refused) = bench.load(&owner, "short.toml", Some("N-17")).await;
     assert_eq!((status.as_u16(), &refused["key"]), (409, &json!("busy")));
     page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 3.0).await;
     page.order("hold").await;
@@ -50,14 +47,13 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     // Another part of the same program, and another program, do not continue there. The same program does, with or
     // without the part number.
     for (job, part, here) in [
-        ("short.toml", json!("N-18"), false),
-        ("ellipse.toml", json!("N-17"), false),
-        ("short.toml", json!(null), true),
-        ("short.toml", json!("N-17"), true),
+        ("short.toml", Some("N-18"), false),
+        ("ellipse.toml", Some("N-17"), false),
+        ("short.toml", None, true),
+        ("short.toml", Some("N-17"), true),
     ] {
-        let load = json!({ "job": job, "from": null, "part": part });
-        assert!(bench.ask(owner.request("POST", "/api/load", Some(&load))).await.0.is_success());
-        let of = part.as_str().unwrap_or_default();
+        assert!(bench.load(&owner, job, part).await.0.is_success());
+        let of = part.unwrap_or_default();
         let now = page.until_status("the part", |v| v["part"] == of && v["left"]["here"] == here).await;
         assert_eq!(now["left"]["s_mm"].as_f64().unwrap().to_bits(), mm.to_bits(), "{now}");
     }
@@ -149,8 +145,7 @@ async fn load_part(bench: &Bench, owner: &Visitor, page: &mut Page, part: &str, 
 /// after confirmation.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
+    let (served, owner) = Served::with_owner().await;
     short_job(&served.bench, &owner).await;
     let mut page = served.page_up(&owner).await;
     let none = Value::Null;
@@ -207,9 +202,8 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
 /// A weld without a record still runs to its end: its part is finished. A start at the old position needs confirmation.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_part_that_was_welded_without_a_record_is_finished() {
-    let served = Served::new().await;
+    let (served, owner) = Served::with_owner().await;
     let bench = &served.bench;
-    let owner = bench.owner().await;
     short_job(bench, &owner).await;
     let mut page = served.page_up(&owner).await;
     load_part(bench, &owner, &mut page, "A", &Value::Null).await;
@@ -237,10 +231,8 @@ async fn a_part_that_was_welded_without_a_record_is_finished() {
 /// A stopped weld continues after a restart, with the same program and the recorded part number.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_was_stopped_is_known_after_a_restart() {
-    let served = Served::new().await;
-    let owner = served.bench.owner().await;
-    let load = json!({ "job": "ellipse.toml", "from": null, "part": "N-3" });
-    served.bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    let (served, owner) = Served::with_owner().await;
+    served.bench.load(&owner, "ellipse.toml", Some("N-3")).await;
     let mut page = served.page_up(&owner).await;
     page.weld().await;
     page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 3.0).await;
@@ -255,12 +247,10 @@ async fn what_was_stopped_is_known_after_a_restart() {
     assert_eq!((&after["left"]["part"], &after["part"]), (&json!("N-3"), &json!("")));
 }
 
-/// A client without a session can stop.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn whoever_is_not_logged_in_stops() {
-    let served = Served::new().await;
+    let (served, owner) = Served::with_owner().await;
     let bench = &served.bench;
-    let owner = bench.owner().await;
     let mut page = served.page_up(&owner).await;
     page.order("start_dry_run").await;
     page.until_status("travel", |v| v["mode"] == "dry_run").await;
@@ -284,9 +274,8 @@ async fn whoever_is_not_logged_in_stops() {
 /// The server answers a STOP for a cycle that has ended, and does not report it as taken.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_stop_that_no_cycle_takes_is_not_answered_as_taken() {
-    let served = Served::new().await;
+    let (served, owner) = Served::with_owner().await;
     let bench = &served.bench;
-    let owner = bench.owner().await;
     let mut page = served.page(&owner).await;
     page.until_status("a status", |_| true).await;
     page.order("stop").await;

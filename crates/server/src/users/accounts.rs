@@ -53,8 +53,7 @@ impl User {
 }
 
 impl Accounts {
-    /// # Errors
-    /// If the file cannot be read or parsed: access is denied rather than granted by mistake.
+    /// Fails if the file cannot be read or parsed: access is denied rather than granted by mistake.
     pub(crate) fn open(folder: &Path) -> Result<Self, Trouble> {
         let path = folder.join("users.json");
         let users = match std::fs::read_to_string(&path) {
@@ -74,7 +73,6 @@ impl Accounts {
         self.changes.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Returns true if an enabled administrator exists.
     pub(crate) fn has_admin(&self) -> bool {
         self.users().iter().any(|u| u.enabled && u.role == Role::Admin)
     }
@@ -182,7 +180,6 @@ impl Accounts {
 mod tests {
     use super::*;
 
-    /// Requests look up roles while a change of users waits for the disk.
     #[test]
     fn users_are_looked_up_while_a_change_waits_for_the_disk() {
         let folder = tempfile::tempdir().unwrap();

@@ -19,7 +19,6 @@ const FILE: &str = "devices.json";
 /// Maximum size of the file, bytes; larger than [`MAX_DEVICES`] entries.
 const MAX_FILE: u64 = 1 << 20;
 
-/// A browser of a user.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Device {
@@ -66,9 +65,6 @@ impl Devices {
     }
 
     /// Remembers a new device of `user` and returns its cookie. [`Devices::save`] stores it for the next start.
-    ///
-    /// # Errors
-    /// See [`secret`].
     pub(crate) fn remember(&self, user: &str) -> Result<String, Message> {
         let cookie = secret()?;
         let mut known = self.known();

@@ -28,7 +28,6 @@ enum Key {
     Address(IpAddr),
 }
 
-/// Origin of a password.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Origin {
     pub(crate) address: IpAddr,

@@ -18,9 +18,7 @@ pub(super) struct Passwords {
 
 impl Passwords {
     /// Hashes a password. Slow by design.
-    ///
-    /// # Errors
-    /// If the system provides no random numbers or no memory.
+    /// Fails if the system provides no random numbers or no memory.
     pub(super) fn hash(&self, password: &str) -> Result<String, Trouble> {
         let failed =
             |e: &dyn std::fmt::Display| Trouble(Message::new("server-password-hash").text("why", e.to_string()));

@@ -14,9 +14,6 @@ const LONGEST: Duration = Duration::from_secs(24 * 3600);
 const MAX_SESSIONS: usize = 500;
 const MAX_OF_USER: usize = 20;
 /// Returns 256 random bits as hexadecimal text.
-///
-/// # Errors
-/// If the system provides no random numbers.
 pub(crate) fn secret() -> Result<String, Message> {
     let mut bytes = [0u8; 32];
     getrandom::fill(&mut bytes).map_err(|e| Message::new("server-no-random").text("why", e.to_string()))?;
@@ -48,9 +45,6 @@ impl Sessions {
     }
 
     /// Starts a session. Returns its cookie and the session.
-    ///
-    /// # Errors
-    /// See [`secret`].
     pub(crate) fn begin(&self, user: &str, role: Role) -> Result<(String, Session), Message> {
         let (cookie, token) = (secret()?, secret()?);
         let (id, now) = (sha256(cookie.as_bytes()), Instant::now());

@@ -5,7 +5,6 @@ use seamwright_motion::{Binding, PassMotion};
 use seamwright_program::Pass;
 use seamwright_report::CertificateFigures;
 
-/// Returns speeds and binding limits of a planned pass.
 pub(super) fn certificate(machine: &Machine, pass: &Pass, planned: &PassMotion) -> CertificateView {
     let figures = CertificateFigures::new(machine, pass, planned);
     let bounds = planned.certificate.intervals.iter().map(|i| {

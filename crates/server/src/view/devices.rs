@@ -53,7 +53,6 @@ fn device_view(
     }
 }
 
-/// Returns the simulated signals: inputs, process source.
 pub(crate) fn simulated_view(machine: &Machine, values: &[String], status: Option<&Status>) -> DeviceView {
     let has = |wanted: fn(&Role) -> bool| {
         machine.devices.modbus.iter().flat_map(|d| &d.registers).any(|register| wanted(&register.role))
@@ -87,15 +86,7 @@ pub(crate) fn simulated_view(machine: &Machine, values: &[String], status: Optio
         signals.push(signal(Role::Fault, "reports.fault".to_owned(), ""));
         signals.extend(values.iter().map(|name| signal(Role::Actual(name.clone()), format!("actual.{name}"), "")));
     }
-    DeviceView {
-        name: String::new(),
-        address: String::new(),
-        unit: 0,
-        poll_s: machine.servo_period_s,
-        watchdog_s: 0.0,
-        signals,
-        traffic: None,
-    }
+    DeviceView { poll_s: machine.servo_period_s, signals, ..DeviceView::default() }
 }
 
 fn kind(role: &Role) -> &'static str {

@@ -4,7 +4,6 @@ use crate::wire::{AxisView, ConditionView, FrameView, JointView, MachineView, Zo
 use seamwright_executive::REDUCED_MM_S;
 use seamwright_machine::{AxisKind, Machine, ZoneKind};
 
-/// Returns the view of the cell's machine.
 pub(crate) fn machine_view(machine: &Machine) -> MachineView {
     let conditions = machine.interlocks.iter();
     let zones = machine.solids.zones.iter().map(|zone| ZoneView {

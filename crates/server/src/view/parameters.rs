@@ -48,9 +48,6 @@ pub(crate) const PARAMETERS: [(&str, &str, Option<AxisKind>); 37] = [
 ];
 
 /// Returns axes, drives and tools of the machine file.
-///
-/// # Errors
-/// If the file cannot be read.
 pub(crate) fn parameters_view(own: &OwnMachine, machine: &Machine) -> Result<ParametersView, Failure> {
     let mut axes = Vec::new();
     for axis in &machine.axes {

@@ -48,7 +48,6 @@ fn section(welding: &Welding, seam: &SeamCurve, joint: &SeamJoint, s: f64) -> Op
     })
 }
 
-/// Name of a bead, as that of its pass.
 fn name(layer: &Layer, bead: &BeadAt) -> String {
     match layer.beads {
         1 => format!("{} {}", layer.role.name(), bead.layer + 1),

@@ -2,7 +2,6 @@ use crate::wire::SensorView;
 use glam::{DVec2, DVec3};
 use seamwright_machine::{Sensor, Sight};
 
-/// Returns the view of a sensor, with its field of view.
 pub(super) fn sensor(sensor: &Sensor) -> SensorView {
     let kind = match sensor.sight {
         Sight::Stripe(_) => "stripe",

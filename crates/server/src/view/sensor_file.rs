@@ -23,15 +23,11 @@ pub(crate) const SENSOR_KEYS: [(&[&str], &str, &str, u32); 13] = [
     (&[], "noise_mm", "timing", 1),
 ];
 
-/// Returns the path to a table of a sensor.
 pub(crate) fn steps<'a>(name: &'a str, tables: &[&'a str]) -> Vec<Step<'a>> {
     [&["sensors", name], tables].concat().into_iter().map(Step::Table).collect()
 }
 
 /// Returns the sensors of the machine file.
-///
-/// # Errors
-/// If the file cannot be read.
 pub(crate) fn sensors_view(own: &OwnMachine, machine: &Machine) -> Result<Vec<SensorSetUp>, Failure> {
     machine
         .sensors

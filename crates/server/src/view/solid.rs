@@ -12,7 +12,6 @@ pub(crate) fn rows(frame: &DAffine3) -> [f64; 12] {
     ]
 }
 
-/// Returns the view of a solid that moves with `link`.
 pub(super) fn solid(solid: &Solid, link: usize) -> SolidView {
     SolidView { name: solid.name().to_owned(), shape: shape(solid.shape()), frame: rows(solid.pose()), link }
 }

@@ -2,7 +2,6 @@ use crate::wire::TrackingStatus;
 use seamwright_executive::Tracked;
 use seamwright_tracking::lead::Sight;
 
-/// Returns the state of tracking for each tracked head.
 pub(crate) fn tracking(heads: &[Option<Tracked>; 2]) -> Vec<TrackingStatus> {
     let known = heads.iter().zip(1..).filter_map(|(head, number)| head.map(|of| (number, of)));
     known

@@ -162,27 +162,20 @@ fn asked_view(pass: &Pass, path: &dyn TorchPath, values: &[String]) -> PassView 
     named_view(pass, (0..=SAMPLES).map(sample).collect())
 }
 
-/// Returns the view of a pass with its path.
 fn named_view(pass: &Pass, path: Vec<PathPoint>) -> PassView {
     let ends = path.first().zip(path.last()).map(|(a, b)| [a.tip, b.tip].map(glam::DVec3::from_array));
     PassView {
         name: pass.name.clone(),
         role: pass.known_role().map_or(String::new(), |role| role.name().to_owned()),
         length_mm: path.last().map_or(0.0, |end| end.s_mm),
-        time_s: 0.0,
         overlap_mm: pass.sequence.overlap_mm.get(),
         speed_mm_s: path.get(SAMPLES / 2).map_or(0.0, |p| p.speed_mm_s),
-        spans: Vec::new(),
-        points_mm: Vec::new(),
-        certificate: None,
         closed: ends.is_some_and(|[a, b]| a.distance(b) < CLOSED_MM),
         path,
-        nearest: None,
-        nearest_at_mm: None,
+        ..PassView::default()
     }
 }
 
-/// Returns the requested process values at path length `s`.
 fn process(pass: &Pass, values: &[String], s: f64) -> Vec<Option<f64>> {
     let asked = values.iter().map(|name| pass.process_at(name, s, ArcTime::TRAVEL));
     asked.map(|v| v.filter(|v| v.is_finite())).collect()

@@ -239,7 +239,7 @@ pub struct ArchiveView {
 }
 
 /// `GET /api/devices`: a device of the cell with its present values.
-#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, TS, JsonSchema)]
 pub struct DeviceView {
     /// Its name in the machine file; empty: simulated.
     pub name: String,

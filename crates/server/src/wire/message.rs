@@ -4,7 +4,7 @@ use serde::Serialize;
 use ts_rs::TS;
 
 /// A message as data, and its English text.
-#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, TS, JsonSchema)]
 pub struct MessageView {
     /// Identifier of the words in the catalogues; `text` is text as it stands.
     pub code: String,

@@ -186,7 +186,7 @@ pub struct SensorChange {
 }
 
 /// `POST /api/sensor`, a picture of a grid of dots: the camera's map from it; nothing is saved.
-#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, TS, JsonSchema)]
 pub struct SensorAnswer {
     /// `good`; `far`: the scale differs by more than a lens is moved; else the reason for no map: `picture`, `size`,
     /// `plain`, `few`, `tangled`, `corner`, `residual`, `map`.

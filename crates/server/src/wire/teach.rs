@@ -37,7 +37,6 @@ pub enum TeachOrder {
 }
 
 impl TeachOrder {
-    /// Returns the order for the audit log.
     pub(crate) fn message(&self) -> Message {
         match self {
             Self::Open { step_mm, longest_tack_mm, seed, tack_mm } => {

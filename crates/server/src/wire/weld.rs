@@ -48,7 +48,7 @@ pub struct WorkView {
 }
 
 /// A pass.
-#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, TS, JsonSchema)]
 pub struct PassView {
     /// Its name in the program; empty if it has none.
     pub name: String,

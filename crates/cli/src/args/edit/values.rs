@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive};
+use seamwright_program::Ramp;
+use serde::{Serialize as _, Serializer};
 
 fn number<T>(text: &str, new: fn(f64) -> Option<T>, allowed: &str) -> Result<T, String> {
     text.trim().parse().ok().and_then(new).ok_or_else(|| allowed.to_owned())
@@ -46,4 +48,12 @@ pub(super) fn whole_range(text: &str) -> Result<[usize; 2], String> {
 pub(super) fn length_range(text: &str) -> Result<[NonNegative; 2], String> {
     let (from, to) = text.split_once(',').ok_or("two lengths FROM,TO in mm")?;
     Ok([non_negative(from)?, non_negative(to)?])
+}
+
+pub(super) fn by_name<S: Serializer>(pairs: &[(String, Finite)], out: S) -> Result<S::Ok, S::Error> {
+    out.collect_map(pairs.iter().map(|(name, value)| (name, value)))
+}
+
+pub(super) fn steady_or_ramp<S: Serializer>(values: &[Finite], out: S) -> Result<S::Ok, S::Error> {
+    if let [from, to] = *values { Ramp { from, to }.serialize(out) } else { values.first().serialize(out) }
 }

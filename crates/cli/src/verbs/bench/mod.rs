@@ -23,7 +23,6 @@ pub(crate) fn run(args: &BenchArgs) -> Result<(), Failure> {
     }
 }
 
-/// A table of gates as it is printed.
 #[derive(Debug, Serialize)]
 struct Table {
     title: String,

@@ -6,7 +6,6 @@ use seamwright_project::failure::Failure;
 use seamwright_project::files;
 use std::path::{Path, PathBuf};
 
-/// Path of the history of `file`.
 pub(super) fn path(file: &Path) -> PathBuf {
     let mut name = file.as_os_str().to_owned();
     name.push(".edits");
@@ -22,7 +21,6 @@ pub(super) fn read(file: &Path, text: &str) -> Result<(History, bool), Failure> 
     Ok(History::from_json_lines(&path.display().to_string(), &files::read(&path)?, text)?)
 }
 
-/// Writes the file and its history.
 pub(super) fn write(file: &Path, editor: &Editor) -> Result<(), Failure> {
     let lines = editor.history().to_json_lines(editor.text()).map_err(not_json)?;
     files::write(file, editor.text())?;

@@ -88,7 +88,6 @@ fn back(
     finish(args, &text, &editor, &[report])
 }
 
-/// Writes the text and reports the edits.
 fn finish(args: &EditArgs, before: &str, editor: &Editor, reports: &[Report]) -> Result<(), Failure> {
     match &args.output {
         _ if args.dry_run => {}

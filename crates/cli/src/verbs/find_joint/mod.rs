@@ -67,7 +67,6 @@ fn check_frame(frame: &Frame, source: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Reads `N` finite numbers of an argument.
 fn numbers<const N: usize>(name: &str, found: &[f64]) -> Result<[f64; N], Failure> {
     let all: Option<[f64; N]> = found.try_into().ok();
     all.filter(|all| all.iter().all(|v| v.is_finite())).ok_or_else(|| {

@@ -17,7 +17,6 @@ const MAX_POINTS: usize = 4_000_000;
 /// Points of the true curve.
 const CURVE: u32 = 2000;
 
-/// The sheet with all charts.
 pub(super) fn draw(requests: &[Named]) -> Result<String, Failure> {
     let path = requests[0].interpolate()?.path().clone();
     let flat = |title, series| Chart {

@@ -18,7 +18,6 @@ use std::path::Path;
 /// Width of the labels.
 const LABEL: usize = 12;
 
-/// Result of a method.
 pub(super) struct Fitted {
     /// Maps the part's frame to the work frame.
     pub(super) offset: DAffine3,
@@ -170,7 +169,6 @@ impl Placed {
         text
     }
 
-    /// Lines with labels.
     fn lines(&self, text: &mut String) {
         let mut line = |code, value: Message| {
             _ = writeln!(text, "{} {value}", padded(&Message::new(code).to_string(), LABEL));
@@ -201,7 +199,6 @@ impl Placed {
         self.warnings.iter().for_each(|warning| line("cli-label-warning", warning.clone()));
     }
 
-    /// The residuals of all points.
     fn table(&self, text: &mut String) {
         let heading = |code| Message::new(code).to_string();
         let [place, feature] = ["cli-place-column-line", "cli-place-column-feature"].map(heading);
@@ -217,7 +214,6 @@ impl Placed {
     }
 }
 
-/// A method as on the command line.
 fn method_name(method: PlaceMethod) -> String {
     method.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned())
 }
@@ -231,7 +227,6 @@ fn cure(args: &PlaceArgs, three: bool) -> Message {
     Message::new(code).value("max", args.largest_mm, Unit::Mm)
 }
 
-/// Writes messages in English.
 fn all_in_english<S: Serializer>(messages: &[Message], out: S) -> Result<S::Ok, S::Error> {
     out.collect_seq(messages.iter().map(|message| message.in_language(Language::English)))
 }

@@ -9,7 +9,6 @@ use seamwright_project::files;
 use std::io::Read;
 use std::path::Path;
 
-/// A touched point.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Touched {
     /// Line in the file, from 1.
@@ -95,7 +94,6 @@ impl<'a> Table<'a> {
         self.header.iter().position(|h| *h == name)
     }
 
-    /// The columns `names`, or the first that is missing.
     fn columns<'n>(&self, names: &[&'n str]) -> Result<Vec<(usize, &'n str)>, &'n str> {
         names.iter().map(|name| self.column(name).map(|c| (c, *name)).ok_or(*name)).collect()
     }

@@ -32,7 +32,6 @@ pub(super) struct AxisTuning {
     response: Vec<(f64, f64, f64)>,
 }
 
-/// Settings and the measurements with them.
 #[derive(Debug, Serialize)]
 pub(super) struct Settings {
     velocity_bandwidth_hz: f64,
@@ -142,7 +141,6 @@ impl Settings {
     }
 }
 
-/// `value` with the digits of [`short`].
 fn rounded(value: f64) -> f64 {
     short(value).parse().unwrap_or(value)
 }
@@ -187,7 +185,6 @@ fn words(code: &'static str) -> String {
     Message::new(code).to_string()
 }
 
-/// Headings of the table.
 fn head() -> [String; COLUMNS] {
     [
         words("cli-tune-axis"),
@@ -205,7 +202,6 @@ fn head() -> [String; COLUMNS] {
     ]
 }
 
-/// Units of the table.
 fn units() -> [String; COLUMNS] {
     let hz = words("cli-tune-hz");
     [

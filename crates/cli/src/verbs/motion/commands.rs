@@ -14,7 +14,6 @@ const COLUMNS: [&str; 3] = ["t_s", "command", "value"];
 /// Minimum feed override, percent; lower ones hold.
 pub(super) const MIN_OVERRIDE: f64 = 0.1;
 
-/// Commands of an operator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Command {
     /// Percent of the planned speed.
@@ -34,7 +33,6 @@ pub(super) struct Timed {
     pub(super) command: Command,
 }
 
-/// Reads commands in the order of time.
 pub(super) fn read(file: &Path) -> Result<Vec<Timed>, Failure> {
     let source = file.display().to_string();
     let input = File::open(file).map_err(|e| unreadable(&source, &e))?;

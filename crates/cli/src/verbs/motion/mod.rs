@@ -62,7 +62,6 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
     table.finish()
 }
 
-/// The certificates of all passes, in order.
 #[derive(Serialize)]
 struct Certificates<'a> {
     seamwright: &'static str,

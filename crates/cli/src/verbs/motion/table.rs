@@ -25,7 +25,6 @@ impl Along {
     }
 }
 
-/// A row of the table.
 pub(super) struct Row {
     pub(super) t: f64,
     pub(super) along: Along,

@@ -7,7 +7,6 @@ use seamwright_motion::pulses::Bound;
 use seamwright_project::load::Loaded;
 use serde::Serialize;
 
-/// Summary of the pulses.
 #[derive(Debug, Serialize)]
 pub(super) struct Summary {
     job: String,
@@ -101,7 +100,6 @@ impl Summary {
         &self.job
     }
 
-    /// A message per axis.
     pub(super) fn axis_messages(&self) -> impl Iterator<Item = Message> + '_ {
         self.axes.iter().map(AxisSummary::message)
     }
@@ -111,7 +109,6 @@ impl Summary {
         self.axes.iter().filter_map(|a| a.remark.as_ref())
     }
 
-    /// For people.
     pub(super) fn text(&self) -> String {
         let heading = Message::new("cli-pulses-heading")
             .text("job", &self.job)
@@ -154,7 +151,6 @@ impl AxisSummary {
     }
 }
 
-/// Code of the words of a bound.
 fn bound(decided_by: &str) -> &'static str {
     match decided_by {
         "resolution" => "cli-pulses-by-resolution",

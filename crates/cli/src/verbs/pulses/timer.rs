@@ -42,7 +42,6 @@ impl Clock {
     }
 }
 
-/// An axis with a stepper.
 #[derive(Debug, Clone)]
 pub(super) struct Stepped {
     pub(super) name: String,
@@ -81,7 +80,6 @@ impl Stepped {
         self.choice = Microstepping::choose(&self.stepper, speed, self.timing.max_hz(clock.tick_s()));
     }
 
-    /// Position in steps.
     pub(super) fn steps(&self, q: &[f64]) -> f64 {
         q[self.index] * self.choice.steps_per_unit
     }

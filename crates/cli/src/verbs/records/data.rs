@@ -21,7 +21,6 @@ pub(crate) fn folder(data: Option<&Path>) -> Result<PathBuf, Failure> {
         .ok_or_else(|| Failure::refused(Message::new("cli-no-data-folder"), Message::new("cli-data-folder")))
 }
 
-/// Words of a weld's result.
 pub(super) fn result(result: WeldResult) -> Message {
     Message::new(match result {
         WeldResult::Running => "cli-result-running",

@@ -61,7 +61,6 @@ fn labelled(text: &mut String, code: &'static str, value: impl Display) {
     line(text, &Message::new(code), value);
 }
 
-/// Lines about the whole weld.
 fn about(text: &mut String, weld: &WeldRecord) {
     labelled(text, "cli-label-part", &weld.part);
     let result = result(weld.result);
@@ -97,7 +96,6 @@ fn short(value: f64) -> f64 {
     format_number(value, 5).parse().unwrap_or(value)
 }
 
-/// Range of a process value, and the allowed one.
 fn value(v: &Value) -> Message {
     let value = Message::new("cli-record-value").text("name", &v.name);
     let value = value.value("from", short(v.least), Unit::One).value("to", short(v.greatest), Unit::One);
@@ -110,7 +108,6 @@ fn value(v: &Value) -> Message {
     if outside { allowed.value("time", short(v.outside_s), Unit::S) } else { allowed }
 }
 
-/// An alarm with its cause and position.
 fn alarm(alarm: &Alarm) -> Message {
     let mut message = alarm.name.clone();
     if !alarm.cause.is_empty() {

@@ -24,7 +24,6 @@ pub(in crate::verbs) fn words(code: &'static str) -> String {
     Message::new(code).to_string()
 }
 
-/// Starts and ends of spans.
 pub(in crate::verbs) fn ends(points: &[DVec3], spans: &[Span]) -> Vec<DVec3> {
     spans.iter().map(|s| points[s.first]).chain(points.last().copied()).collect()
 }

@@ -133,7 +133,6 @@ impl Desk {
         self.kept.push(library::Event { at: Moment::now(), text, place });
     }
 
-    /// A line that the operator typed.
     pub(in crate::verbs) fn typed(&mut self, text: &str) {
         // Orders that stop have been sent already, past everything that waits.
         if self.terminal && is_urgent(text).is_some() {
@@ -160,7 +159,6 @@ impl Desk {
         self.record.is_some()
     }
 
-    /// A cycle of the executive.
     pub(in crate::verbs) fn shown(&mut self, shown: &Shown) {
         self.now = Some(*shown);
         self.pending &= !self.answered;
@@ -216,7 +214,6 @@ impl Desk {
         self.ended && (self.refused.is_some() || down)
     }
 
-    /// The order was given.
     pub(in crate::verbs) fn sent(&mut self) {
         (self.pending, self.answered) = (true, false);
         if matches!(self.lines.front(), Some(Line::Ask(_) | Line::State)) {
@@ -238,7 +235,6 @@ impl Desk {
         );
     }
 
-    /// Only the shutdown is left.
     fn ends_now(&self) -> bool {
         self.ended && self.lines.is_empty()
     }
@@ -301,7 +297,6 @@ impl Desk {
         self.event(t, "refused", &text, json!({ "order": command.ask.name(), "why": english(&why) }));
     }
 
-    /// Description of the missing permissive.
     fn why(&self, missing: Missing) -> Message {
         let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
         let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
@@ -359,7 +354,6 @@ impl Desk {
         self.events.push(event);
     }
 
-    /// Something happens at this instant.
     fn event_now(&mut self, kind: &'static str, text: &Message, more: Value) {
         let t = self.now.map_or(0.0, |now| now.t);
         self.event(t, kind, text, more);

@@ -92,7 +92,6 @@ fn report_missed(ended: &Ended, period_s: f64) {
     let _ = writeln!(std::io::stderr(), "{note}\n   {cure}");
 }
 
-/// The start that is asked for.
 fn start(
     loaded: &Loaded,
     around: &Surroundings<'_>,
@@ -176,7 +175,6 @@ fn devices<'a>(
     Ok((Box::new(devices), lines))
 }
 
-/// Failure of a simulation.
 pub(in crate::verbs) fn bad(error: &seamwright_simulation::Error) -> Failure {
     Failure::input(error)
 }
@@ -252,7 +250,6 @@ fn real(
     })
 }
 
-/// Waits for the cycle without a desk.
 fn wait_for_end<T>(cycle: &ScopedJoinHandle<'_, T>, shutdown: &Shutdown) {
     let mut waits = None;
     while !cycle.is_finished() {

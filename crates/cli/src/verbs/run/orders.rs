@@ -1,7 +1,6 @@
 use seamwright_executive::{Ask, Mode};
 use seamwright_message::{Message, Unit};
 
-/// A line of the operator's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::verbs) enum Line {
     /// Something that the cell is asked.
@@ -37,9 +36,6 @@ const WORDS: [(&str, Ask); 15] = [
 
 impl Line {
     /// Reads a line; `None` for an empty one and one that starts with #.
-    ///
-    /// # Errors
-    /// The fault, and the allowed values.
     pub(in crate::verbs) fn read(text: &str) -> Result<Option<Self>, Message> {
         let words: Vec<&str> = text.split_whitespace().collect();
         let number = |word: &str, low: f64, high: f64| {

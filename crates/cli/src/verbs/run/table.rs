@@ -68,7 +68,6 @@ impl Table {
         }
     }
 
-    /// Number of the weld in the library.
     pub(super) fn weld(&self) -> Option<u64> {
         self.rows.weld().and_then(|(id, _)| u64::try_from(id).ok())
     }

@@ -13,7 +13,6 @@ use std::path::Path;
 /// Maximum number of points of a profile.
 const MAX_POINTS: usize = 1_000_000;
 
-/// Data read.
 pub(super) enum Input {
     Image(Image),
     /// y and z, mm; not a number where it is missing.

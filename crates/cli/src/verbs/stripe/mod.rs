@@ -116,14 +116,12 @@ fn hint(turned: Result<Features, NoFeatures>) -> Option<Message> {
     turned.ok().filter(Features::is_confident).map(|_| Message::new("cli-stripe-hint"))
 }
 
-/// The same of an image, in pixels.
 fn hint_of_image(image: &Image, task: &StripeTask) -> Option<Message> {
     let flipped = upside_down(image);
     let frame = flipped.frame().ok()?;
     hint(StripeReader::new().read_image(&frame, None, task))
 }
 
-/// The image with its last row first.
 fn upside_down(image: &Image) -> Image {
     fn turned<T: Copy>(pixels: &[T], width: usize) -> Vec<T> {
         pixels.chunks(width.max(1)).rev().flatten().copied().collect()
@@ -173,7 +171,6 @@ fn write(
     Err(Failure::Printed)
 }
 
-/// Format of positions.
 struct Place<'a> {
     image: Option<Option<&'a Homography>>,
 }
@@ -188,7 +185,6 @@ impl Place<'_> {
         }
     }
 
-    /// A value and its unit, as it is written.
     fn value(&self, quantity: Quantity, value: f64) -> (f64, &'static str) {
         let in_px = self.image == Some(None);
         match (quantity.power(), in_px) {
@@ -228,7 +224,6 @@ impl Place<'_> {
         rows.finish()
     }
 
-    /// The same as one JSON object.
     fn print(&self, found: &Result<Features, NoFeatures>) -> Result<(), Failure> {
         let f = match found {
             Err(why) => {

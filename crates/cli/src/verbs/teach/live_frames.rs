@@ -19,7 +19,6 @@ use std::time::Duration;
 /// Shortest and longest time to wait for a frame, s.
 const TIMEOUTS_S: RangeInclusive<f64> = 0.001..=3600.0;
 
-/// The host and port in `frames`.
 pub(super) fn address<'a>(frames: &str, address: &'a str) -> Result<&'a str, Failure> {
     let named = address.rsplit_once(':').filter(|(host, _)| !host.is_empty());
     if named.is_some_and(|(_, port)| port.parse::<u16>().is_ok_and(|port| port > 0)) {

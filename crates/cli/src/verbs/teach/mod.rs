@@ -73,7 +73,6 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
     }
 }
 
-/// Source of the line.
 enum Source<'a> {
     /// Points jogged to by hand.
     Points(&'a Path),

@@ -24,7 +24,6 @@ pub(super) struct Terminal<'a> {
     ended: bool,
 }
 
-/// Answers of the operator.
 enum Said {
     On(DVec3, Option<DVec3>),
     End,

@@ -8,7 +8,6 @@ use seamwright_teaching::{Curves, Figures, Outcome, Reduced, SeamLine, TaughtPoi
 use serde_json::{Value, json};
 use std::io::{self, Write as _};
 
-/// Report of a taught line.
 pub(super) struct Report<'a> {
     args: &'a TeachArgs,
     machine: &'a Machine,

@@ -27,7 +27,6 @@ impl<'a> Session<'a> {
         Ok(Self { args, nominal, machine: &loaded.machine, sensor, table })
     }
 
-    /// Follows the joint from `start` with the camera of `rig`.
     pub(super) fn crawl(&self, start: CameraPose, rig: &mut dyn Rig) -> Result<Outcome, Failure> {
         let Self { args, nominal, machine, sensor, table } = self;
         let mut crawl = Crawl::new(settings(args, nominal)?, table, *nominal, start);

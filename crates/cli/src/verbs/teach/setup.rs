@@ -12,7 +12,6 @@ use std::ops::RangeInclusive;
 /// Minimum and maximum step from frame to frame, mm: longer ones leave the frame.
 pub(super) const STEPS_MM: RangeInclusive<f64> = 1.0..=100.0;
 
-/// Returns the option's value if it is in the allowed range.
 pub(super) fn within(name: &str, value: f64, allowed: RangeInclusive<f64>) -> Result<f64, Failure> {
     if allowed.contains(&value) {
         return Ok(value);
@@ -20,7 +19,6 @@ pub(super) fn within(name: &str, value: f64, allowed: RangeInclusive<f64>) -> Re
     Err(not_allowed(name, value, between(*allowed.start(), *allowed.end())))
 }
 
-/// The camera that is asked for, with its map.
 pub(super) fn camera<'a>(args: &TeachArgs, machine: &'a Machine) -> Result<(&'a Sensor, &'a HeightTable), Failure> {
     let cameras: Vec<_> = machine.cameras().collect();
     let names = || cameras.iter().map(|(s, _)| s.name.as_str()).collect::<Vec<_>>().join(", ");

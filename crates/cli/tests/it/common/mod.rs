@@ -71,6 +71,15 @@ pub fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&good(arguments)).unwrap()
 }
 
+pub fn json_file(path: impl AsRef<Path>) -> Value {
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// Asserts that `text` contains all of `words`.
+pub fn has_all(text: &str, words: &[&str]) {
+    words.iter().for_each(|word| assert!(text.contains(word), "{word} in {text}"));
+}
+
 /// Writes a file; returns its path.
 pub fn write(folder: &Path, name: &str, content: impl AsRef<[u8]>) -> String {
     let path = folder.join(name);

@@ -11,7 +11,6 @@ pub(crate) use seamwright_record::library::WeldResult;
 /// Speed of the test weld, mm/s.
 pub(crate) const SPEED: f64 = 10.0;
 
-/// An empty data folder.
 pub(crate) fn empty() -> (TempDir, DataFolder) {
     let folder = tempfile::tempdir().unwrap();
     let data = DataFolder::open(folder.path()).unwrap();
