@@ -25,6 +25,7 @@ mod stored;
 
 pub(crate) use audit_entry::{Change, hides};
 pub(crate) use base::{Planned, Task};
+pub(crate) use commands::executive_command;
 pub(crate) use connection::{CellDevices, Connection};
 pub(crate) use desk::{Loading, ToDesk};
 pub(crate) use display_distances::Around;
