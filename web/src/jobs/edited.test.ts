@@ -1,11 +1,31 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import type { PlanAnswer } from '../wire';
+import type { PlanAnswer, WrongView } from '../wire';
 
 vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
 vi.stubGlobal('navigator', { languages: ['en'] });
 
 beforeEach(() => vi.useFakeTimers());
 afterEach(() => vi.useRealTimers());
+
+test('undone and done again, a text has what is wrong with it', async () => {
+  const { api } = await import('../live/api');
+  const { edited } = await import('./edited.svelte');
+  const fault = (text: string): WrongView | null => (text.includes('bad') ? ({ key: text.trim() } as WrongView) : null);
+  vi.spyOn(api, 'form').mockImplementation(async (text) => ({ text, form: { tables: [], passes: [] }, wrong: fault(text) }));
+  edited.begin('a.toml', 'bad = 1\n', false, '');
+  await vi.advanceTimersByTimeAsync(500);
+  for (const text of ['bad = 2\n', 'good = 3\n']) {
+    edited.change(text, text);
+    await vi.advanceTimersByTimeAsync(500);
+  }
+  expect(edited.wrong).toBe(null);
+  for (const [move, key] of [['undo', 'bad = 2'], ['undo', 'bad = 1'], ['redo', 'bad = 2']] as const) {
+    await edited[move]();
+    expect(edited.wrong?.key, move).toBe(key);
+  }
+  edited.end();
+  // Loading all of it takes a while on a busy computer.
+}, 60_000);
 
 test('a long plan tells its time, and cancelled it closes its request and is asked for again only when wanted', async () => {
   const { api } = await import('../live/api');
