@@ -1,14 +1,21 @@
 use crate::wire::{PointRow, PointsView};
 use seamwright_document::{Entry, EntryValue, TableEntries};
+use std::collections::HashMap;
+
+/// Entries of the tables that have a header, by path.
+type Tables<'a> = HashMap<&'a str, &'a [Entry]>;
 
 /// Returns the entries of a table, which has a header of its own or stands in one line in the table above.
-fn entries<'a>(tables: &'a [TableEntries], path: &str) -> Option<&'a [Entry]> {
-    if let Some(table) = tables.iter().find(|table| table.path == path) {
-        return Some(&table.entries);
+fn entries<'a>(tables: &Tables<'a>, path: &str) -> Option<&'a [Entry]> {
+    if let Some(entries) = tables.get(path) {
+        return Some(entries);
+    }
+    if path.is_empty() {
+        return None;
     }
     let (path, nth) = path.strip_suffix(']').and_then(|path| path.rsplit_once('[')).unwrap_or((path, ""));
     let (above, key) = path.rsplit_once('.').unwrap_or(("", path));
-    let value = value(entries(tables, above).filter(|_| !path.is_empty())?, key)?;
+    let value = value(entries(tables, above)?, key)?;
     let element = nth.parse().ok().and_then(|nth: usize| items(value).get(nth));
     if let EntryValue::Table(entries) = element.unwrap_or(value) { Some(entries) } else { None }
 }
@@ -36,6 +43,7 @@ fn numbers(cells: &[EntryValue]) -> Vec<Option<f64>> {
 
 /// Returns the passes through points of a text; whether it is valid does not matter here.
 pub(super) fn passes(tables: &[TableEntries]) -> Vec<PointsView> {
+    let tables = &tables.iter().map(|table| (table.path.as_str(), &table.entries[..])).collect();
     let passes = (0..).map(|i| format!("passes[{i}]")).take_while(|path| entries(tables, path).is_some());
     let of = |(i, path): (usize, String)| {
         let path = format!("{path}.points");
