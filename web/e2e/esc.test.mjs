@@ -1,7 +1,7 @@
 // Esc and STOP: what is open is closed first, and a STOP that reaches nobody fills the screen.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ask, axe, bench, burns, commands, control, keep, mode, open, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+import { ask, axe, bench, burns, commands, keep, mode, open, ready, SHORT, sleep, tab, weld } from './operator.mjs';
 
 const { one, cell } = await bench();
 const modeNow = () => one.locator('[data-mode]').getAttribute('data-mode');
@@ -18,8 +18,6 @@ const menus = {
 };
 
 test('Esc closes the menu that is open and the weld goes on; Esc with nothing open stops it', async () => {
-  await open(one, cell.address);
-  await control(one);
   await ready(one);
   await keep(one, 'long.toml', SHORT.replaceAll(', 6]', ', 0.5]'));
   await load('N-1');
@@ -106,9 +104,8 @@ test('a STOP that reaches nobody fills the screen until the cell is seen to stan
     line = { client, server: client.connectToServer() };
   });
   await one.route('**/api/**', (route) => (cut ? route.abort() : route.fallback()));
-  await open(one, cell.address);
   // Only a new page has its socket routed.
-  await one.reload();
+  await open(one, cell.address);
   await one.getByText('Connected').waitFor();
   cut = true;
   await line.server.close();

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { page as blank } from './browser.mjs';
-import { axe, axis, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab } from './operator.mjs';
+import { axe, axis, bench, commands, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, startJogging, tab } from './operator.mjs';
 
 const { one, cell, browser } = await bench();
 
@@ -29,16 +29,12 @@ async function hold(name, key, by) {
 }
 
 test('a tool is found by touching one point, looked at, kept, and in force with the next loading', async () => {
-  await open(one, cell.address);
-  await control(one);
   await keep(one, 'short.toml', SHORT);
   await load(one, 'short.toml');
   await tab(one, 'Weld');
   await commands(one);
   await ready(one);
-  await tab(one, 'Jog · Teach');
-  await one.getByRole('button', { name: 'Start jogging' }).click();
-  await mode(one, 'jog');
+  await startJogging(one);
   // The torch is only swung: the point that stays is the axis of the swing, 100 mm above the tip.
   for (let i = 0; i < 4; i += 1) {
     await tab(one, 'Set-up');
@@ -157,9 +153,7 @@ test('an alarm is acknowledged by itself, and one that only tells is put aside',
   await tab(one, 'Weld');
   await commands(one);
   await ready(one);
-  await tab(one, 'Jog · Teach');
-  await one.getByRole('button', { name: 'Start jogging' }).click();
-  await mode(one, 'jog');
+  await startJogging(one);
   await one.getByRole('button', { name: 'theta +', exact: true }).hover();
   await one.mouse.down();
   await sleep(400);

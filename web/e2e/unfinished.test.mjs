@@ -1,9 +1,9 @@
 // Parts that were left in the middle, which the cell remembers by job and part.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ask, bench, commands, control, keep, mode, open, press, ready, SHORT, sleep, weld } from './operator.mjs';
+import { ask, bench, commands, keep, mode, press, ready, SHORT, sleep, weld } from './operator.mjs';
 
-const { one, cell } = await bench();
+const { one } = await bench();
 
 /** Two passes; the second one is welded for longer. */
 const [HEAD, PASS] = SHORT.split(/(?=\[\[passes\]\])/);
@@ -26,8 +26,6 @@ async function leaveIn(pass) {
 }
 
 test('a part that was left keeps its finished passes and its newest place, whatever is welded in between', async () => {
-  await open(one, cell.address);
-  await control(one);
   await ready(one);
   const [first, second] = [PASS, PASS.replace('"short"', '"cap"').replaceAll(', 6]', ', 1]')];
   await keep(one, 'two.toml', HEAD + first + second);

@@ -1,9 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { page } from './browser.mjs';
-import { axe, bench, burns, control, home, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+import { axe, bench, burns, commands, control, home, keep, load, mode, open, press, quiet, SHORT, sleep, tab, weld } from './operator.mjs';
 
-const { one, cell, browser } = await bench({ toured: false, scenes: true, job: null });
+const { one, cell } = await bench({ toured: false, scenes: true, job: null, opens: false });
 
 /** What the issue of the tour is: from its first step to the record. */
 const WITHIN_S = 120;
@@ -62,8 +61,7 @@ test('the first run, led by the tour: from the printed address to a finished wel
 });
 
 test('hold and resume: the arc is off in the hold, and only arming brings it back', async () => {
-  // A page that drew a second by software has lost its heartbeat, and control with it.
-  if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
+  await commands(one);
   await keep(one, 'short.toml', SHORT);
   await load(one, 'short.toml', 'N-18');
   await weld(one);
@@ -102,7 +100,7 @@ test('STOP in the weld, from the keyboard; then going on where it was left, with
 });
 
 test('STOP is pressed in its corner while a dialog is open', async () => {
-  if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
+  await commands(one);
   await load(one, 'short.toml');
   await press(one, /^Dry run/);
   await mode(one, 'dry_run');
