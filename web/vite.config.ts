@@ -26,5 +26,6 @@ export default defineConfig({
   worker: { format: 'es' },
   // The catalogues lie beside this folder.
   server: { fs: { allow: ['..'] }, proxy: { '/api': { target: cell, ws: true, changeOrigin: true, headers: { origin: cell } } } },
-  test: { include: ['src/**/*.test.ts'], environment: 'node' },
+  // Loading all words takes a while on a busy computer.
+  test: { include: ['src/**/*.test.ts'], environment: 'node', setupFiles: 'src/page.stub.ts', testTimeout: 60_000 },
 });

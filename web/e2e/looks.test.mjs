@@ -117,7 +117,9 @@ for (const theme of ['light', 'dark']) {
     await one.keyboard.press('Escape');
     await one.getByRole('button', { name: 'Give up control' }).click();
     await go(0);
-    for (const name of ['Alarms', 'Events', 'Show', "Why can't I start?"]) await press(new RegExp(`^${name.replace('?', '')}`), name);
+    for (const name of ['Alarms', 'Events', 'Show', "Why can't I start?"]) await press(new RegExp(name.replace('?', '')), name);
+    // As it was, for the other theme.
+    await one.getByRole('button', { name: /Why can't I start/ }).click();
     quiet(one);
   });
 }

@@ -155,6 +155,20 @@ export async function load(page, name, part = '') {
   await dialog.waitFor({ state: 'hidden', timeout: 40_000 });
 }
 
+/** Loads a job through the server, for a part of which nothing is welded, or from a place on. */
+export async function loadFor(page, job, part, from = null) {
+  const { status } = await ask(page, 'POST', '/api/load', { job, part, from });
+  assert.equal(status, 200);
+}
+
+/** Says that the crater was looked at, and loads the weld that was left, from there on. */
+export async function loadFromThere(page) {
+  const dialog = page.locator('dialog[open]');
+  await dialog.getByRole('checkbox').check();
+  await dialog.getByRole('button', { name: 'Load from there' }).click();
+  await dialog.waitFor({ state: 'hidden', timeout: 60_000 });
+}
+
 /** Homes as soon as the drives have power: until then the key is greyed, so it is never refused. */
 export async function home(page) {
   await mode(page, 'idle', 'ready');

@@ -1,7 +1,7 @@
 // Stopping from wherever one is, and going on with nothing but the weld that was left.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ask, bench, burns, commands, keep, load, mode, press, ready, SHORT, weld } from './operator.mjs';
+import { ask, bench, burns, commands, keep, load, loadFromThere, mode, press, ready, SHORT, weld } from './operator.mjs';
 
 const { one, cell } = await bench();
 const LONG = SHORT.replace('"Short"', '"Long"').replaceAll(', 6]', ', 1.5]');
@@ -57,9 +57,7 @@ test('going on is offered for the weld that was left alone, and its crater is as
   await load(one, 'short.toml', 'N-1');
   await commands(one);
   await continues().click();
-  await dialog().getByRole('checkbox').check();
-  await dialog().getByRole('button', { name: 'Load from there' }).click();
-  await dialog().waitFor({ state: 'hidden', timeout: 60_000 });
+  await loadFromThere(one);
   await one.locator('.note', { hasText: 'Restarts in pass 1' }).waitFor();
   await one.locator('.strip', { hasText: 'Part N-1' }).waitFor();
 });

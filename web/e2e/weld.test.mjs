@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { axe, bench, burns, commands, control, home, keep, load, mode, open, press, quiet, SHORT, sleep, tab, weld } from './operator.mjs';
+import { axe, bench, burns, commands, control, home, keep, load, loadFromThere, mode, open, press, quiet, SHORT, sleep, tab, weld } from './operator.mjs';
 
 const { one, cell } = await bench({ toured: false, scenes: true, job: null, opens: false });
 
@@ -87,12 +87,9 @@ test('STOP in the weld, from the keyboard; then going on where it was left, with
   await burns(one, false);
   await one.getByRole('button', { name: /Continue pass 1/ }).click();
   const dialog = one.locator('dialog[open]');
-  const go = dialog.getByRole('button', { name: 'Load from there' });
-  assert.ok(await go.isDisabled(), 'the crater has not been looked at');
+  assert.ok(await dialog.getByRole('button', { name: 'Load from there' }).isDisabled(), 'the crater has not been looked at');
   await axe(one, 'going on');
-  await dialog.getByRole('checkbox').check();
-  await go.click();
-  await dialog.waitFor({ state: 'hidden', timeout: 60_000 });
+  await loadFromThere(one);
   await sleep(1000);
   await mode(one, 'ready');
   await burns(one, false);

@@ -1,7 +1,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
-import { expect, test, vi } from 'vitest';
-vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
-vi.stubGlobal('navigator', { languages: ['en'] });
+import { expect, test } from 'vitest';
+import { languages, words } from '../words/index.svelte';
+import { keyTitle, pathTitle } from './keys';
 
 /** Names of axes and of process values beyond the usual are the file's own. */
 const OWN = new Set(['a', 'b', 's', 'a_mm', 'b_mm', 's_mm']);
@@ -10,8 +10,6 @@ const root = new URL('../../../', import.meta.url);
 const schema = new URL('web/generated/job.json', root);
 
 test.skipIf(!existsSync(schema))('every key of the examples, and every key and name that their formats allow, has words in every language', async () => {
-  const { words, languages } = await import('../words/index.svelte');
-  const { keyTitle, pathTitle } = await import('./keys');
   const names = new Set<string>();
   for (const folder of ['examples/', 'examples/procedures/']) {
     for (const file of readdirSync(new URL(folder, root)).filter((name) => name.endsWith('.toml'))) {
@@ -39,5 +37,4 @@ test.skipIf(!existsSync(schema))('every key of the examples, and every key and n
   await words.choose('en');
   expect(keyTitle('root_gap_mm')).toBe('root gap [mm]');
   expect(keyTitle('wire_feed_m_min')).toBe('wire feed [m/min]');
-  // Loading all words takes a while on a busy computer.
-}, 60_000);
+});
