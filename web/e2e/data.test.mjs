@@ -4,7 +4,7 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { ask, axe, bench, commands, control, get, keep, logIn, mode, PASSWORD, press, quiet, SHORT, shot, sleep, tab } from './operator.mjs';
+import { ask, axe, bench, commands, control, get, keep, logIn, mode, PASSWORD, press, quiet, SHORT, sleep, tab } from './operator.mjs';
 
 const { one, cell, browser } = await bench({ opens: 'only' });
 
@@ -44,7 +44,6 @@ test('a backup replaces all data after it was checked, with the machine off only
     await check(one);
     await data(one).getByText(said).waitFor();
   }
-  await shot(one, 'data-refused');
   // With the drives on nothing is even checked.
   await control(one);
   await press(one, /Switch on/);
@@ -57,11 +56,6 @@ test('a backup replaces all data after it was checked, with the machine off only
   await mode(one, 'off');
   await check(one);
   await data(one).getByText('The backup is complete').waitFor();
-  for (const dark of [false, true]) {
-    await one.emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
-    await shot(one, `data-${dark ? 'dark' : 'light'}`);
-  }
-  await one.emulateMedia({ colorScheme: 'light' });
   const other = await page(browser);
   await other.goto(new URL('/', cell.address).href);
   await logIn(other, 'eve');
@@ -73,7 +67,6 @@ test('a backup replaces all data after it was checked, with the machine off only
   await data(one).getByText('Refused: your own password is needed for this, and it is wrong').waitFor();
   await data(one).getByRole('button', { name: /Replace all data/ }).click();
   await dialog.getByLabel(/own password/i).fill(PASSWORD);
-  await shot(one, 'data-sure');
   await dialog.getByRole('button', { name: 'Replace all data' }).click();
   // All are out; Eve is nobody any more.
   for (const of of [one, other]) await of.getByRole('button', { name: /Log in/ }).waitFor({ timeout: 60_000 });

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe, bench, commands, jobs, load, mode, open, openJob, planned, quiet, ready, record, shot, sleep, startJogging, tab } from './operator.mjs';
+import { axe, bench, commands, jobs, load, mode, open, openJob, planned, quiet, ready, record, sleep, startJogging, tab } from './operator.mjs';
 
 const { one, cell, browser } = await bench({ scenes: true });
 
@@ -130,7 +130,6 @@ test('what the section plane cuts open is closed', async () => {
   const whole = await flat();
   await menu.getByRole('combobox', { name: 'Section plane' }).selectOption('z');
   const cut = await flat();
-  await shot(one, 'cut');
   const hatched = await flat([125, 131, 136]);
   assert.ok(hatched > cut / 12 && hatched < cut / 3, `${hatched} pixels of its hatching`);
   assert.ok(cut > 3000 && cut > 4 * whole, `${whole} pixels of a face before, ${cut} after`);

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { afterEach, test } from 'node:test';
-import { axis, bench, control, ready, record, shot, sleep, startJogging } from './operator.mjs';
+import { axis, bench, control, ready, record, sleep, startJogging } from './operator.mjs';
 
 const { one, cell } = await bench();
 await ready(one);
@@ -175,7 +175,6 @@ test('a key that sends all axes to a place: they go while it is held, and stand 
     await home.hover();
     await one.mouse.down();
     for (let i = 0; i < 50 && !(Math.abs(await theta()) <= 0.005); i += 1) await sleep(100);
-    await shot(one, 'go');
     await one.mouse.up();
     await stands();
   }

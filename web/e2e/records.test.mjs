@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe, bench, commands, cutOff, inMenu, jobText, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab, weld } from './operator.mjs';
+import { axe, bench, commands, cutOff, inMenu, jobText, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
 
 const { one, cell, browser } = await bench();
 const row = (of, part) => of.locator('tr', { hasText: part });
@@ -52,7 +52,6 @@ test('welds by arc and by beam are compared: what both have is drawn, with the v
   const values = await one.locator('.charts figure').first().locator('b').allTextContents();
   assert.deepEqual(values.map((text) => Math.round(Number(text))), [10, 6]);
   await axe(one, 'comparing');
-  await shot(one, 'records-compare');
   quiet(one);
 });
 
@@ -82,14 +81,12 @@ for (const language of ['de', 'uk']) {
     await shows(one, 'S-1');
     await one.locator('.facts table').waitFor();
     assert.ok(!/set|error|actual/i.test(await one.locator('.charts').textContent()), 'columns have words');
-    await shot(one, `records-${language}`);
     await one.locator('nav button').nth(4).click();
     await one.locator('.setup .pages button').nth(5).click();
     await one.locator('.setup .must').click();
     await one.locator('.setup figure').first().waitFor({ timeout: 60_000 });
     assert.deepEqual(await cutOff(one), []);
     assert.ok(!/_hz|_per_s|_deg/.test(await one.locator('.setup .two').innerText()), 'numbers of tuning have words and units');
-    await shot(one, `tuning-${language}`);
     quiet(one);
   });
 }
@@ -109,7 +106,6 @@ for (const [language, dark] of [['en', false], ['zh', true]]) {
     assert.ok(sizes.page <= sizes.screen && sizes.scrollWidth > sizes.clientWidth, JSON.stringify(sizes));
     // No column so narrow that it is read letter by letter.
     assert.ok(sizes.tallest < 110, JSON.stringify(sizes));
-    await shot(two, `records-phone-${language}`);
     // The last column is reached.
     await list.evaluate((of) => of.scrollTo(of.scrollWidth, 0));
     const last = await row(two, 'S-1').locator('td').last().boundingBox();
@@ -120,7 +116,6 @@ for (const [language, dark] of [['en', false], ['zh', true]]) {
     assert.ok(await two.locator('.records form button').isEnabled());
     await shows(two, 'S-1');
     assert.ok((await two.evaluate(() => document.documentElement.scrollWidth)) <= sizes.screen);
-    await shot(two, `records-phone-one-${language}`);
     quiet(two);
     await two.context().close();
   });

@@ -1,8 +1,7 @@
 import assert from 'node:assert/strict';
-import { after, test } from 'node:test';
-import { axis, bench, commands, jobText, keep, load, mode, quiet, ready, shot, sleep, startJogging, tab } from './operator.mjs';
+import { test } from 'node:test';
+import { axis, bench, commands, jobText, keep, load, mode, quiet, ready, sleep, startJogging, tab } from './operator.mjs';
 
-after(() => shot(one, 'teach-last'));
 const { one } = await bench({ job: 'half-ring', scenes: true });
 
 const phase = (...wanted) =>
@@ -85,7 +84,6 @@ test('a seam is taught by eye, from its start in 3D to a saved job', async () =>
   }
   await one.locator('.rows tbody tr').nth(2).waitFor();
   await one.locator('.camera img').waitFor();
-  await shot(one, 'teach-runs');
   if (await button('Pause').isVisible()) {
     await button('Pause').click();
     await phase('paused', 'ended');
@@ -105,10 +103,8 @@ test('a seam is taught by eye, from its start in 3D to a saved job', async () =>
   await one.getByRole('textbox', { name: 'Name' }).fill('taught-ring');
   await button('Save as program').click();
   await one.getByText('Saved: taught-ring.toml').waitFor();
-  await shot(one, 'teach-ended');
   await button('Open').last().click();
   await one.locator('.right .page').getByText(/Can be welded/).waitFor({ timeout: 120_000 });
-  await shot(one, 'teach-opened');
   quiet(one);
 });
 
