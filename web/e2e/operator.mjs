@@ -78,10 +78,10 @@ points = [
 `;
 
 export async function open(page, address) {
-  // Where only what is behind # differs, the page stays.
-  const stays = page.url().startsWith(new URL('/', address).href);
-  await page.goto(address);
-  if (stays) await page.reload();
+  const to = new URL(address);
+  // Where only what is behind # differs, the page would stay.
+  if (page.url().startsWith(to.origin)) to.search = String(Date.now());
+  await page.goto(to.href);
   await page.waitForSelector('.panel');
   await page.waitForFunction(() => document.querySelector('[data-mode]')?.dataset.mode);
 }

@@ -167,6 +167,8 @@ test('an alarm is acknowledged by itself, and one that only tells is put aside',
   await one.getByText('No alarms').first().waitFor();
   await one.getByRole('button', { name: 'Take back' }).click();
   const known = one.getByRole('button', { name: /Acknowledge this alarm: .*panel silent/ });
+  await known.waitFor();
+  await commands(one);
   await known.click();
   await known.waitFor({ state: 'hidden' });
   quiet(one);
