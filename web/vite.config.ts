@@ -1,5 +1,6 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vitest/config';
+import FIRST from './src/words/first.json' with { type: 'json' };
 
 // The cell's server while developing: `seamwright serve`.
 const cell = process.env['SEAMWRIGHT_CELL'] ?? 'http://127.0.0.1:8080';
@@ -7,7 +8,7 @@ const cell = process.env['SEAMWRIGHT_CELL'] ?? 'http://127.0.0.1:8080';
 function chunkOfWords(path: string): string | null {
   const [, language = '', area = ''] = /\/messages\/(\w+)\/(\w+)\./.exec(path) ?? [];
   if (language === '') return null;
-  return `${['panel', 'words', 'units', 'alarms'].includes(area) ? 'words' : 'messages'}-${language}`;
+  return `${FIRST.includes(area) ? 'words' : 'messages'}-${language}`;
 }
 
 export default defineConfig({
@@ -25,5 +26,6 @@ export default defineConfig({
   worker: { format: 'es' },
   // The catalogues lie beside this folder.
   server: { fs: { allow: ['..'] }, proxy: { '/api': { target: cell, ws: true, changeOrigin: true, headers: { origin: cell } } } },
-  test: { include: ['src/**/*.test.ts'], environment: 'node' },
+  // Loading all words takes a while on a busy computer.
+  test: { include: ['src/**/*.test.ts'], environment: 'node', setupFiles: 'src/page.stub.ts', testTimeout: 60_000 },
 });

@@ -148,7 +148,7 @@ fn build(web: &Path, out: &Path) -> Result<(), String> {
         return Err(format!("Node.js {} is too old: 20.19 or newer is needed", version.trim()));
     }
     // Two cargo runs must not install at the same time.
-    let lock = fs::File::create(env::temp_dir().join("seamwright-npm.lock")).map_err(|e| e.to_string())?;
+    let lock = fs::File::open(web.join("package-lock.json")).map_err(|e| e.to_string())?;
     lock.lock().map_err(|e| e.to_string())?;
     let time = |path: PathBuf| fs::metadata(path).and_then(|m| m.modified()).ok();
     let installed = time(web.join("node_modules/.package-lock.json"));

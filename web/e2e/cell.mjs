@@ -26,6 +26,8 @@ export async function startCell(job = 'saddle') {
   const args = ['serve', '--bind', `127.0.0.1:${await freePort()}`, '--data', data, ...(job ? ['--job', job] : [])];
   const child = spawn(binary, args, { stdio: ['ignore', 'pipe', 'pipe'] });
   const ended = new Promise((done) => child.on('exit', done));
+  // Whatever ends the tests ends the cell.
+  process.on('exit', () => child.kill('SIGKILL'));
   const address = await new Promise((found, fails) => {
     let said = '';
     const take = (chunk) => {

@@ -1,15 +1,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe, bench, control, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
+import { axe, bench, control, mode, open, quiet, ready, sleep, startJogging } from './operator.mjs';
 
-const { cell, browser } = await bench();
+const { cell, browser, one } = await bench();
+const two = await page(browser);
 
 test('a second panel only watches, STOP apart, until it takes over', async () => {
-  const [one, two] = [await page(browser), await page(browser)];
-  await open(one, cell.address);
   await open(two, cell.address);
-  await control(one);
   await two.getByText(/In control: .*\(station/).waitFor();
   const commands = two.getByRole('group', { name: 'Commands' });
   assert.ok(await commands.getByRole('button', { name: /Switch on/ }).isDisabled());
@@ -27,12 +25,9 @@ test('a second panel only watches, STOP apart, until it takes over', async () =>
   await one.getByText('No one in control').waitFor();
   quiet(one);
   quiet(two);
-  await one.close();
-  await two.close();
 });
 
 test('a connection that comes back resumes nothing', async () => {
-  const one = await page(browser);
   const links = [];
   await one.routeWebSocket('**/api/live', (client) => {
     const link = { client, server: client.connectToServer(), sent: [] };
@@ -46,9 +41,7 @@ test('a connection that comes back resumes nothing', async () => {
   await open(one, cell.address);
   await control(one);
   await mode(one, 'ready');
-  await tab(one, 'Jog · Teach');
-  await one.getByRole('button', { name: 'Start jogging' }).click();
-  await mode(one, 'jog');
+  await startJogging(one);
   await one.getByRole('button', { name: 'theta +' }).hover();
   await one.mouse.down();
   await sleep(300);
@@ -62,23 +55,20 @@ test('a connection that comes back resumes nothing', async () => {
   assert.deepEqual([...new Set(links[1].sent.map((message) => message.kind))], ['beat']);
   await one.getByText('No one in control').waitFor();
   assert.ok(links[0].sent.some((message) => message.kind === 'jog'));
-  await one.close();
 });
 
 test('data that stops coming is greyed with its age', async () => {
-  const one = await page(browser);
   let through = true;
-  await one.routeWebSocket('**/api/live', (client) => {
+  await two.routeWebSocket('**/api/live', (client) => {
     const server = client.connectToServer();
     client.onMessage((text) => server.send(text));
     server.onMessage((text) => through && client.send(text));
   });
-  await open(one, cell.address);
+  await open(two, cell.address);
   through = false;
-  await one.getByText(/Data \d+\.\d s old/).waitFor();
-  assert.ok((await one.locator('.stale').count()) > 2);
+  await two.getByText(/Data \d+\.\d s old/).waitFor();
+  assert.ok((await two.locator('.stale').count()) > 2);
   through = true;
-  await one.getByText('Connected').waitFor();
-  assert.equal(await one.locator('.stale').count(), 0);
-  await one.close();
+  await two.getByText('Connected').waitFor();
+  assert.equal(await two.locator('.stale').count(), 0);
 });

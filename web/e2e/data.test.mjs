@@ -4,34 +4,15 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe, bench, commands, control, keep, mode, open, press, quiet, SHORT, shot, sleep, tab } from './operator.mjs';
+import { ask, axe, bench, commands, control, get, keep, logIn, mode, PASSWORD, press, quiet, SHORT, sleep, tab } from './operator.mjs';
 
-const PASSWORD = 'correct horse battery';
-const { one, cell, browser } = await bench();
+const { one, cell, browser } = await bench({ opens: 'only' });
 
 const data = (of) => of.getByRole('region', { name: 'Backup' });
 const choose = (of, file) => data(of).getByLabel(/Backup file/).setInputFiles(file);
 const check = (of) => data(of).getByRole('button', { name: 'Send and check' }).click();
 
-async function logIn(of, user) {
-  await of.getByLabel('User').fill(user);
-  await of.getByLabel('Password').fill(PASSWORD);
-  await of.getByRole('button', { name: /Log in/ }).click();
-  await of.waitForSelector('.panel', { timeout: 30_000 });
-}
-
-const ask = (of, method, path, body) =>
-  of.evaluate(
-    async ([how, where, text]) => {
-      const session = await (await fetch('/api/session')).json();
-      const headers = { 'content-type': 'application/json', 'x-seamwright': session.token };
-      return (await fetch(where, { method: how, headers, body: text })).status;
-    },
-    [method, path, JSON.stringify(body)],
-  );
-
 test('a backup replaces all data after it was checked, with the machine off only', async () => {
-  await open(one, cell.address);
   const ada = { role: 'admin', enabled: true, password: PASSWORD, own_password: null };
   // The first administrator is told what follows: the address that was printed is no key any more.
   await tab(one, 'Set-up');
@@ -49,9 +30,9 @@ test('a backup replaces all data after it was checked, with the machine off only
   assert.match(download.suggestedFilename(), /^seamwright-backup-\d{12}\.tar$/);
   await download.saveAs(file);
   // Today there is another job, and Eve.
-  assert.equal(await ask(one, 'DELETE', '/api/jobs/yesterday.toml', {}), 204);
+  assert.equal((await ask(one, 'DELETE', '/api/jobs/yesterday.toml', {})).status, 204);
   await keep(one, 'today.toml', SHORT);
-  assert.equal(await ask(one, 'PUT', '/api/users/eve', { ...ada, own_password: PASSWORD }), 200);
+  assert.equal((await ask(one, 'PUT', '/api/users/eve', { ...ada, own_password: PASSWORD })).status, 200);
   // What is no backup, or not all of one, is said so.
   for (const [name, bytes, said] of [
     ['foreign', Buffer.from('PK something else'.repeat(100)), /Not a complete Seamwright backup/],
@@ -63,7 +44,6 @@ test('a backup replaces all data after it was checked, with the machine off only
     await check(one);
     await data(one).getByText(said).waitFor();
   }
-  await shot(one, 'data-refused');
   // With the drives on nothing is even checked.
   await control(one);
   await press(one, /Switch on/);
@@ -76,11 +56,6 @@ test('a backup replaces all data after it was checked, with the machine off only
   await mode(one, 'off');
   await check(one);
   await data(one).getByText('The backup is complete').waitFor();
-  for (const dark of [false, true]) {
-    await one.emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
-    await shot(one, `data-${dark ? 'dark' : 'light'}`);
-  }
-  await one.emulateMedia({ colorScheme: 'light' });
   const other = await page(browser);
   await other.goto(new URL('/', cell.address).href);
   await logIn(other, 'eve');
@@ -92,16 +67,14 @@ test('a backup replaces all data after it was checked, with the machine off only
   await data(one).getByText('Refused: your own password is needed for this, and it is wrong').waitFor();
   await data(one).getByRole('button', { name: /Replace all data/ }).click();
   await dialog.getByLabel(/own password/i).fill(PASSWORD);
-  await shot(one, 'data-sure');
   await dialog.getByRole('button', { name: 'Replace all data' }).click();
   // All are out; Eve is nobody any more.
   for (const of of [one, other]) await of.getByRole('button', { name: /Log in/ }).waitFor({ timeout: 60_000 });
   await logIn(one, 'ada');
-  const jobs = await one.evaluate(async () => (await (await fetch('/api/jobs')).json()).map((job) => job.name));
+  const jobs = (await get(one, '/api/jobs')).map((job) => job.name);
   assert.ok(jobs.includes('yesterday.toml') && !jobs.includes('today.toml'), `${jobs}`);
-  const users = await one.evaluate(async () => (await (await fetch('/api/users')).json()).map((user) => user.name));
-  assert.deepEqual(users, ['ada']);
-  const audit = await one.evaluate(async () => (await (await fetch('/api/audit')).json()).map((row) => row.result.text));
+  assert.deepEqual((await get(one, '/api/users')).map((user) => user.name), ['ada']);
+  const audit = (await get(one, '/api/audit')).map((row) => row.result.text);
   assert.ok(audit.some((result) => result.includes("before-restore-")), `${audit}`);
   const kept = readdirSync(cell.data).find((name) => name.startsWith('before-restore-'));
   assert.ok(readdirSync(join(cell.data, kept, 'jobs')).includes('today.toml'));

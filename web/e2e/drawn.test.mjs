@@ -1,33 +1,58 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe as accessible, bench, commands, control, load, mode, open, quiet, ready, record, shot, sleep, tab } from './operator.mjs';
+import { axe, bench, commands, jobs, load, mode, open, openJob, planned, quiet, ready, record, sleep, startJogging, tab } from './operator.mjs';
 
 const { one, cell, browser } = await bench({ scenes: true });
-await open(one, cell.address);
-await control(one);
 
-/** The list of jobs, whatever was open. */
-async function list() {
+test('every template is planned and shown', async () => {
   await tab(one, 'Jobs');
-  const back = one.getByRole('button', { name: '← Jobs' });
-  if (await back.isVisible()) {
-    await back.click();
-    const discard = one.getByRole('button', { name: 'Discard changes' });
-    if (await discard.isVisible()) await discard.click();
+  await one.locator('li.card').first().waitFor();
+  const count = await one.locator('li.card').count();
+  assert.ok(count > 8, `${count} templates`);
+  for (let i = 0; i < count; i += 1) {
+    await one.locator('li.card').nth(i).getByRole('button', { name: 'New from template' }).click();
+    await planned(one);
+    assert.equal(await one.locator('.right .note.fault').count(), 0, await one.locator('.bar strong').textContent());
+    if (i === 0) {
+      const address = await one.getByRole('link', { name: 'Report of the plan' }).getAttribute('href');
+      const [status, text] = await one.evaluate(async (of) => {
+        const answer = await fetch(of.replace('=en', '=de'));
+        return [answer.status, await answer.text()];
+      }, address);
+      assert.equal(status, 200);
+      assert.match(text, /<html lang="de">[^]*<h2>Befunde/);
+    }
+    await one.getByRole('button', { name: '← Jobs' }).click();
+    await one.locator('li.card').first().waitFor();
   }
-}
+  quiet(one);
+});
 
-async function use(name) {
-  await list();
-  await one.locator('li.card', { hasText: name }).first().getByRole('button', { name: 'New from template' }).click();
-  await one.getByText(/Can be welded|Cannot be welded/).waitFor({ timeout: 120_000 });
-}
-
-const axe = (where) => accessible(one, where);
+test('a span, or the whole pass, is chosen in 3D: its length and time, its points in the table', async () => {
+  await openJob(one, 'points.toml');
+  await one.getByRole('button', { name: 'Points', exact: true }).click();
+  const point = (i) => one.locator('tbody tr').nth(i).getByRole('button');
+  await point(3).click();
+  const card = one.locator('.below .card', { hasText: 'Pass 1' });
+  await card.getByRole('button', { name: 'Span 2/3' }).click();
+  // A quarter of a circle of 30 mm, at 8 mm/s.
+  await card.getByText(/80\.\d–127\.\d mm · 47\.\d mm · 0:06/).waitFor();
+  await one.getByRole('button', { name: 'Apply to 1 point' }).waitFor();
+  await card.getByRole('button', { name: 'Whole pass' }).click();
+  await one.getByRole('button', { name: 'Apply to 7 points' }).waitFor();
+  await one.getByRole('combobox', { name: 'Column' }).selectOption('Speed mm/s');
+  await one.getByRole('textbox', { name: 'Value' }).fill('4');
+  await one.getByRole('button', { name: 'Apply to 7 points' }).click();
+  await planned(one);
+  await card.getByText(/mm · 1:0\d/).waitFor();
+  await card.getByRole('button', { name: 'Whole pass' }).click();
+  await jobs(one);
+  quiet(one);
+});
 
 test('the joint is drawn to scale with its beads, and follows its numbers while they are written', async () => {
-  await use('thick-saddle.toml');
+  await openJob(one, 'thick-saddle.toml');
   // Whoever changes the joint sees its picture.
   const angle = one.getByRole('textbox', { name: 'bevel angle [°]' }).first();
   await angle.focus();
@@ -47,12 +72,12 @@ test('the joint is drawn to scale with its beads, and follows its numbers while 
   await one.locator('.facts td button').nth(1).click();
   await one.locator('.below .card', { hasText: /Pass [0-9]+: [0-9]/ }).waitFor();
   assert.equal(await picture.locator('.bead.shown').count(), 1);
-  await axe('cross-section');
+  await axe(one, 'cross-section');
   quiet(one);
 });
 
 test('bodies are added, moved and deleted in a form, and are seen at once', async () => {
-  await use('saddle.toml');
+  await openJob(one, 'saddle.toml');
   await one.getByRole('button', { name: 'Part and fixtures', exact: true }).click();
   const drawn = () => one.waitForResponse((answer) => answer.url().endsWith('/api/draft')).then((answer) => answer.json());
   for (const shape of ['box', 'cylinder', 'cone']) {
@@ -68,7 +93,7 @@ test('bodies are added, moved and deleted in a form, and are seen at once', asyn
   answer = drawn();
   await box.getByRole('textbox', { name: 'Size X' }).fill('80');
   assert.deepEqual((await answer).fixtures[0].shape.size, [80, 40, 40]);
-  await axe('bodies');
+  await axe(one, 'bodies');
   answer = drawn();
   await one.getByRole('button', { name: 'Delete cylinder 1' }).click();
   assert.deepEqual((await answer).fixtures.map((of) => of.name), ['box 1', 'cone 1']);
@@ -79,7 +104,7 @@ test('bodies are added, moved and deleted in a form, and are seen at once', asyn
 });
 
 test('what the section plane cuts open is closed', async () => {
-  await use('saddle.toml');
+  await openJob(one, 'saddle.toml');
   await one.getByRole('button', { name: 'Top', exact: true }).click();
   await one.getByRole('button', { name: 'Show' }).click();
   for (const layer of ['Machine', 'Sensors', 'Zones']) await one.getByRole('checkbox', { name: layer }).uncheck();
@@ -105,7 +130,6 @@ test('what the section plane cuts open is closed', async () => {
   const whole = await flat();
   await menu.getByRole('combobox', { name: 'Section plane' }).selectOption('z');
   const cut = await flat();
-  await shot(one, 'cut');
   const hatched = await flat([125, 131, 136]);
   assert.ok(hatched > cut / 12 && hatched < cut / 3, `${hatched} pixels of its hatching`);
   assert.ok(cut > 3000 && cut > 4 * whole, `${whole} pixels of a face before, ${cut} after`);
@@ -117,7 +141,7 @@ test('what the section plane cuts open is closed', async () => {
 });
 
 test('passes are coloured by clearance, the nearest pair has its line and its names', async () => {
-  await use('saddle.toml');
+  await openJob(one, 'saddle.toml');
   await one.getByRole('button', { name: 'Show' }).click();
   await one.getByRole('combobox', { name: 'Passes coloured by' }).selectOption('clearance');
   await one.locator('.below .scale', { hasText: 'mm' }).waitFor();
@@ -130,25 +154,21 @@ test('inputs and outputs have names and live states; axes can be tuned in simula
   await one.getByRole('button', { name: 'Inputs and outputs' }).click();
   const gas = one.locator('tr', { has: one.getByRole('rowheader', { name: 'gas Gas valve', exact: true }) });
   await gas.getByText('off').first().waitFor();
-  await axe('inputs and outputs');
+  await axe(one, 'inputs and outputs');
   await one.getByRole('button', { name: 'Tuning' }).click();
   await one.getByRole('button', { name: 'Tune and measure' }).click();
   await one.locator('.uplot').nth(1).waitFor({ timeout: 60_000 });
   await one.getByText('Phase margin').waitFor();
-  await axe('tuning');
+  await axe(one, 'tuning');
   quiet(one);
 });
 
 test('what is near is told by hand before it is too near; touched points tell where the part stands', async () => {
-  await list();
-  await commands(one);
+  await jobs(one);
   await load(one, 'saddle.toml');
   await commands(one);
   await ready(one);
-  await tab(one, 'Jog · Teach');
-  await commands(one);
-  await one.getByRole('button', { name: 'Start jogging' }).click();
-  await mode(one, 'jog');
+  await startJogging(one);
   await one.getByRole('button', { name: '30 %' }).click();
   const note = one.locator('p.near.note');
   const jog = async (name, ms) => {
@@ -168,7 +188,7 @@ test('what is near is told by hand before it is too near; touched points tell wh
   }
   await one.getByRole('button', { name: 'End jogging' }).click();
   await mode(one, 'ready');
-  await use('saddle.toml');
+  await openJob(one, 'saddle.toml');
   await one.getByRole('button', { name: 'Part and fixtures', exact: true }).click();
   await one.getByRole('button', { name: 'Compute the position' }).click();
   const moved = one.getByText('The part is moved by');

@@ -1,13 +1,11 @@
 // SADDLE-2020's flow: a dry run is held, left for the hand, a point recorded, and it goes on where it was left.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { axis, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
+import { axis, bench, commands, keep, load, mode, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
 
-const { one, cell } = await bench();
+const { one } = await bench();
 
 test('a held dry run is jogged from and gone on with', async () => {
-  await open(one, cell.address);
-  await control(one);
   await keep(one, 'short.toml', SHORT);
   await load(one, 'short.toml');
   await tab(one, 'Weld');

@@ -1,15 +1,10 @@
 // Esc and STOP: what is open is closed first, and a STOP that reaches nobody fills the screen.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ask, axe, bench, burns, commands, control, keep, mode, open, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+import { axe, bench, burns, commands, keep, loadFor, mode, open, ready, SHORT, sleep, tab, weld } from './operator.mjs';
 
 const { one, cell } = await bench();
 const modeNow = () => one.locator('[data-mode]').getAttribute('data-mode');
-/** A part of which nothing is welded: its start is no question. */
-async function load(part) {
-  const { status } = await ask(one, 'POST', '/api/load', { job: 'long.toml', part });
-  assert.equal(status, 200);
-}
 const user = () => one.getByRole('button', { name: /▾$/ });
 const menus = {
   user: { key: user, inside: () => one.getByRole('button', { name: 'Log out' }) },
@@ -18,11 +13,9 @@ const menus = {
 };
 
 test('Esc closes the menu that is open and the weld goes on; Esc with nothing open stops it', async () => {
-  await open(one, cell.address);
-  await control(one);
   await ready(one);
   await keep(one, 'long.toml', SHORT.replaceAll(', 6]', ', 0.5]'));
-  await load('N-1');
+  await loadFor(one, 'long.toml', 'N-1');
   await weld(one);
   await burns(one, true);
   await one.getByRole('button', { name: 'Plots', exact: true }).click();
@@ -72,7 +65,7 @@ test('a menu closes by a press outside and when the page is left', async () => {
 
 test('in a field Esc stops nothing, and F1 does', async () => {
   await commands(one);
-  await load('N-2');
+  await loadFor(one, 'long.toml', 'N-2');
   await weld(one);
   await tab(one, 'Records');
   await one.getByRole('textbox').first().focus();
@@ -86,7 +79,7 @@ test('in a field Esc stops nothing, and F1 does', async () => {
 test('STOP goes by a request of its own where the connection is silent', async () => {
   await tab(one, 'Weld');
   await commands(one);
-  await load('N-3');
+  await loadFor(one, 'long.toml', 'N-3');
   await weld(one);
   // The socket stays open and nothing goes through it any more.
   await one.evaluate(() => {
@@ -106,9 +99,8 @@ test('a STOP that reaches nobody fills the screen until the cell is seen to stan
     line = { client, server: client.connectToServer() };
   });
   await one.route('**/api/**', (route) => (cut ? route.abort() : route.fallback()));
-  await open(one, cell.address);
   // Only a new page has its socket routed.
-  await one.reload();
+  await open(one, cell.address);
   await one.getByText('Connected').waitFor();
   cut = true;
   await line.server.close();

@@ -2,11 +2,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { ask, axe, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab } from './operator.mjs';
+import { ask, axe, bench, commands, jobs, keep, load, logIn, mode, open, openJob, PASSWORD, press, quiet, ready, row, SHORT, sleep, startJogging, tab } from './operator.mjs';
 
 const EVIL = '<img src=x onerror=globalThis.pwned=1><script>globalThis.pwned=1</script>';
-const PASSWORD = 'correct horse battery';
-const { one, cell, browser } = await bench();
+const { one, cell, browser } = await bench({ opens: false });
 
 /** What the cell answers to a command over a socket of the page's own. */
 const command = (of, what) =>
@@ -35,15 +34,10 @@ test('an alarm is raised, shown with cause and action, and goes when it is ackno
   await open(one, cell.address);
   await commands(one);
   await ready(one);
-  await commands(one);
-  await tab(one, 'Jog · Teach');
   const silent = one.getByText(/panel silent/i).first();
   // A page that draws by software can lose control before it jogs: then once more.
   for (let tries = 0; tries < 6 && !(await silent.isVisible()); tries++) {
-    await commands(one);
-    const start = one.getByRole('button', { name: 'Start jogging' });
-    if (await start.isVisible()) await start.click();
-    await mode(one, 'jog');
+    await startJogging(one);
     await one.getByRole('button', { name: 'theta +' }).hover();
     await one.mouse.down();
     await sleep(400);
@@ -57,10 +51,8 @@ test('an alarm is raised, shown with cause and action, and goes when it is ackno
   await press(one, /^❚❚ Hold|Hold/);
   await mode(one, 'ready');
   // It is kept until somebody says that he knows.
-  const two = await page(browser);
-  await open(two, cell.address);
-  await two.getByText(/panel silent/i).first().waitFor();
-  await two.close();
+  await open(one, cell.address);
+  await one.getByText(/panel silent/i).first().waitFor();
   await tab(one, 'Weld');
   await one.locator('section', { has: one.getByRole('button', { name: 'Events' }) }).getByRole('button', { name: /^Alarms/ }).first().click();
   await one.getByText(/network or browser/i).first().waitFor();
@@ -82,9 +74,9 @@ test('titles, parts and comments are text on every page that shows them', async 
   await load(one, 'evil.toml', EVIL.slice(0, 110));
   await tab(one, 'Weld');
   await one.getByText('<img src=x').first().waitFor();
-  await tab(one, 'Jobs');
-  await one.locator('li.card', { hasText: 'evil.toml' }).getByRole('button', { name: 'Open' }).click();
-  await sleep(2000);
+  await jobs(one);
+  await row(one, 'evil.toml').getByText('<img src=x').first().waitFor();
+  await openJob(one, 'evil.toml', 'Open');
   for (const name of ['Set-up', 'Records', 'Weld']) {
     await tab(one, name);
     await sleep(300);
@@ -92,11 +84,10 @@ test('titles, parts and comments are text on every page that shows them', async 
   assert.equal(await one.evaluate(() => globalThis.pwned), undefined);
   assert.equal(await one.locator('img').count(), 0);
   // The report is a page of its own, where nothing runs.
-  const report = await page(browser);
-  await open(report, cell.address);
-  const address = new URL('/api/report?job=evil.toml', cell.address);
-  await report.goto(String(address));
-  assert.equal(await report.evaluate(() => globalThis.pwned).catch(() => undefined), undefined);
+  const report = await one.context().newPage();
+  await report.goto(String(new URL('/api/report?job=evil.toml', cell.address)), { timeout: 60_000 });
+  await report.getByText('<img src=x').first().waitFor({ state: 'attached' });
+  assert.equal(await report.evaluate(() => globalThis.pwned), undefined);
   assert.equal(await report.locator('img[src=x], script').count(), 0);
   await report.close();
 });
@@ -120,22 +111,17 @@ test('roles are refused on the server, whatever the page shows', async () => {
   assert.equal((await ask(one, 'PUT', '/api/users/ada', own)).status, 200);
   // The printed address opens nothing any more, nor does the session that it gave.
   await one.reload();
-  await one.getByLabel('User').fill('ada');
-  await one.getByLabel('Password').fill(PASSWORD);
-  await one.getByRole('button', { name: /Log in/ }).click();
-  await one.waitForSelector('.panel');
+  await logIn(one, 'ada');
   for (const role of ['viewer', 'operator']) {
     const made = await ask(one, 'PUT', `/api/users/${role}`, { ...own, role, own_password: PASSWORD });
     assert.equal(made.status, 200);
   }
   const refusals = { viewer: ['switch_on', 'home', 'arm', 'start_weld', 'hold', 'acknowledge'], operator: ['start_teach'] };
+  const two = await page(browser);
   for (const [role, asks] of Object.entries(refusals)) {
-    const two = await page(browser);
+    await two.context().clearCookies();
     await two.goto(new URL('/', cell.address).href);
-    await two.getByLabel('User').fill(role);
-    await two.getByLabel('Password').fill(PASSWORD);
-    await two.getByRole('button', { name: /Log in/ }).click();
-    await two.waitForSelector('.panel');
+    await logIn(two, role);
     for (const what of asks) {
       const answer = await command(two, what);
       assert.deepEqual([answer.ok, answer.why?.key], [false, 'role'], `${role} ${what}`);
@@ -150,14 +136,14 @@ test('roles are refused on the server, whatever the page shows', async () => {
       assert.deepEqual([answer.status, answer.key], [403, 'role'], `${role} ${method} ${path}`);
     }
     // A job is read, not written; its plan is for who may load it.
-    await tab(two, 'Jobs');
-    await two.locator('li.card', { hasText: 'saddle.toml' }).first().getByRole('button', { name: 'New from template' }).click();
+    await jobs(two);
+    await row(two, 'saddle.toml').getByRole('button', { name: 'New from template' }).click();
     assert.ok(await two.getByRole('textbox', { name: 'radius [mm]' }).first().isDisabled());
     assert.equal(await two.getByRole('button', { name: 'Save as' }).count(), 0);
     if (role === 'operator') await two.locator('.right .page').getByText(/Can be welded|Cannot be welded/).waitFor({ timeout: 60_000 });
     assert.equal(await two.locator('.note.fault').count(), 0);
-    await two.close();
   }
+  await two.close();
   one.wrong = one.wrong.filter((text) => !/40[13]/.test(text));
   quiet(one);
 });
@@ -172,7 +158,6 @@ test('a user that is there is not changed unasked, and a password is typed twice
   await user.fill(one, 'cleo', 'Operator', PASSWORD, `${PASSWORD}r`);
   await one.getByText('The two passwords differ.').waitFor();
   assert.ok(await key.isDisabled());
-  await shot(one, 'users-differ');
   // Too short: the server says so, whatever the page lets through.
   await user.fill(one, 'cleo', 'Operator', 'short');
   await one.locator('form').evaluate((form) => (form.noValidate = true));
@@ -183,8 +168,8 @@ test('a user that is there is not changed unasked, and a password is typed twice
   await user.fill(one, 'cleo', 'Operator', PASSWORD);
   await save();
   await one.getByText('Saved: cleo.').waitFor();
-  const row = one.locator('tr', { hasText: 'cleo' });
-  await row.getByText('Operator').waitFor();
+  const cleo = one.locator('tr', { hasText: 'cleo' });
+  await cleo.getByText('Operator').waitFor();
   // The same name once more is somebody who is there.
   await user.fill(one, 'cleo', 'Service', '');
   await save();
@@ -192,18 +177,17 @@ test('a user that is there is not changed unasked, and a password is typed twice
   await dialog.getByText('User cleo already exists.').waitFor();
   await dialog.getByText('The password stays.').waitFor();
   await axe(one, 'a user that is there');
-  await shot(one, 'users-exists');
   await dialog.getByRole('button', { name: 'Cancel' }).click();
-  await row.getByText('Operator').waitFor();
+  await cleo.getByText('Operator').waitFor();
   await save();
   await dialog.getByRole('button', { name: 'Change' }).click();
-  await row.getByText('Service').waitFor();
+  await cleo.getByText('Service').waitFor();
   // Who is changed by the key of his row is not asked about.
-  await row.getByRole('button', { name: 'Edit' }).click();
+  await cleo.getByRole('button', { name: 'Edit' }).click();
   await one.getByRole('heading', { name: 'Change user cleo' }).waitFor();
   await one.getByLabel('Role').selectOption('Viewer');
   await save();
-  await row.getByText('Viewer').waitFor();
+  await cleo.getByText('Viewer').waitFor();
   assert.equal(await dialog.count(), 0);
   one.wrong = one.wrong.filter((text) => !text.includes('409'));
   quiet(one);

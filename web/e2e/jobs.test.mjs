@@ -1,10 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { page } from './browser.mjs';
-import { axe, bench, control, keep, open, quiet, SHORT, sleep, tab } from './operator.mjs';
+import { axe, bench, jobs, jobText, keep, openJob, planned, quiet, row, SHORT, sleep } from './operator.mjs';
 
-const { one, cell, browser } = await bench({ scenes: true });
-await open(one, cell.address);
+const { one } = await bench({ opens: 'only' });
 
 /** A straight line in six points, as poses. */
 const STRAIGHT = `schema = 1
@@ -29,45 +27,12 @@ points = [
 ]
 `;
 
-const row = (name) => one.locator('li.card', { hasText: name }).first();
-
-async function planned() {
-  await one.locator('.right .page').getByText(/Can be welded|Cannot be welded|not a job/).waitFor({ timeout: 120_000 });
-  await one.waitForFunction(() => !document.querySelector('.view.plans'), null, { timeout: 120_000 });
-}
-
-test('every template is planned and shown', async () => {
-  await tab(one, 'Jobs');
-  await one.locator('li.card').first().waitFor();
-  const count = await one.locator('li.card').count();
-  assert.ok(count > 8, `${count} templates`);
-  for (let i = 0; i < count; i += 1) {
-    await one.locator('li.card').nth(i).getByRole('button', { name: 'New from template' }).click();
-    await planned();
-    assert.equal(await one.locator('.right .note.fault').count(), 0, await one.locator('.bar strong').textContent());
-    if (i === 0) {
-      const address = await one.getByRole('link', { name: 'Report of the plan' }).getAttribute('href');
-      const [status, text] = await one.evaluate(async (of) => {
-        const answer = await fetch(of.replace('=en', '=de'));
-        return [answer.status, await answer.text()];
-      }, address);
-      assert.equal(status, 200);
-      assert.match(text, /<html lang="de">[^]*<h2>Befunde/);
-    }
-    await one.getByRole('button', { name: '← Jobs' }).click();
-    await one.locator('li.card').first().waitFor();
-  }
-  quiet(one);
-});
-
 test('a number changed in the form, undone, done again; kept under a name; comments stay', async () => {
-  await tab(one, 'Jobs');
-  await row('saddle.toml').getByRole('button', { name: 'New from template' }).click();
-  await planned();
+  await openJob(one, 'saddle.toml');
   const field = one.getByRole('textbox', { name: 'radius [mm]' }).first();
   assert.equal(await field.inputValue(), '250');
   await field.fill('240');
-  await planned();
+  await planned(one);
   await one.getByRole('button', { name: 'Undo' }).click();
   assert.equal(await field.inputValue(), '250');
   await one.getByRole('button', { name: 'Redo' }).click();
@@ -78,14 +43,12 @@ test('a number changed in the form, undone, done again; kept under a name; comme
   await dialog.getByRole('textbox').fill('mine');
   await dialog.getByRole('button', { name: 'Save' }).click();
   await dialog.waitFor({ state: 'hidden' });
-  const text = await one.evaluate(async () => (await (await fetch('/api/jobs/mine.toml')).json()).text);
+  const text = await jobText(one, 'mine.toml');
   assert.match(text, /radius_mm = 240 +# outer radius/);
 });
 
 test('a job for another machine has the names and units of that machine, not of the cell', async () => {
-  await one.getByRole('button', { name: '← Jobs' }).click();
-  await row('hillside.toml').getByRole('button', { name: 'New from template' }).click();
-  await planned();
+  await openJob(one, 'hillside.toml');
   await one.getByRole('button', { name: 'Plots', exact: true }).click();
   await one.locator('.right .page .u-over').first().click();
   const card = one.locator('.below .card', { hasText: 'Pass 1' });
@@ -94,9 +57,7 @@ test('a job for another machine has the names and units of that machine, not of 
   for (const axis of [/ ?x [\d.\u2212]+mm/, /y [\d.\u2212]+mm/, /z [\d.\u2212]+mm/, /a [\d.\u2212]+°/, /b [\d.\u2212]+°/]) assert.match(text, axis);
   const titles = await one.locator('.right .page figcaption > span:first-child').allTextContents();
   assert.ok(titles.includes('x mm') && titles.includes('b °') && !titles.some((title) => title.includes('theta')), `${titles}`);
-  await one.getByRole('button', { name: '← Jobs' }).click();
-  await row('mine.toml').getByRole('button', { name: 'Open' }).click();
-  await planned();
+  await openJob(one, 'mine.toml', 'Open');
 });
 
 test('what is wrong is said with its line, and the text stays in hand', async () => {
@@ -167,10 +128,7 @@ test('a part program for a control, with its proof', async () => {
 
 test('points: set in several at once, insert, delete, undo; the row stands in 3D', async () => {
   await keep(one, 'short.toml', SHORT);
-  await tab(one, 'Weld');
-  await tab(one, 'Jobs');
-  await row('short.toml').getByRole('button', { name: 'Open' }).click();
-  await planned();
+  await openJob(one, 'short.toml', 'Open');
   await one.getByRole('button', { name: 'Points', exact: true }).click();
   const points = one.locator('tbody tr');
   assert.equal(await points.count(), 4);
@@ -196,11 +154,7 @@ test('points: set in several at once, insert, delete, undo; the row stands in 3D
 
 test('points by touch: several without a key, a span split, lines reduced', async () => {
   await keep(one, 'straight.toml', STRAIGHT);
-  await one.getByRole('button', { name: '← Jobs' }).click();
-  await tab(one, 'Weld');
-  await tab(one, 'Jobs');
-  await row('straight.toml').getByRole('button', { name: 'Open' }).click();
-  await planned();
+  await openJob(one, 'straight.toml', 'Open');
   await one.getByRole('button', { name: 'Points', exact: true }).click();
   const points = one.locator('tbody tr');
   assert.equal(await points.count(), 6);
@@ -216,7 +170,7 @@ test('points by touch: several without a key, a span split, lines reduced', asyn
   await one.getByRole('button', { name: 'Multi-select' }).click();
   await point(2).click();
   await one.getByRole('button', { name: 'Split here' }).click();
-  const text = () => one.evaluate(async () => (await (await fetch('/api/jobs/straight.toml')).json()).text);
+  const text = () => jobText(one, 'straight.toml');
   const saved = async (count) => {
     await one.getByRole('button', { name: 'Save', exact: true }).click();
     await one.getByRole('button', { name: 'Save', exact: true }).and(one.locator(':disabled')).waitFor();
@@ -228,14 +182,12 @@ test('points by touch: several without a key, a span split, lines reduced', asyn
   await one.getByRole('button', { name: 'Reduce' }).click();
   await one.waitForFunction(() => document.querySelectorAll('tbody tr').length < 6);
   assert.equal(await points.count(), 2, 'a straight line is one');
-  await one.getByRole('button', { name: '← Jobs' }).click();
-  await one.getByRole('button', { name: 'Discard changes' }).click();
+  await jobs(one);
   quiet(one);
 });
 
 test('points: the way to them is chosen, an arc from two; undone byte by byte', async () => {
-  await row('points.toml').getByRole('button', { name: 'New from template' }).click();
-  await planned();
+  await openJob(one, 'points.toml');
   await one.getByRole('button', { name: 'Points', exact: true }).click();
   const points = one.locator('tbody tr');
   const ways = async () => (await points.locator('td:nth-child(2)').allTextContents()).join(' ');
@@ -258,7 +210,7 @@ test('points: the way to them is chosen, an arc from two; undone byte by byte', 
   // The second of four points of the spline is what the arc goes through.
   await choose(4, 5, 'arc');
   await is('start line line arc arc spline spline');
-  await planned();
+  await planned(one);
   assert.equal(await one.getByRole('combobox', { name: 'Interpolation' }).locator('option').count(), 4, 'no rapid with the arc on');
   await one.getByRole('button', { name: 'Undo' }).click();
   await is(before);
@@ -270,10 +222,7 @@ test('points: the way to them is chosen, an arc from two; undone byte by byte', 
 test('points with times can be cubics, which have the speeds of the spline; a speed is set', async () => {
   const timed = STRAIGHT.replace('"speed_mm_s"', '"time_s"').replaceAll(', 8],', ', 1.25],').replace('"line"', '"spline"');
   await keep(one, 'timed.toml', timed);
-  await tab(one, 'Weld');
-  await tab(one, 'Jobs');
-  await row('timed.toml').getByRole('button', { name: 'Open' }).click();
-  await planned();
+  await openJob(one, 'timed.toml', 'Open');
   await one.getByRole('button', { name: 'Points', exact: true }).click();
   const points = one.locator('tbody tr');
   await points.nth(1).getByRole('button').click();
@@ -283,10 +232,10 @@ test('points with times can be cubics, which have the speeds of the spline; a sp
   // Evenly along x: 10 mm in 1.25 s, at every point and where it begins.
   const speed = (i) => one.getByRole('textbox', { name: `X mm/s ${i}` });
   for (let i = 0; i < 6; i += 1) assert.equal(Number(await speed(i).inputValue()), 8);
-  await planned();
+  await planned(one);
   await speed(3).fill('10');
   await speed(3).press('Enter');
-  await planned();
+  await planned(one);
   assert.equal(await one.locator('.right .note.fault').count(), 0);
   await one.getByRole('button', { name: 'Insert after' }).and(one.locator(':disabled')).waitFor();
   await points.nth(3).getByRole('button').click();
@@ -295,40 +244,15 @@ test('points with times can be cubics, which have the speeds of the spline; a sp
   // Halfway the cubic from 10 to 8 mm/s over 10 mm is slower than both: 1.5 x 8 - (10 + 8) / 4.
   assert.equal(Number(await speed(4).inputValue()), 7.5);
   assert.equal(await speed(3).inputValue(), '10');
-  await planned();
+  await planned(one);
   for (let i = 0; i < 3; i += 1) await one.getByRole('button', { name: 'Undo' }).click();
   await one.waitForFunction(() => ![...document.querySelectorAll('thead th')].some((th) => th.textContent === 'X mm/s'));
   await one.getByRole('button', { name: '← Jobs' }).click();
   quiet(one);
 });
 
-test('a span, or the whole pass, is chosen in 3D: its length and time, its points in the table', async () => {
-  await row('points.toml').getByRole('button', { name: 'New from template' }).click();
-  await planned();
-  await one.getByRole('button', { name: 'Points', exact: true }).click();
-  const point = (i) => one.locator('tbody tr').nth(i).getByRole('button');
-  await point(3).click();
-  const card = one.locator('.below .card', { hasText: 'Pass 1' });
-  await card.getByRole('button', { name: 'Span 2/3' }).click();
-  // A quarter of a circle of 30 mm, at 8 mm/s.
-  await card.getByText(/80\.\d–127\.\d mm · 47\.\d mm · 0:06/).waitFor();
-  await one.getByRole('button', { name: 'Apply to 1 point' }).waitFor();
-  await card.getByRole('button', { name: 'Whole pass' }).click();
-  await one.getByRole('button', { name: 'Apply to 7 points' }).waitFor();
-  await one.getByRole('combobox', { name: 'Column' }).selectOption('Speed mm/s');
-  await one.getByRole('textbox', { name: 'Value' }).fill('4');
-  await one.getByRole('button', { name: 'Apply to 7 points' }).click();
-  await planned();
-  await card.getByText(/mm · 1:0\d/).waitFor();
-  await card.getByRole('button', { name: 'Whole pass' }).click();
-  await one.getByRole('button', { name: '← Jobs' }).click();
-  await one.getByRole('button', { name: 'Discard changes' }).click();
-  quiet(one);
-});
-
 test('a joint and a procedure are added in the form; a procedure of its own is held against', async () => {
-  await row('first-weld.toml').getByRole('button', { name: 'New from template' }).click();
-  await planned();
+  await openJob(one, 'first-weld.toml');
   const form = one.locator('.form');
   const options = await form.getByRole('combobox', { name: 'machine' }).locator('option').allTextContents();
   assert.ok(options.some((text) => text.startsWith('torch-5axis · ')), `${options}`);
@@ -349,7 +273,7 @@ test('a joint and a procedure are added in the form; a procedure of its own is h
   assert.ok(await form.getByRole('textbox', { name: 'speed [mm/s] 2' }).isDisabled(), 'what ships is not changed');
   await form.getByRole('button', { name: 'Make a copy' }).click();
   await form.getByRole('button', { name: 'Save procedure' }).waitFor();
-  await planned();
+  await planned(one);
   await form.getByRole('textbox', { name: 'speed [mm/s] 2' }).fill('9');
   await form.getByRole('button', { name: 'Save procedure' }).click();
   await one.locator('.right .page').getByText('Outside WPS limits').waitFor({ timeout: 60_000 });
@@ -357,8 +281,7 @@ test('a joint and a procedure are added in the form; a procedure of its own is h
   await form.getByRole('textbox', { name: 'speed [mm/s] 2' }).fill('-9');
   await form.getByRole('button', { name: 'Save procedure' }).click();
   await form.locator('.note.fault', { hasText: 'first-weld-135-saddle.toml' }).waitFor({ timeout: 30_000 });
-  await one.getByRole('button', { name: '← Jobs' }).click();
-  await one.getByRole('button', { name: 'Discard changes' }).click();
+  await jobs(one);
   assert.equal(await one.locator('li.card', { hasText: '135-saddle.toml' }).count(), 0, 'a procedure is no job');
   // The browser tells of it too.
   one.wrong = one.wrong.filter((said) => !said.includes('422'));
@@ -366,13 +289,12 @@ test('a joint and a procedure are added in the form; a procedure of its own is h
 });
 
 test('limits: what bounds the speed where, linked with 3D, and what is used of each axis', async () => {
-  await row('ellipse.toml').getByRole('button', { name: 'New from template' }).click();
-  await planned();
+  await openJob(one, 'ellipse.toml');
   const field = one.getByRole('textbox', { name: 'speed [mm/s]' }).first();
   await field.fill('60');
   // Planning begins when the hand rests.
   await sleep(800);
-  await planned();
+  await planned(one);
   await one.getByRole('button', { name: 'Limits', exact: true }).click();
   const page = one.locator('.right .page');
   const stretch = page.locator('li button', { hasText: /[xy]: (acceleration|jerk) / }).first();
@@ -387,38 +309,56 @@ test('limits: what bounds the speed where, linked with 3D, and what is used of e
   const captions = await page.locator('figcaption').allTextContents();
   assert.ok(captions.length === 3 && captions.every((text) => text.includes(`${at.toFixed(1)} mm`)), `${captions}`);
   assert.match(captions[1], /^ ?x.*speed ≤ \d.* % of \d.*mm\/s.*jerk ≤/);
-  await one.getByRole('button', { name: '← Jobs' }).click();
-  await one.getByRole('button', { name: 'Discard changes' }).click();
+  await jobs(one);
   quiet(one);
 });
 
-test('names and titles are text, whatever is in them', async () => {
-  const evil = '<img src=x onerror=globalThis.pwned=1><script>globalThis.pwned=1</script>';
-  await keep(one, 'evil.toml', SHORT.replace('"Short"', JSON.stringify(evil)));
-  const two = await page(browser);
-  await open(two, cell.address);
-  await tab(two, 'Jobs');
-  await two.getByText('<img src=x').first().waitFor();
-  await two.locator('li.card', { hasText: 'evil.toml' }).getByRole('button', { name: 'Open' }).click();
-  await sleep(2000);
-  assert.equal(await two.evaluate(() => globalThis.pwned), undefined);
-  assert.equal(await two.locator('img').count(), 0);
-  await two.close();
+const table = (name) => one.locator('fieldset', { has: one.locator(`legend[title="${name}"]`) });
+/** Waits until the text has this: the cell writes it. */
+const inText = async (wanted) => {
+  await one.getByRole('button', { name: 'Text', exact: true }).click();
+  await one.locator('.cm-content').waitFor();
+  await one.waitForFunction((of) => new RegExp(of).test(document.querySelector('.editor').shadowRoot.querySelector('.cm-content').innerText), wanted.source);
+  await one.getByRole('button', { name: 'Form', exact: true }).click();
+};
+
+test('values of nested inline tables can be read and changed', async () => {
+  await openJob(one, 'Hillside');
+  const beads = table('beads');
+  await beads.waitFor();
+  const current = beads.getByRole('textbox', { name: 'current [A]' });
+  assert.equal(await current.inputValue(), '150');
+  assert.equal(await beads.getByRole('textbox', { name: 'layer thickness [mm]' }).count(), 3);
+  for (const field of await beads.getByRole('textbox').all()) assert.ok((await field.boundingBox()).width >= 72);
+  await current.fill('155');
+  await inText(/process = \{ current_a = 155, voltage_v = 18/);
+});
+
+test('a value that the format allows can be added, with what it means', async () => {
+  const shell = table('seam.nozzle.body.cylinder');
+  const add = shell.getByRole('combobox', { name: 'Add a value' });
+  assert.match(await add.locator('option[value="thickness_mm"]').getAttribute('title'), /Thickness of the wall/);
+  await add.selectOption('thickness_mm');
+  const thickness = shell.getByRole('textbox', { name: 'thickness [mm]' });
+  await thickness.fill('12');
+  await thickness.blur();
+  await inText(/axis = \[1, 0, 0\]\s*\n\s*thickness_mm = 12/);
+  // What it has is offered no longer.
+  assert.equal(await add.locator('option[value="thickness_mm"]').count(), 0);
+  // While a plan is made, what is said of the last one is dim.
+  await one.locator('.view.plans').waitFor({ state: 'detached' });
+  await axe(one, 'form');
+  await jobs(one);
 });
 
 test('ten thousand points: the table has few rows in the page, and scrolls at once', async () => {
   const rows = Array.from({ length: 10_000 }, (_, i) => `    [${(i / 1000).toFixed(3)}, 0, 60, -20, 200, 6],`);
-  const text = SHORT.replace(/points = \[[^]*\n\]/, `points = [\n${rows.join('\n')}\n]`);
-  await keep(one, 'long.toml', text);
-  const two = await page(browser);
-  await open(two, cell.address);
-  await control(two);
-  await tab(two, 'Jobs');
-  await two.locator('li.card', { hasText: 'long.toml' }).getByRole('button', { name: 'Open' }).click();
-  await two.getByRole('button', { name: 'Points', exact: true }).click();
-  await two.locator('tbody tr').first().waitFor();
-  assert.ok((await two.locator('tbody tr').count()) < 60);
-  await two.locator('.box').evaluate((box) => (box.scrollTop = box.scrollHeight));
-  await two.getByRole('button', { name: '10000', exact: true }).waitFor();
-  await two.close();
+  await keep(one, 'long.toml', SHORT.replace(/points = \[[^]*\n\]/, `points = [\n${rows.join('\n')}\n]`));
+  await jobs(one);
+  await row(one, 'long.toml').getByRole('button', { name: 'Open' }).click();
+  await one.getByRole('button', { name: 'Points', exact: true }).click();
+  await one.locator('tbody tr').first().waitFor();
+  assert.ok((await one.locator('tbody tr').count()) < 60);
+  await one.locator('.box').evaluate((box) => (box.scrollTop = box.scrollHeight));
+  await one.getByRole('button', { name: '10000', exact: true }).waitFor();
 });

@@ -1,27 +1,15 @@
 import assert from 'node:assert/strict';
 import { afterEach, test } from 'node:test';
-import { axis, bench, commands, control, mode, open, ready, record, shot, sleep, tab } from './operator.mjs';
+import { axis, bench, control, ready, record, sleep, startJogging } from './operator.mjs';
 
 const { one, cell } = await bench();
-await open(one, cell.address);
-await control(one);
 await ready(one);
-await tab(one, 'Jog · Teach');
-await one.getByRole('button', { name: 'Start jogging' }).click();
-await mode(one, 'jog');
+await startJogging(one);
 
 // What fails leaves no key held for the next.
 afterEach(async () => {
   if (!one.isClosed()) await one.mouse.up();
 });
-
-/** In jogging and in command, also after a silence took both. */
-async function jogs() {
-  await commands(one);
-  const start = one.getByRole('button', { name: 'Start jogging' });
-  if (await start.isVisible()) await start.click();
-  await mode(one, 'jog');
-}
 
 /**
  * Presses theta + and waits until it moves and `also` holds. A page that drew a second by software has lost its heartbeat: the cell
@@ -30,7 +18,7 @@ async function jogs() {
 async function held(also = async () => true) {
   const key = one.getByRole('button', { name: 'theta +' });
   for (let tries = 1; ; tries += 1) {
-    await jogs();
+    await startJogging(one);
     const begun = await axis(one, 'theta');
     await key.hover();
     await one.mouse.down();
@@ -141,7 +129,7 @@ test('the cell stops by itself when the page hangs with the button held', async 
   // Without a heartbeat it has lost control too, and takes nothing back by itself.
   await one.getByText('No one in control').waitFor();
   await control(one);
-  await jogs();
+  await startJogging(one);
   // After a silence the cell wants to see the hand at rest before it moves again.
   await one.getByRole('button', { name: 'theta +' }).hover();
   await one.mouse.down();
@@ -154,7 +142,7 @@ test('the keyboard: an arrow moves while held, and no longer', async () => {
   let moved = 0;
   // Without a heartbeat it does not move: then once more.
   for (let tries = 0; tries < 3 && moved > -0.2; tries += 1) {
-    await jogs();
+    await startJogging(one);
     await one.locator('.speeds button').nth(1).focus();
     const begun = await axis(one, 'theta');
     await one.keyboard.down('ArrowLeft');
@@ -183,11 +171,10 @@ test('a key that sends all axes to a place: they go while it is held, and stand 
   assert.ok(Math.abs((await theta()) - begun) >= 0.05, 'theta has not moved');
   // A heartbeat that is lost on the way stops it too: then the key is pressed again.
   for (let tries = 0; tries < 5 && Math.abs(await theta()) > 0.005; tries += 1) {
-    await jogs();
+    await startJogging(one);
     await home.hover();
     await one.mouse.down();
     for (let i = 0; i < 50 && !(Math.abs(await theta()) <= 0.005); i += 1) await sleep(100);
-    await shot(one, 'go');
     await one.mouse.up();
     await stands();
   }

@@ -1,28 +1,18 @@
 // What an operator has written is not lost, not replaced unasked, and not taken for something else.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { SHORT, bench, commands, control, keep, mode, open, quiet, ready, record, sleep, tab } from './operator.mjs';
+import { bench, jobText, keep, mode, openJob, quiet, ready, record, SHORT, sleep, startJogging, tab } from './operator.mjs';
 
-const { one, cell } = await bench();
-const row = (name) => one.locator('li.card', { hasText: name }).first();
-const text = (name) => one.evaluate(async (of) => (await (await fetch(`/api/jobs/${of}`)).json()).text, name);
+const { one } = await bench();
+const text = (name) => jobText(one, name);
 const cellOf = (title, i) => one.getByRole('textbox', { name: `${title} ${i}`, exact: true });
 const kept = () => one.waitForFunction(() => !/not saved/.test(document.querySelector('.bar .name')?.textContent ?? ''));
 
-async function points(name) {
-  await tab(one, 'Weld');
-  await tab(one, 'Jobs');
-  await row(name).getByRole('button', { name: 'Open' }).click();
-  await one.getByRole('button', { name: 'Points', exact: true }).click();
-  await one.locator('tbody tr').first().waitFor();
-}
-
 test('a row of points is written from field to field by the keyboard; keys of the machine move nothing there', async () => {
-  await open(one, cell.address);
-  await control(one);
   await ready(one);
   await keep(one, 'short.toml', SHORT);
-  await points('short.toml');
+  await openJob(one, 'short.toml', 'Open');
+  await one.getByRole('button', { name: 'Points', exact: true }).click();
   const first = cellOf('theta °', 1);
   await first.fill('5');
   await one.keyboard.press('Tab');
@@ -84,8 +74,7 @@ test('a job of somebody else is replaced only when that is said; a copy gets a n
   await kept();
   assert.match(await text('short.toml'), /57/);
   await keep(one, 'saddle-1.toml', SHORT);
-  await one.getByRole('button', { name: '← Jobs' }).click();
-  await row('saddle.toml').getByRole('button', { name: 'New from template' }).click();
+  await openJob(one, 'saddle.toml');
   await one.getByRole('button', { name: 'Save as' }).click();
   const name = dialog.getByRole('textbox');
   assert.equal(await name.inputValue(), 'saddle-2');
@@ -109,14 +98,12 @@ test('a procedure that was changed is asked about, one that cannot be is refused
   await form.getByRole('button', { name: /^▸ Procedure/ }).click();
   assert.equal(await speed.inputValue(), '9', 'another page has not lost it');
   await form.getByRole('button', { name: 'Save procedure' }).click();
-  await one.waitForFunction(async () => /9/.test((await (await fetch('/api/jobs/saddle-135-saddle.toml')).json()).text.match(/speed_mm_s.*/)?.[0] ?? ''));
+  while (!/speed_mm_s.*9/.test(await text('saddle-135-saddle.toml'))) await sleep(100);
   await speed.fill('-9');
   await form.getByRole('button', { name: 'Save procedure' }).click();
   await form.locator('.note.fault', { hasText: 'saddle-135-saddle.toml' }).waitFor();
   assert.doesNotMatch(await text('saddle-135-saddle.toml'), /-9/);
-  await one.getByRole('button', { name: '← Jobs' }).click();
-  await one.getByRole('button', { name: 'Discard changes' }).click();
-  await row('saddle.toml').getByRole('button', { name: 'New from template' }).click();
+  await openJob(one, 'saddle.toml');
   await form.getByRole('button', { name: /^▸ Procedure/ }).click();
   await form.getByRole('button', { name: 'Make a copy' }).click();
   await form.getByRole('button', { name: 'Save procedure' }).waitFor();
@@ -139,10 +126,7 @@ test('the page is not left without a question while something is not saved', asy
 });
 
 test('points recorded by hand come back after Clear and over a reload, and belong to their machine', async () => {
-  await tab(one, 'Jog · Teach');
-  await commands(one);
-  await one.getByRole('button', { name: 'Start jogging' }).click();
-  await mode(one, 'jog');
+  await startJogging(one);
   const points = one.getByRole('button', { name: /^Remove point/ });
   for (let i = 0; i < 3; i += 1) await record(one);
   assert.equal(await points.count(), 3);

@@ -1,7 +1,7 @@
 // A job for another machine brings that machine: names, keys and picture are its own at once, on every page.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
+import { bench, commands, get, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
 import { page } from './browser.mjs';
 
 const { one, cell, browser } = await bench();
@@ -9,8 +9,6 @@ const { one, cell, browser } = await bench();
 const names = (of) => of.locator('aside dl dt').allTextContents();
 
 test('a job for another machine: both pages have its axes, keys and process', async () => {
-  await open(one, cell.address);
-  await control(one);
   const two = await page(browser);
   await open(two, cell.address);
   const before = (await names(one)).join(' ');
@@ -18,7 +16,7 @@ test('a job for another machine: both pages have its axes, keys and process', as
     await load(one, job);
     for (const of of [one, two]) await of.getByText(off).first().waitFor({ timeout: 20_000 });
     await tab(one, 'Jog · Teach');
-    const axes = await one.evaluate(async () => (await (await fetch('/api/machine')).json()).axes.map((axis) => axis.name));
+    const axes = (await get(one, '/api/machine')).axes.map((axis) => axis.name);
     for (const of of [one, two]) {
       const shown = (await names(of)).join(' ');
       for (const name of axes) assert.match(shown, new RegExp(`\\b${name}\\b`), `${job}: ${shown}`);

@@ -1,11 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe, bench, open, quiet, sleep } from './operator.mjs';
+import { axe, bench, get, open, quiet, sleep } from './operator.mjs';
 
 // A machine with a beam.
 const { one, cell, browser } = await bench({ job: 'half-ring' });
-await open(one, cell.address);
 
 const state = () => one.evaluate(() => document.querySelector('[data-mode]').dataset.mode);
 
@@ -32,7 +31,7 @@ test('the operator chooses what is drawn: it stays chosen, has units, and a valu
   assert.ok((await titles()).includes('Path speed mm/s'));
   const choose = one.getByRole('button', { name: 'Choose plots' });
   await choose.click();
-  const machine = await one.evaluate(async () => (await fetch('/api/machine')).json());
+  const machine = await get(one, '/api/machine');
   const linear = machine.axes.find((axis) => axis.unit === 'mm').name;
   const rotary = machine.axes.find((axis) => axis.unit === 'deg').name;
   await one.getByRole('checkbox', { name: `${linear}: Position` }).check();

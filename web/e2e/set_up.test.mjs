@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { page as blank } from './browser.mjs';
-import { axe, axis, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, shot, sleep, tab } from './operator.mjs';
+import { axe, axis, bench, commands, keep, load, mode, open, press, quiet, ready, SHORT, sleep, startJogging, tab } from './operator.mjs';
 
 const { one, cell, browser } = await bench();
 
@@ -29,16 +29,12 @@ async function hold(name, key, by) {
 }
 
 test('a tool is found by touching one point, looked at, kept, and in force with the next loading', async () => {
-  await open(one, cell.address);
-  await control(one);
   await keep(one, 'short.toml', SHORT);
   await load(one, 'short.toml');
   await tab(one, 'Weld');
   await commands(one);
   await ready(one);
-  await tab(one, 'Jog · Teach');
-  await one.getByRole('button', { name: 'Start jogging' }).click();
-  await mode(one, 'jog');
+  await startJogging(one);
   // The torch is only swung: the point that stays is the axis of the swing, 100 mm above the tip.
   for (let i = 0; i < 4; i += 1) {
     await tab(one, 'Set-up');
@@ -51,7 +47,6 @@ test('a tool is found by touching one point, looked at, kept, and in force with 
   await answer.getByText(/more than 20 mm/).waitFor();
   await answer.getByText(/Not determined along/).waitFor();
   assert.match(await answer.textContent(), /Z 100\.0/);
-  await shot(one, 'set-up-tool');
   await one.getByRole('button', { name: 'Save this TCP' }).click();
   await one.getByText(/Saved in machines\/saddle-4axis.toml/).waitFor();
   assert.match(file(), /tip_mm = \[.*, .*, (100|99\.99|100\.00)/);
@@ -71,7 +66,6 @@ test('one axis goes home alone', async () => {
   assert.ok(Math.abs(await axis(one, 'beta')) > 20);
   await tab(one, 'Set-up');
   await page('Machine');
-  await shot(one, 'set-up-machine');
   await one.getByRole('button', { name: 'Home axis beta' }).click();
   await mode(one, 'homing');
   await mode(one, 'ready');
@@ -92,7 +86,6 @@ test('a drive is set as the loader allows, and in force with the next loading', 
   one.wrong = one.wrong.filter((text) => !text.includes('422'));
   await gain.fill('25');
   await one.getByLabel(/Max. speed/).fill('40');
-  await shot(one, 'set-up-drives');
   await one.getByRole('button', { name: 'Save', exact: true }).click();
   await one.getByText(/Saved in machines/).waitFor();
   assert.match(file(), /kp_per_s = 25/);
@@ -136,7 +129,6 @@ test('a camera is found from a picture of a grid, what is no grid is refused wit
     return { net, off };
   });
   assert.ok(marks.net > 5000 && marks.off > 200, JSON.stringify(marks));
-  await shot(one, 'set-up-sensor');
   await one.getByRole('button', { name: 'Save this map' }).click();
   await one.getByText(/Saved in machines/).waitFor();
   assert.match(file(), /z_mm = 20\.0 +# towards the camera.*\nmm_per_px = \[0\.0(8|9)\d{3,}, /);
@@ -147,7 +139,6 @@ test('a camera is found from a picture of a grid, what is no grid is refused wit
   await one.getByRole('alert').filter({ hasText: 'angle_deg' }).waitFor();
   one.wrong = one.wrong.filter((text) => !text.includes('422'));
   await angle.fill('26');
-  await shot(one, 'set-up-stripe');
   await one.getByRole('button', { name: 'Save', exact: true }).click();
   await one.getByText(/Saved in machines/).waitFor();
   assert.match(file(), /angle_deg = 26/);
@@ -157,9 +148,7 @@ test('an alarm is acknowledged by itself, and one that only tells is put aside',
   await tab(one, 'Weld');
   await commands(one);
   await ready(one);
-  await tab(one, 'Jog · Teach');
-  await one.getByRole('button', { name: 'Start jogging' }).click();
-  await mode(one, 'jog');
+  await startJogging(one);
   await one.getByRole('button', { name: 'theta +', exact: true }).hover();
   await one.mouse.down();
   await sleep(400);
@@ -171,16 +160,15 @@ test('an alarm is acknowledged by itself, and one that only tells is put aside',
   await tab(one, 'Weld');
   await one.getByText('panel silent').first().waitFor();
   await commands(one);
-  await shot(one, 'alarms');
   await one.getByRole('button', { name: /^Shelve/ }).first().click();
-  await shot(one, 'alarms-shelve');
   await axe(one, 'shelving');
   await one.locator('dialog[open]').getByRole('button', { name: '30 min' }).click();
   await one.getByText(/Shelved: \d/).waitFor();
   await one.getByText('No alarms').first().waitFor();
-  await shot(one, 'alarms-shelved');
   await one.getByRole('button', { name: 'Take back' }).click();
   const known = one.getByRole('button', { name: /Acknowledge this alarm: .*panel silent/ });
+  await known.waitFor();
+  await commands(one);
   await known.click();
   await known.waitFor({ state: 'hidden' });
   quiet(one);
@@ -194,7 +182,6 @@ test('the audit log says that there is more, shows it, is searched whole, and wh
   await one.getByText('Newest 200 entries; older ones exist.').waitFor();
   assert.equal(await rows.count(), 200);
   assert.equal(await rows.getByText('needle.toml').count(), 0);
-  await shot(one, 'set-up-audit');
   await keep(one, 'newest.toml', SHORT);
   await rows.first().getByText('save job newest.toml').waitFor({ timeout: 10_000 });
   await one.getByRole('button', { name: 'Show older ones' }).click();
@@ -227,7 +214,6 @@ test('on a phone the pages of the set-up are one choice before their content', a
     await sleep(300);
     assert.ok(await two.evaluate(() => document.documentElement.scrollWidth <= innerWidth), name);
     await axe(two, `${name} on a phone`);
-    await shot(two, `set-up-phone-${name.replaceAll(' ', '-')}`);
   }
   quiet(two);
   await two.context().close();

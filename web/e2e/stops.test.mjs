@@ -1,7 +1,7 @@
 // Stopping from wherever one is, and going on with nothing but the weld that was left.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bench, burns, commands, control, keep, load, mode, open, press, ready, SHORT, weld } from './operator.mjs';
+import { ask, bench, burns, commands, keep, load, loadFromThere, mode, press, ready, SHORT, weld } from './operator.mjs';
 
 const { one, cell } = await bench();
 const LONG = SHORT.replace('"Short"', '"Long"').replaceAll(', 6]', ', 1.5]');
@@ -9,8 +9,6 @@ const dialog = () => one.locator('dialog[open]');
 const continues = () => one.getByRole('button', { name: /Continue pass 1/ });
 
 test('Hold and STOP are heard after the override was moved by the mouse', async () => {
-  await open(one, cell.address);
-  await control(one);
   await ready(one);
   await keep(one, 'short.toml', LONG);
   await load(one, 'short.toml', 'N-1');
@@ -59,9 +57,7 @@ test('going on is offered for the weld that was left alone, and its crater is as
   await load(one, 'short.toml', 'N-1');
   await commands(one);
   await continues().click();
-  await dialog().getByRole('checkbox').check();
-  await dialog().getByRole('button', { name: 'Load from there' }).click();
-  await dialog().waitFor({ state: 'hidden', timeout: 60_000 });
+  await loadFromThere(one);
   await one.locator('.note', { hasText: 'Restarts in pass 1' }).waitFor();
   await one.locator('.strip', { hasText: 'Part N-1' }).waitFor();
 });
@@ -76,10 +72,7 @@ test('whoever is thrown out in a run still has STOP, and is told why', async () 
   await dialog().getByText(/continues without you/).waitFor();
   await dialog().getByRole('button', { name: 'Cancel' }).click();
   // The session ends on the server, as when an administrator changes the user.
-  await one.evaluate(async () => {
-    const session = await (await fetch('/api/session')).json();
-    await fetch('/api/logout', { method: 'POST', headers: { 'content-type': 'application/json', 'x-seamwright': session.token }, body: '{}' });
-  });
+  await ask(one, 'POST', '/api/logout', {});
   await one.getByText(/The session has ended/).waitFor();
   await one.keyboard.press('Escape');
   // As soon as it is seen to stand.

@@ -1,20 +1,12 @@
 import assert from 'node:assert/strict';
-import { after, test } from 'node:test';
-import { axis, bench, control, keep, load, mode, open, quiet, ready, shot, sleep, tab } from './operator.mjs';
+import { test } from 'node:test';
+import { axis, bench, commands, jobText, keep, load, mode, quiet, ready, sleep, startJogging, tab } from './operator.mjs';
 
-after(() => shot(one, 'teach-last'));
-const { one, cell } = await bench({ job: 'half-ring', scenes: true });
-await open(one, cell.address);
-await control(one);
+const { one } = await bench({ job: 'half-ring', scenes: true });
 
 const phase = (...wanted) =>
   one.waitForFunction((list) => list.includes(document.querySelector('[data-teach]')?.dataset.teach), wanted, { timeout: 120_000 });
 const button = (name) => one.getByRole('button', { name });
-
-/** A page that drew a second by software has lost control. */
-async function commands() {
-  if (await button('Take control').isVisible()) await control(one);
-}
 
 /** Touches the joint in the picture. */
 async function touch() {
@@ -45,7 +37,7 @@ async function touch() {
 async function goesOn() {
   for (;;) {
     await phase('runs', 'paused', 'asks', 'ended');
-    await commands();
+    await commands(one);
     const asked = (await one.locator('[data-teach]').getAttribute('data-teach')) === 'asks';
     if (asked) {
       await touch();
@@ -67,13 +59,13 @@ async function allInSight() {
 
 test('a seam is taught by eye, from its start in 3D to a saved job', async () => {
   // 80 mm of the half ring.
-  const text = await one.evaluate(async () => (await (await fetch('/api/jobs/half-ring.toml')).json()).text);
+  const text = await jobText(one, 'half-ring.toml');
   await keep(one, 'ring.toml', text.replace('end_phi_deg = 210', 'end_phi_deg = 60').split('[cosmetic]')[0]);
   await load(one, 'ring.toml');
-  await commands();
+  await commands(one);
   await ready(one);
   await tab(one, 'Jog · Teach');
-  await commands();
+  await commands(one);
   await button('By camera').click();
   await button('Start camera').click();
   await mode(one, 'teach');
@@ -84,7 +76,7 @@ test('a seam is taught by eye, from its start in 3D to a saved job', async () =>
   await button('Joint is at the point picked in 3D').waitFor();
   // Anywhere on the pass would do; the test wants all of it.
   await one.locator('.below .card').getByRole('button', { name: 'Close' }).click();
-  await commands();
+  await commands(one);
   await button('Joint starts at the start of the program').click();
   for (let i = 0; i < 240 && (await one.locator('.rows tbody tr').count()) < 3; i += 1) {
     await goesOn();
@@ -92,7 +84,6 @@ test('a seam is taught by eye, from its start in 3D to a saved job', async () =>
   }
   await one.locator('.rows tbody tr').nth(2).waitFor();
   await one.locator('.camera img').waitFor();
-  await shot(one, 'teach-runs');
   if (await button('Pause').isVisible()) {
     await button('Pause').click();
     await phase('paused', 'ended');
@@ -112,10 +103,8 @@ test('a seam is taught by eye, from its start in 3D to a saved job', async () =>
   await one.getByRole('textbox', { name: 'Name' }).fill('taught-ring');
   await button('Save as program').click();
   await one.getByText('Saved: taught-ring.toml').waitFor();
-  await shot(one, 'teach-ended');
   await button('Open').last().click();
   await one.locator('.right .page').getByText(/Can be welded/).waitFor({ timeout: 120_000 });
-  await shot(one, 'teach-opened');
   quiet(one);
 });
 
@@ -137,10 +126,7 @@ async function pick() {
 }
 
 test('a step jog goes so far and stands, though the key is held', async () => {
-  await tab(one, 'Jog · Teach');
-  await commands();
-  if (await button('Start jogging').isVisible()) await button('Start jogging').click();
-  await mode(one, 'jog', 'teach');
+  await startJogging(one);
   await one.getByRole('group', { name: 'Step' }).getByRole('button', { name: '1 mm, °', exact: true }).click();
   const begun = await axis(one, 'x');
   await button('x +').hover();

@@ -1,9 +1,9 @@
 // A simulated part that lies elsewhere than planned: tracked on the screen and in the record.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bench, burns, commands, control, keep, mode, open, quiet, ready, shot, sleep, tab, weld } from './operator.mjs';
+import { bench, burns, commands, get, jobText, keep, mode, quiet, ready, sleep, tab, weld } from './operator.mjs';
 
-const { one, cell } = await bench();
+const { one } = await bench();
 
 /** Up to which part of the pass the first chart of *Tracking* has a line. */
 const farthest = () =>
@@ -18,15 +18,13 @@ const farthest = () =>
 
 /** Thirty degrees of the example saddle. */
 const short = async () => {
-  const job = await one.evaluate(async () => (await (await fetch('/api/jobs/saddle.toml')).json()).text);
+  const job = await jobText(one, 'saddle.toml');
   const text = job.replace('overlap_mm = 20', 'end_phi_deg = 30');
   assert.notEqual(text, job);
   return text;
 };
 
 test('a part out of its place is found by the sensor, and the record says by how much', async () => {
-  await open(one, cell.address);
-  await control(one);
   await keep(one, 'tracked.toml', await short());
   await tab(one, 'Jobs');
   await one.locator('li.card', { hasText: 'tracked.toml' }).first().getByRole('button', { name: 'Load' }).click();
@@ -41,23 +39,19 @@ test('a part out of its place is found by the sensor, and the record says by how
   await burns(one, true);
   await one.locator('.tracking').getByText('Joint found').waitFor({ timeout: 30_000 });
   await one.locator('.tracking .uplot').nth(1).waitFor();
-  await shot(one, 'track');
   await mode(one, 'ready');
   await tab(one, 'Records');
   await one.locator('tr', { hasText: 'T-1' }).getByText('good').waitFor({ timeout: 30_000 });
-  const most = await one.evaluate(async () => {
-    const [record] = await (await fetch('/api/records?part=T-1')).json();
-    const trace = await (await fetch(`/api/records/${record.id}/trace?columns=arc,correction_lateral_mm,correction_height_mm&most=500`)).json();
-    const [arc, lateral, height] = trace.values;
-    return Math.max(...arc.map((on, i) => (on > 0.5 ? Math.hypot(lateral[i] ?? 0, height[i] ?? 0) : 0)));
-  });
+  const [record] = await get(one, '/api/records?part=T-1');
+  const trace = await get(one, `/api/records/${record.id}/trace?columns=arc,correction_lateral_mm,correction_height_mm&most=500`);
+  const [arc, lateral, height] = trace.values;
+  const most = Math.max(...arc.map((on, i) => (on > 0.5 ? Math.hypot(lateral[i] ?? 0, height[i] ?? 0) : 0)));
   assert.ok(most > 0.5 && most < 4, `${most} mm`);
   // Its plots begin with what was seen of the joint.
   await one.locator('tr', { hasText: 'T-1' }).getByRole('button').click();
   await one.locator('.charts .uplot').nth(3).waitFor();
   const captions = await one.locator('.charts figcaption').allTextContents();
   assert.deepEqual(captions.slice(0, 4).map((text) => text.replace(/ mm .*/, '').trim()), ['Seam deviation, lateral', 'Seam deviation, height', 'Correction, lateral', 'Correction, height']);
-  await shot(one, 'track-record');
   // The next weld of the same program begins with an empty window: what the last one was like is not drawn ahead of it.
   await tab(one, 'Weld');
   await commands(one);
@@ -71,7 +65,6 @@ test('a part out of its place is found by the sensor, and the record says by how
   await sleep(1500);
   const reached = await farthest();
   assert.ok(reached > 0 && reached < 0.8 * before, `drawn up to ${reached} of the chart`);
-  await shot(one, 'track-again');
   await mode(one, 'ready');
   quiet(one);
 });

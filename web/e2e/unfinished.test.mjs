@@ -1,16 +1,12 @@
 // Parts that were left in the middle, which the cell remembers by job and part.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ask, bench, commands, control, keep, mode, open, press, ready, SHORT, sleep, weld } from './operator.mjs';
+import { bench, commands, keep, loadFor, loadFromThere, mode, press, ready, SHORT, sleep, weld } from './operator.mjs';
 
-const { one, cell } = await bench();
+const { one } = await bench();
 
 /** Two passes; the second one is welded for longer. */
 const [HEAD, PASS] = SHORT.split(/(?=\[\[passes\]\])/);
-const load = async (job, part, from = null) => {
-  const { status } = await ask(one, 'POST', '/api/load', { job, part, from });
-  assert.equal(status, 200);
-};
 const passes = () => one.locator('.passes li button');
 const ticks = async () => (await passes().allTextContents()).map((text) => text.includes('✓'));
 const continues = (pass) => one.getByRole('button', { name: new RegExp(`^Continue pass ${pass}`) });
@@ -26,19 +22,17 @@ async function leaveIn(pass) {
 }
 
 test('a part that was left keeps its finished passes and its newest place, whatever is welded in between', async () => {
-  await open(one, cell.address);
-  await control(one);
   await ready(one);
   const [first, second] = [PASS, PASS.replace('"short"', '"cap"').replaceAll(', 6]', ', 1]')];
   await keep(one, 'two.toml', HEAD + first + second);
-  await load('two.toml', 'N1-001');
+  await loadFor(one, 'two.toml', 'N1-001');
   await leaveIn(2);
   await continues(2).waitFor();
   assert.deepEqual(await ticks(), [true, false]);
-  await load('first-weld.toml', 'G-1');
+  await loadFor(one, 'first-weld.toml', 'G-1');
   await one.getByText(/part N1-001\) is unfinished: pass 2/).waitFor();
   assert.equal(await continues(2).count(), 0);
-  await load('two.toml', 'N1-001');
+  await loadFor(one, 'two.toml', 'N1-001');
   await continues(2).waitFor();
   assert.deepEqual(await ticks(), [true, false]);
 });
@@ -47,18 +41,13 @@ test('going on with the overlap that is offered is not asked about', async () =>
   const dialog = one.locator('dialog[open]');
   await commands(one);
   await continues(2).click();
-  await dialog.getByRole('checkbox').check();
-  await dialog.getByRole('button', { name: 'Load from there' }).click();
-  await dialog.waitFor({ state: 'hidden' });
-  await press(one, /^Arm/);
-  await one.locator('.strip', { hasText: 'Armed' }).waitFor();
-  await press(one, /Start weld/);
-  await mode(one, 'weld');
+  await loadFromThere(one);
+  await weld(one);
   await sleep(1000);
   await one.keyboard.press('F1');
   await mode(one, 'ready');
   // The same place once more, with less than was welded over: it is asked about.
-  await load('two.toml', 'N1-001', [2, 0]);
+  await loadFor(one, 'two.toml', 'N1-001', [2, 0]);
   await press(one, /^Arm/);
   await press(one, /Start weld/);
   await dialog.getByText(/N1-001/).waitFor();

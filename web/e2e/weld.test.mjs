@@ -1,9 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { page } from './browser.mjs';
-import { axe, bench, burns, control, home, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+import { axe, bench, burns, commands, control, home, keep, load, loadFromThere, mode, open, press, quiet, SHORT, sleep, tab, weld } from './operator.mjs';
 
-const { one, cell, browser } = await bench({ toured: false, scenes: true, job: null });
+const { one, cell } = await bench({ toured: false, scenes: true, job: null, opens: false });
 
 /** What the issue of the tour is: from its first step to the record. */
 const WITHIN_S = 120;
@@ -62,8 +61,7 @@ test('the first run, led by the tour: from the printed address to a finished wel
 });
 
 test('hold and resume: the arc is off in the hold, and only arming brings it back', async () => {
-  // A page that drew a second by software has lost its heartbeat, and control with it.
-  if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
+  await commands(one);
   await keep(one, 'short.toml', SHORT);
   await load(one, 'short.toml', 'N-18');
   await weld(one);
@@ -89,12 +87,9 @@ test('STOP in the weld, from the keyboard; then going on where it was left, with
   await burns(one, false);
   await one.getByRole('button', { name: /Continue pass 1/ }).click();
   const dialog = one.locator('dialog[open]');
-  const go = dialog.getByRole('button', { name: 'Load from there' });
-  assert.ok(await go.isDisabled(), 'the crater has not been looked at');
+  assert.ok(await dialog.getByRole('button', { name: 'Load from there' }).isDisabled(), 'the crater has not been looked at');
   await axe(one, 'going on');
-  await dialog.getByRole('checkbox').check();
-  await go.click();
-  await dialog.waitFor({ state: 'hidden', timeout: 60_000 });
+  await loadFromThere(one);
   await sleep(1000);
   await mode(one, 'ready');
   await burns(one, false);
@@ -102,7 +97,7 @@ test('STOP in the weld, from the keyboard; then going on where it was left, with
 });
 
 test('STOP is pressed in its corner while a dialog is open', async () => {
-  if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
+  await commands(one);
   await load(one, 'short.toml');
   await press(one, /^Dry run/);
   await mode(one, 'dry_run');

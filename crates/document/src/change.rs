@@ -1,6 +1,6 @@
 //! Changes of single entries of a text. Everything else stays byte by byte: comments, order, layout, ends of lines.
 
-use crate::entries::parsed;
+use crate::entries::TomlText;
 use crate::error::DocumentError;
 use crate::key_path::{Step, path_of, steps, written_key};
 use schemars::JsonSchema;
@@ -61,21 +61,21 @@ impl Change {
     }
 }
 
-/// Makes changes one after the other in `text`, called `file` in errors.
-///
-/// # Errors
-/// A text with wrong syntax, a path that is not there, or a change that its place does not allow.
-pub fn changed(file: &str, text: &str, changes: &[Change]) -> Result<String, DocumentError> {
-    changes.iter().try_fold(text.to_owned(), |text, change| {
-        let document = parsed(file, &text)?;
-        let refused = |code| DocumentError::at_key(file, change.path(), Message::new(code));
-        let steps = steps(change.path()).ok_or_else(|| refused("document-no-such-entry"))?;
-        let source = Source { text: &text, root: document.as_table() };
-        let made = source.change(change, &steps).map_err(|Refusal(code)| refused(code))?;
-        // Proves that the result is still TOML.
-        parsed(file, &made)?;
-        Ok(made)
-    })
+impl TomlText {
+    /// Makes changes one after the other; `file` is the name in errors.
+    ///
+    /// # Errors
+    /// A path that is not there, or a change that its place does not allow.
+    pub fn changed(self, file: &str, changes: &[Change]) -> Result<Self, DocumentError> {
+        changes.iter().try_fold(self, |text, change| {
+            let refused = |code| DocumentError::at_key(file, change.path(), Message::new(code));
+            let steps = steps(change.path()).ok_or_else(|| refused("document-no-such-entry"))?;
+            let source = Source { text: &text.text, root: &text.root };
+            let made = source.change(change, &steps).map_err(|Refusal(code)| refused(code))?;
+            // Proves that the result is still TOML.
+            Self::parse(file, &made)
+        })
+    }
 }
 
 /// Code of the reason why a change is not made.

@@ -47,20 +47,35 @@ pub enum EntryValue {
     Table(Vec<Entry>),
 }
 
-/// Reads `text`, called `file` in errors, as TOML of any format.
-///
-/// # Errors
-/// Wrong syntax, with its line.
-pub fn entries(file: &str, text: &str) -> Result<Vec<TableEntries>, DocumentError> {
-    let document = parsed(file, text)?;
-    let mut reader = Reader { text, lines: line_starts(text), found: Vec::new() };
-    reader.table(document.as_table(), "", 0);
-    reader.found.sort_by_key(|(at, _)| *at);
-    Ok(reader.found.into_iter().map(|(_, table)| table).collect())
+/// A text in TOML of any format, parsed once to be read and changed.
+#[derive(Debug, Clone)]
+pub struct TomlText {
+    pub(crate) text: String,
+    pub(crate) root: Table,
 }
 
-pub(crate) fn parsed<'t>(file: &str, text: &'t str) -> Result<Document<&'t str>, DocumentError> {
-    Document::parse(text).map_err(|e: TomlError| explain(file, text, e.span(), e.message()))
+impl TomlText {
+    /// Parses `text`, called `file` in errors.
+    ///
+    /// # Errors
+    /// Wrong syntax, with its line.
+    pub fn parse(file: &str, text: &str) -> Result<Self, DocumentError> {
+        let document = Document::parse(text).map_err(|e: TomlError| explain(file, text, e.span(), e.message()))?;
+        Ok(Self { text: text.to_owned(), root: document.into_table() })
+    }
+
+    /// The text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Returns its tables with their entries, in the order of the text.
+    pub fn entries(&self) -> Vec<TableEntries> {
+        let mut reader = Reader { text: &self.text, lines: line_starts(&self.text), found: Vec::new() };
+        reader.table(&self.root, "", 0);
+        reader.found.sort_by_key(|(at, _)| *at);
+        reader.found.into_iter().map(|(_, table)| table).collect()
+    }
 }
 
 /// The header of a table; none for those that only others' keys mention.
@@ -149,7 +164,7 @@ mod tests {
     fn tables_values_lines_and_comments_are_found() {
         let text = "a = 1 # one\n[t.u]\nb = \"x\\\"y\"\n[[p]]\nc = [1,\n 2] # two\n[[p.s]]\nd = true\n[[p]]\nf.g = 3\n[[p.s]]\n\
                     e = { f = -1.5e2 }\n";
-        let tables = entries("x.toml", text).unwrap();
+        let tables = TomlText::parse("x.toml", text).unwrap().entries();
         let rows: Vec<_> = tables
             .iter()
             .flat_map(|table| table.entries.iter().map(|e| (e.path.as_str(), e.line, e.comment.as_str())))
@@ -170,7 +185,7 @@ mod tests {
 
     #[test]
     fn wrong_syntax_has_its_line() {
-        let error = entries("x.toml", "a = 1\nb = [1, \n").unwrap_err();
+        let error = TomlText::parse("x.toml", "a = 1\nb = [1, \n").unwrap_err();
         assert!(error.line >= 2 && !error.message.is_empty(), "{error}");
     }
 }

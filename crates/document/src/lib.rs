@@ -9,8 +9,8 @@
 //! exact, and describe themselves in the JSON Schema. Then every number is checked against the bound of its key's unit
 //! ([`BOUNDS`]): a new key of a format is bounded without further code.
 //!
-//! [`entries`] reads a text of any format for a form, and [`changed`] changes single entries of it; everything else of
-//! the text stays byte by byte.
+//! [`TomlText`] reads a text of any format for a form, and changes single entries of it; everything else of the text stays
+//! byte by byte.
 //!
 //! # Examples
 //!
@@ -49,9 +49,9 @@ mod number;
 mod vector;
 
 pub use bounds::{BOUNDS, Bound};
-pub use change::{Change, changed};
+pub use change::Change;
 pub use document::{Document, closest, fault_in_serde, in_serde, serde_text};
-pub use entries::{Entry, EntryValue, TableEntries, entries};
+pub use entries::{Entry, EntryValue, TableEntries, TomlText};
 pub use error::DocumentError;
 /// Names of columns in tables and traces, which no axis and no process value may have.
 pub const RESERVED_COLUMNS: [&str; 11] = [

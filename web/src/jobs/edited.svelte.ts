@@ -1,7 +1,15 @@
 import { api, Refusal } from '../live/api';
 import { session } from '../live/session.svelte';
+<<<<<<< ours
 import type { FormView, PlanAnswer, SectionView, WorkView } from '../wire';
 import { refusalText } from '../panel/refusal';
+||||||| base
+import type { FormView, PlanAnswer, SectionView, WorkView } from '../wire';
+import { refusalText } from '../parts/refusal';
+=======
+import type { FormView, PlanAnswer, SectionView, WorkView, WrongView } from '../wire';
+import { refusalText } from '../parts/refusal';
+>>>>>>> theirs
 import { Sheet } from './sheet.svelte';
 
 const PLAN_AFTER_MS = 500;
@@ -11,8 +19,8 @@ const STEPS = 500;
 /** Forms of longer texts are read again when they are undone. */
 const LONG_CHARS = 100_000;
 
-/** A text to go back to, with its form if that is at hand. */
-type Step = { text: string; form: FormView | null };
+/** A text to go back to, with its form and what is wrong with it if that is at hand. */
+type Step = { text: string; form: FormView | null; wrong: WrongView | null };
 
 /** The job that is being changed: its text, how it was before, and what the cell makes of it. */
 class Edited extends Sheet {
@@ -149,12 +157,12 @@ class Edited extends Sheet {
   }
 
   private step(): Step {
-    return { text: this.text, form: this.text.length < LONG_CHARS ? this.read : null };
+    return { text: this.text, form: this.text.length < LONG_CHARS ? this.read : null, wrong: this.wrong };
   }
 
-  private to({ text, form }: Step): void {
+  private to({ text, form, wrong }: Step): void {
     super.change(text, '');
-    if (form) this.take({ text, form, wrong: null });
+    if (form) this.take({ text, form, wrong });
     this.group = '';
     this.planSoon();
   }

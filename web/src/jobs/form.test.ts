@@ -1,11 +1,10 @@
 import { render } from 'svelte/server';
-import { expect, test, vi } from 'vitest';
+import { expect, test } from 'vitest';
+import { words } from '../words/index.svelte';
 import type { FormEntry, FormView } from '../wire';
+import EntryFields from './EntryFields.svelte';
 import { textAt, values, withChanges } from './form';
 import { added, beside, solidsOf } from './solids';
-
-vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
-vi.stubGlobal('navigator', { languages: ['en'] });
 
 const entry = (path: string, value: FormEntry['value'], more: Partial<FormEntry> = {}): FormEntry => ({
   key: path.split('.').at(-1) ?? '', path, value, line: 1, comment: '', help: '', choices: [], range: null, ...more,
@@ -27,16 +26,14 @@ const FIXTURES = form({
 });
 
 test('a key that the panel has never heard of has a field, with its unit, its range and its meaning', async () => {
-  await import('../words/index.svelte').then(({ words }) => words.choose('en'));
-  const { default: EntryFields } = await import('./EntryFields.svelte');
+  await words.choose('en');
   const ripple = entry('ripple.ripple_mm', { kind: 'number', number: 0.25 }, { help: 'Height of the ripples, mm.', range: { min: 0, open: true, max: 1e6 } });
   const shape = entry('ripple.form', { kind: 'text', text: 'sharp' }, { choices: ['round', 'sharp'] });
   const { body } = render(EntryFields, { props: { entries: [ripple, shape], edit: () => undefined } });
   expect(body).toMatch(/<input[^>]*aria-label="ripple \[mm\]"[^>]*value="0.25"/);
   expect(body).toContain('title="ripple_mm (> 0, ≤ 1000000): Height of the ripples, mm."');
   expect([...body.matchAll(/<option value="(\w+)"/g)].map((of) => of[1])).toEqual(['round', 'sharp']);
-  // Loading all words takes a while on a busy computer.
-}, 60_000);
+});
 
 test('what is set stands in the form at once, and nothing else of it is another', () => {
   const now = withChanges(FIXTURES, [{ op: 'set', path: 'fixtures[0].at.move_mm[2]', value: 5 }, { op: 'set', path: 'machine', value: 'n' }, { op: 'remove', path: 'fixtures[1]' }]);

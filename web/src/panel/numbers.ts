@@ -17,6 +17,12 @@ export function number(value: number | null | undefined, digits: number): string
   return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '\u2212');
 }
 
+/** The number that a hand has written, with a point or a comma; null if it is none. */
+export function written(text: string): number | null {
+  const value = Number(text.replace(',', '.'));
+  return text.trim() !== '' && Number.isFinite(value) ? value : null;
+}
+
 /** A limit, with all the digits that it has. */
 export function limit(value: number): string {
   return String(Number(value.toFixed(6))).replace('-', '\u2212');

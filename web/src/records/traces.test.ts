@@ -1,4 +1,6 @@
-import { expect, test, vi } from 'vitest';
+import { expect, test } from 'vitest';
+import { words } from '../words/index.svelte';
+import { caption } from './captions';
 import { merged, nearest, preferred, rowAt } from './traces';
 
 test('two traces over one path length, each with its own places', () => {
@@ -42,9 +44,6 @@ test('a place has the value of its row, or the nearest one that the trace has', 
 });
 
 test('columns of traces have words and units', async () => {
-  vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
-  const { words } = await import('../words/index.svelte');
-  const { caption } = await import('./captions');
   await words.choose('en');
   expect(caption('speed_set_mm_s', 'mm/s')).toBe('Path speed Set mm/s');
   expect(caption('theta_following_error_deg', 'deg')).toBe('theta: Following error °');

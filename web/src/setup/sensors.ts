@@ -1,3 +1,4 @@
+import { written } from '../parts/numbers';
 import type { HeightView } from '../wire';
 
 /** Residuals of dots are drawn so much longer. */
@@ -29,7 +30,7 @@ const KEYS: Record<string, { word: string; unit: string }> = {
 /** Numbers as they are typed, apart by spaces; null if one is none. */
 export function numbersOf(text: string): number[] | null {
   const parts = text.trim().split(/[\s;]+/).filter((part) => part !== '');
-  const numbers = parts.map((part) => Number(part.replace(',', '.')));
+  const numbers = parts.map((part) => written(part) ?? NaN);
   return numbers.every(Number.isFinite) ? numbers : null;
 }
 

@@ -1,4 +1,5 @@
 import { FluentBundle, FluentNumber, FluentResource, type FluentVariable } from '@fluent/bundle';
+import FIRST from './first.json';
 import type { ArgumentView, MessageView, QuantityView } from '../wire';
 
 /** Languages by their codes, each called by its own name. */
@@ -10,8 +11,6 @@ export type Tongue = Language | 'pseudo';
 
 /** Catalogues of the repository that the panel uses, by path. */
 const FILES = import.meta.glob<string>(['../../../messages/*/*.ftl', '!../../../messages/*/cli.ftl', '!../../../messages/*/report.ftl'], { query: '?raw', import: 'default' });
-/** Areas that every page needs at once. */
-const FIRST = ['panel', 'words', 'units', 'keys', 'alarms'];
 
 /** Loads the catalogues of a language: those that every page needs, or all others. */
 export async function load(language: Language, part: 'first' | 'rest'): Promise<string[]> {

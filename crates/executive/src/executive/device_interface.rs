@@ -26,6 +26,16 @@ pub struct Orders {
     pub watchdog: bool,
 }
 
+impl Orders {
+    /// Returns true if all set-points are at rest.
+    pub fn rests(&self) -> bool {
+        /// Speed below which an axis is at rest, mm/s or rad/s. Corrected set-points come from an iteration, so that
+        /// their differences are not exactly 0.
+        const AT_REST: f64 = 1e-6;
+        self.set.iter().all(|set| set.velocity.abs() < AT_REST)
+    }
+}
+
 /// Orders to the process source.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ProcessOrders {

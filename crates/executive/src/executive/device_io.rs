@@ -47,14 +47,6 @@ impl<D: Devices> DeviceIo<D> {
         self.orders.set.map(|set| set.position)
     }
 
-    /// Returns true if all set-points are at rest.
-    pub(super) fn rests(&self) -> bool {
-        /// Speed below which an axis is at rest, mm/s or rad/s. Corrected set-points come from an iteration, so that
-        /// their differences are not exactly 0.
-        const AT_REST: f64 = 1e-6;
-        self.orders.set.iter().all(|set| set.velocity.abs() < AT_REST)
-    }
-
     /// Sets the set-points of moving axes.
     pub(super) fn set(&mut self, positions: &[f64; MAX_AXES], speeds: &[f64], accelerations: &[f64]) {
         for (i, set) in self.orders.set.iter_mut().enumerate() {

@@ -88,7 +88,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         // There is no path for reverse motion.
         (self.requests.halt, self.requests.reverse) = (false, false);
         self.drop_power_at_rest();
-        let goes_on = self.goes() || self.mode == Mode::Hold || !self.io.rests();
+        let goes_on = self.goes() || self.mode == Mode::Hold || !self.io.orders.rests();
         self.io.power && goes_on
     }
 
@@ -100,7 +100,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             return;
         }
         let elapsed_s = self.activity.fault.elapsed(self.now());
-        if (self.io.rests() || elapsed_s > REST_S) && !self.process.on() {
+        if (self.io.orders.rests() || elapsed_s > REST_S) && !self.process.on() {
             self.io.power = false;
         }
     }

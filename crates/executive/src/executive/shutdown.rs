@@ -22,7 +22,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 self.stop();
             } else if elapsed_s > REST_S {
                 self.react(Reaction::PowerOff);
-            } else if self.io.rests() {
+            } else if self.io.orders.rests() {
                 // Do not wait for the gas post-flow.
                 self.io.power = false;
             }

@@ -24,6 +24,7 @@ mod task;
 mod unavailable_commands;
 
 pub(crate) use audit_entry::{Change, hides};
+pub(crate) use commands::executive_command;
 pub(crate) use connection::{CellDevices, Connection};
 pub(crate) use desk::{Loading, ToDesk};
 pub(crate) use display_distances::Around;

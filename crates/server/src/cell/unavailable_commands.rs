@@ -2,27 +2,65 @@
 
 use super::names::Names;
 use crate::refusal::{Lack, lack};
-use crate::wire::RefusedView;
+use crate::wire::{AskView, RefusedView};
 use seamwright_executive::realtime::Shown;
-use seamwright_executive::{Ask, Missing, Mode};
-use seamwright_message::{Argument, Message};
+use seamwright_executive::{Alarm, Ask, Missing, Mode};
+use seamwright_message::{Argument, Message, Unit};
 
-/// Commands by their names in [`crate::wire::AskView`]; all others have an effect in every mode.
-const COMMANDS: [(&str, Ask); 13] = [
-    ("switch_on", Ask::SwitchOn),
-    ("switch_off", Ask::SwitchOff),
-    ("home", Ask::Home),
-    ("start_jog", Ask::StartJog),
-    ("start_teach", Ask::StartTeach),
-    ("start_dry_run", Ask::StartDryRun),
-    ("arm", Ask::Arm),
-    ("start_weld", Ask::StartWeld),
-    ("hold", Ask::Hold),
-    ("resume", Ask::Resume),
-    ("reverse", Ask::Reverse),
-    ("stop", Ask::Stop),
-    ("reset", Ask::Reset),
+/// Commands that a mode can refuse; all others have an effect in every mode.
+const COMMANDS: [AskView; 13] = [
+    AskView::SwitchOn {},
+    AskView::SwitchOff {},
+    AskView::Home { axis: None },
+    AskView::StartJog {},
+    AskView::StartTeach {},
+    AskView::StartDryRun {},
+    AskView::Arm {},
+    AskView::StartWeld { reweld: false },
+    AskView::Hold {},
+    AskView::Resume {},
+    AskView::Reverse {},
+    AskView::Stop {},
+    AskView::Reset {},
 ];
+
+/// Converts a command for the executive; returns it with its name in the table of permissions
+/// and in [`RefusedView`].
+pub(crate) fn executive_command(ask: &AskView) -> Result<(&'static str, Ask), Lack> {
+    Ok(match ask {
+        AskView::SwitchOn {} => ("switch_on", Ask::SwitchOn),
+        AskView::SwitchOff {} => ("switch_off", Ask::SwitchOff),
+        AskView::Home { axis: None } => ("home", Ask::Home),
+        AskView::Home { axis: Some(axis) } => ("home", Ask::HomeAxis(*axis)),
+        AskView::StartJog {} => ("start_jog", Ask::StartJog),
+        AskView::StartTeach {} => ("start_teach", Ask::StartTeach),
+        AskView::StartDryRun {} => ("start_dry_run", Ask::StartDryRun),
+        AskView::Arm {} => ("arm", Ask::Arm),
+        AskView::StartWeld { .. } => ("start_weld", Ask::StartWeld),
+        AskView::Hold {} => ("hold", Ask::Hold),
+        AskView::Resume {} => ("resume", Ask::Resume),
+        AskView::Reverse {} => ("reverse", Ask::Reverse),
+        AskView::Stop {} => ("stop", Ask::Stop),
+        AskView::Override { part } if (0.0..=1.0).contains(part) => ("override", Ask::Override(*part)),
+        AskView::Override { part } => {
+            return Err(lack("value", Message::new("server-override-range").value("value", *part, Unit::One)));
+        }
+        AskView::Reset {} => ("reset", Ask::Reset),
+        AskView::Acknowledge { one: None } => ("acknowledge", Ask::Acknowledge),
+        AskView::Acknowledge { one: Some((number, detail)) } => {
+            let alarm = Alarm::ALL.into_iter().find(|alarm| alarm.number() == usize::from(*number));
+            let alarm = alarm.ok_or_else(|| {
+                lack(
+                    "value",
+                    Message::new("server-no-alarm")
+                        .number("number", f64::from(*number), 0)
+                        .count("max", Alarm::ALL.len()),
+                )
+            })?;
+            ("acknowledge", Ask::AcknowledgeOne(alarm, *detail))
+        }
+    })
+}
 
 /// Part of the cell's state that decides which commands it would refuse whatever else is missing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +69,7 @@ pub(super) struct Readiness {
     powered: bool,
     /// The program that runs, or ran last, welds.
     welds: bool,
-    /// Something moves along the path, in a hold too.
+    /// Axes may move; in a hold: they do.
     moves: bool,
 }
 
@@ -43,7 +81,7 @@ impl Readiness {
             Mode::DryRun => false,
             _ => before.is_some_and(|before| before.welds),
         };
-        let moves = shown.mode.moves() || shown.mode == Mode::Hold && shown.speed.abs() > 1e-3;
+        let moves = shown.mode.moves() || shown.mode == Mode::Hold && !shown.orders.rests();
         Self { mode: shown.mode, powered: shown.orders.power && shown.reports.drives.powered, welds, moves }
     }
 
@@ -69,9 +107,9 @@ impl Readiness {
 
     /// Returns the commands without effect, with the reasons.
     pub(super) fn refused(self, names: &Names) -> Vec<RefusedView> {
-        let refused = |(name, ask): &(&str, Ask)| {
-            let why = self.lack(ask, names)?.into();
-            Some(RefusedView { ask: (*name).to_owned(), why })
+        let refused = |ask: &AskView| {
+            let (name, ask) = executive_command(ask).ok()?;
+            Some(RefusedView { ask: name.to_owned(), why: self.lack(&ask, names)?.into() })
         };
         COMMANDS.iter().filter_map(refused).collect()
     }
@@ -80,6 +118,7 @@ impl Readiness {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use seamwright_executive::{Orders, Place, ProcessState, Reports, Status};
     use seamwright_machine::{Machine, shipped};
 
     /// Returns the commands that have an effect, by their names.
@@ -88,7 +127,8 @@ mod tests {
         let names = Names { machine, fingerprint: String::new(), values: 0, heads: 0 };
         let refused = Readiness { mode, powered, welds, moves }.refused(&names);
         let is_possible = |name: &&str| refused.iter().all(|of| of.ask != *name);
-        COMMANDS.iter().map(|(name, _)| *name).filter(is_possible).collect::<Vec<_>>().join(" ")
+        let commands = COMMANDS.iter().map(|ask| executive_command(ask).unwrap().0);
+        commands.filter(is_possible).collect::<Vec<_>>().join(" ")
     }
 
     #[test]
@@ -106,5 +146,32 @@ mod tests {
         let ready = Readiness { mode: Mode::Ready, powered: true, welds: true, moves: false };
         let resume = ready.wrong_mode(&Ask::Resume).message.to_string();
         assert!(resume.contains("resume") && resume.ends_with("allowed in hold"), "{resume}");
+    }
+
+    /// On a transfer move there is no path speed: the axes themselves tell that a held program moves.
+    #[test]
+    fn a_held_program_moves_while_its_axes_do() {
+        let (place, process) = (Place::default(), ProcessState::Off);
+        let mut shown = Shown {
+            status: Status {
+                mode: Mode::Hold,
+                place,
+                process,
+                t: 1.0,
+                phase: None,
+                speed: 0.0,
+                steady: false,
+                welded_mm: 0.0,
+                armed: false,
+                feed_override: 1.0,
+                tracked: [None; 2],
+            },
+            orders: Orders::default(),
+            reports: Reports::default(),
+            lost: 0,
+        };
+        assert!(!Readiness::at(&shown, None).moves);
+        shown.orders.set[1].velocity = -0.2;
+        assert!(Readiness::at(&shown, None).moves);
     }
 }

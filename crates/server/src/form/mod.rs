@@ -7,9 +7,7 @@ use crate::document_kind::{Kind, kind_of};
 use crate::planner::{JOB, wrong_view};
 use crate::wire::{FormAnswer, FormChange, FormEntry, FormTable, FormText, FormValue, FormView};
 use schema::{Place, Schema};
-use seamwright_document::{
-    Change, DocumentError, Entry, EntryValue, Step, TableEntries, changed, entries, path_of, steps,
-};
+use seamwright_document::{Change, DocumentError, Entry, EntryValue, Step, TableEntries, TomlText, path_of, steps};
 use seamwright_machine::MachineFile;
 use seamwright_message::Message;
 use seamwright_program::{Procedure, Program};
@@ -67,10 +65,18 @@ pub(crate) fn answer(form: FormText) -> Result<FormAnswer, DocumentError> {
 type FormatOf = fn(&[TableEntries]) -> &'static Format;
 
 fn answered(form: FormText, format_of: FormatOf) -> Result<FormAnswer, DocumentError> {
-    let mut text = form.text;
+    let mut text = match TomlText::parse(JOB, &form.text) {
+        Err(error) if form.changes.is_empty() => {
+            return Ok(FormAnswer { text: form.text, form: None, wrong: Some(wrong_view(&error)) });
+        }
+        parsed => parsed?,
+    };
+    let mut tables = text.entries();
     for change in form.changes {
-        text = changed(JOB, &text, &expanded(&text, change, format_of)?)?;
+        text = text.changed(JOB, &expanded(&tables, change, format_of)?)?;
+        tables = text.entries();
     }
+<<<<<<< ours
     Ok(match entries(JOB, &text) {
         Ok(tables) => {
             let format = format_of(&tables);
@@ -82,24 +88,39 @@ fn answered(form: FormText, format_of: FormatOf) -> Result<FormAnswer, DocumentE
         }
         Err(error) => FormAnswer { text, form: None, wrong: Some(wrong_view(&error)) },
     })
+||||||| base
+    Ok(match entries(JOB, &text) {
+        Ok(tables) => {
+            let format = format_of(&tables);
+            let tables =
+                tables.iter().filter_map(|table| Some(table_view(&format.schema, table, &steps(&table.path)?)));
+            let form = FormView { tables: tables.collect(), passes: points::passes(&text) };
+            let wrong = (format.fault)(&text).map(|error| wrong_view(&error));
+            FormAnswer { text, form: Some(form), wrong }
+        }
+        Err(error) => FormAnswer { text, form: None, wrong: Some(wrong_view(&error)) },
+    })
+=======
+    let format = format_of(&tables);
+    let views = tables.iter().filter_map(|table| Some(table_view(&format.schema, table, &steps(&table.path)?)));
+    let form = FormView { tables: views.collect(), passes: points::passes(&tables) };
+    let wrong = (format.fault)(text.text()).map(|error| wrong_view(&error));
+    Ok(FormAnswer { text: text.text().to_owned(), form: Some(form), wrong })
+>>>>>>> theirs
 }
 
 /// The changes of entries that a change of a form consists of.
-fn expanded(text: &str, change: FormChange, format_of: FormatOf) -> Result<Vec<Change>, DocumentError> {
+fn expanded(tables: &[TableEntries], change: FormChange, format_of: FormatOf) -> Result<Vec<Change>, DocumentError> {
     Ok(match change {
         FormChange::Set { path, value } => vec![Change::Set { path, value }],
         FormChange::Remove { path } => vec![Change::Remove { path }],
         FormChange::Insert { path, value } => vec![Change::Insert { path, value }],
         FormChange::Move { path, to } => vec![Change::Move { path, to }],
         FormChange::Add { path } => {
-            let tables = entries(JOB, text)?;
-            let value = start(&format_of(&tables).schema, &path)?;
+            let value = start(&format_of(tables).schema, &path)?;
             vec![Change::Set { path, value }]
         }
-        FormChange::Choose { path, kind } => {
-            let tables = entries(JOB, text)?;
-            chosen(&format_of(&tables).schema, &tables, &path, kind)?
-        }
+        FormChange::Choose { path, kind } => chosen(&format_of(tables).schema, tables, &path, kind)?,
     })
 }
 

@@ -2,13 +2,13 @@
 
 use super::guard::role_refused;
 use super::panel::Panel;
-use crate::cell::{Change, Refusal, ToDesk, WHY, happening};
+use crate::cell::{Change, Refusal, ToDesk, WHY, executive_command, happening};
 use crate::refusal::{Lack, action_word, lack, panel_word};
 use crate::users::{Session, may};
 use crate::wire::{AskView, FromCell, TeachOrder, ToCell};
-use seamwright_executive::{Alarm, Ask, Command, Origin};
+use seamwright_executive::{Ask, Command, Origin};
 use seamwright_machine::Joints;
-use seamwright_message::{Message, Unit};
+use seamwright_message::Message;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -140,7 +140,7 @@ impl Client {
 
     fn command(&mut self, seq: u32, ask: &AskView) -> Result<(), Lack> {
         let again = matches!(ask, AskView::StartWeld { reweld: true });
-        let (name, ask) = executive(ask)?;
+        let (name, ask) = executive_command(ask)?;
         // A stop needs neither role, token nor number.
         if ask == Ask::Stop {
             self.panel.cell.urgent.ask(&ask);
@@ -244,43 +244,6 @@ impl Client {
 
 fn leaves_rest(ask: &Ask) -> bool {
     matches!(ask, Ask::Home | Ask::HomeAxis(_) | Ask::StartJog | Ask::StartTeach | Ask::StartDryRun | Ask::StartWeld)
-}
-
-/// Converts a command for the executive; returns it with its name in the table of permissions.
-fn executive(ask: &AskView) -> Result<(&'static str, Ask), Lack> {
-    Ok(match ask {
-        AskView::SwitchOn {} => ("switch_on", Ask::SwitchOn),
-        AskView::SwitchOff {} => ("switch_off", Ask::SwitchOff),
-        AskView::Home { axis: None } => ("home", Ask::Home),
-        AskView::Home { axis: Some(axis) } => ("home", Ask::HomeAxis(*axis)),
-        AskView::StartJog {} => ("start_jog", Ask::StartJog),
-        AskView::StartTeach {} => ("start_teach", Ask::StartTeach),
-        AskView::StartDryRun {} => ("start_dry_run", Ask::StartDryRun),
-        AskView::Arm {} => ("arm", Ask::Arm),
-        AskView::StartWeld { .. } => ("start_weld", Ask::StartWeld),
-        AskView::Hold {} => ("hold", Ask::Hold),
-        AskView::Resume {} => ("resume", Ask::Resume),
-        AskView::Reverse {} => ("reverse", Ask::Reverse),
-        AskView::Stop {} => ("stop", Ask::Stop),
-        AskView::Override { part } if (0.0..=1.0).contains(part) => ("override", Ask::Override(*part)),
-        AskView::Override { part } => {
-            return Err(lack("value", Message::new("server-override-range").value("value", *part, Unit::One)));
-        }
-        AskView::Reset {} => ("reset", Ask::Reset),
-        AskView::Acknowledge { one: None } => ("acknowledge", Ask::Acknowledge),
-        AskView::Acknowledge { one: Some((number, detail)) } => {
-            let alarm = Alarm::ALL.into_iter().find(|alarm| alarm.number() == usize::from(*number));
-            let alarm = alarm.ok_or_else(|| {
-                lack(
-                    "value",
-                    Message::new("server-no-alarm")
-                        .number("number", f64::from(*number), 0)
-                        .count("max", Alarm::ALL.len()),
-                )
-            })?;
-            ("acknowledge", Ask::AcknowledgeOne(alarm, *detail))
-        }
-    })
 }
 
 /// Handles messages of a page in order; returns the messages it receives.
