@@ -1,15 +1,7 @@
 import { api, Refusal } from '../live/api';
 import { session } from '../live/session.svelte';
-<<<<<<< ours
-import type { FormView, PlanAnswer, SectionView, WorkView } from '../wire';
-import { refusalText } from '../panel/refusal';
-||||||| base
-import type { FormView, PlanAnswer, SectionView, WorkView } from '../wire';
-import { refusalText } from '../parts/refusal';
-=======
 import type { FormView, PlanAnswer, SectionView, WorkView, WrongView } from '../wire';
-import { refusalText } from '../parts/refusal';
->>>>>>> theirs
+import { refusalText } from '../panel/refusal';
 import { Sheet } from './sheet.svelte';
 
 const PLAN_AFTER_MS = 500;

@@ -1,4 +1,4 @@
-import { written } from '../parts/numbers';
+import { written } from '../panel/numbers';
 import type { HeightView } from '../wire';
 
 /** Residuals of dots are drawn so much longer. */

@@ -76,37 +76,11 @@ fn answered(form: FormText, format_of: FormatOf) -> Result<FormAnswer, DocumentE
         text = text.changed(JOB, &expanded(&tables, change, format_of)?)?;
         tables = text.entries();
     }
-<<<<<<< ours
-    Ok(match entries(JOB, &text) {
-        Ok(tables) => {
-            let format = format_of(&tables);
-            let tables =
-                tables.iter().filter_map(|table| Some(table_view(&format.schema, table, &steps(&table.path)?)));
-            let form = FormView { tables: tables.take(MAX_TABLES).collect(), passes: points::passes(&text) };
-            let wrong = (format.fault)(&text).map(|error| wrong_view(&error));
-            FormAnswer { text, form: Some(form), wrong }
-        }
-        Err(error) => FormAnswer { text, form: None, wrong: Some(wrong_view(&error)) },
-    })
-||||||| base
-    Ok(match entries(JOB, &text) {
-        Ok(tables) => {
-            let format = format_of(&tables);
-            let tables =
-                tables.iter().filter_map(|table| Some(table_view(&format.schema, table, &steps(&table.path)?)));
-            let form = FormView { tables: tables.collect(), passes: points::passes(&text) };
-            let wrong = (format.fault)(&text).map(|error| wrong_view(&error));
-            FormAnswer { text, form: Some(form), wrong }
-        }
-        Err(error) => FormAnswer { text, form: None, wrong: Some(wrong_view(&error)) },
-    })
-=======
     let format = format_of(&tables);
     let views = tables.iter().filter_map(|table| Some(table_view(&format.schema, table, &steps(&table.path)?)));
-    let form = FormView { tables: views.collect(), passes: points::passes(&tables) };
+    let form = FormView { tables: views.take(MAX_TABLES).collect(), passes: points::passes(&tables) };
     let wrong = (format.fault)(text.text()).map(|error| wrong_view(&error));
     Ok(FormAnswer { text: text.text().to_owned(), form: Some(form), wrong })
->>>>>>> theirs
 }
 
 /// The changes of entries that a change of a form consists of.
