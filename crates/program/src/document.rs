@@ -15,7 +15,7 @@ use crate::variables::{self, Variables};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
-use seamwright_document::{Document, DocumentError, SchemaVersion, Transform};
+use seamwright_document::{Document, DocumentError, SchemaVersion, Transform, to_toml};
 use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
@@ -187,7 +187,7 @@ impl Program {
     pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
         let mut written = self.clone();
         written.passes.iter_mut().filter(|pass| pass.points.is_some()).for_each(|pass| pass.spans.clear());
-        let body = one_point_a_line(&toml::to_string(&written)?);
+        let body = one_point_a_line(&to_toml(&written)?);
         Ok(format!(
             "# A Seamwright weld program. Lengths in mm, angles in degrees, times in s; s counts from the weld's start.\n{body}"
         ))
