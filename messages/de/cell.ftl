@@ -180,7 +180,6 @@ cell-camera-closed = die Kamera hat die Verbindung geschlossen
 cell-no-frame-in-time = kein Bild kam rechtzeitig
 cell-image-format = unbekanntes Bildformat; erlaubt: PNG, JPEG, PNM
 cell-image-broken = unlesbares Bild: { $why }
-cell-image-depth = das Bild hat { $bits } Bit pro Kanal; erlaubt: 8 oder 16
 cell-jpeg-truncated = die JPEG-Datei endet vor ihrem Bild
 cell-pixel-count = die Anzahl der Pixel passt nicht zum Bild
 cell-file-too-large = die Datei hat { $size }; erlaubt sind bis { $max }

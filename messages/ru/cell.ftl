@@ -173,7 +173,6 @@ cell-camera-closed = камера закрыла соединение
 cell-no-frame-in-time = ни один кадр не пришёл вовремя
 cell-image-format = неизвестный формат изображения; разрешено: PNG, JPEG, PNM
 cell-image-broken = не удалось прочитать изображение: { $why }
-cell-image-depth = изображение имеет { $bits } бит на канал; разрешено: 8 или 16
 cell-jpeg-truncated = файл JPEG обрывается до конца изображения
 cell-pixel-count = количество пикселей не соответствует изображению
 cell-file-too-large = файл имеет { $size }; разрешено до { $max }

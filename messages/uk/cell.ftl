@@ -173,7 +173,6 @@ cell-camera-closed = камера закрила з’єднання
 cell-no-frame-in-time = жоден кадр не прийшов вчасно
 cell-image-format = невідомий формат зображення; дозволено: PNG, JPEG, PNM
 cell-image-broken = не вдалося прочитати зображення: { $why }
-cell-image-depth = зображення має { $bits } біт на канал; дозволено: 8 або 16
 cell-jpeg-truncated = файл JPEG обривається до кінця зображення
 cell-pixel-count = кількість пікселів не відповідає зображенню
 cell-file-too-large = файл має { $size }; дозволено до { $max }

@@ -173,7 +173,6 @@ cell-camera-closed = 相机已关闭连接
 cell-no-frame-in-time = 没有帧及时到达
 cell-image-format = 未知的图像格式；允许：PNG、JPEG、PNM
 cell-image-broken = 图像无法读取：{ $why }
-cell-image-depth = 图像每通道 { $bits } 位；允许：8 或 16
 cell-jpeg-truncated = JPEG 文件在图像结束前中断
 cell-pixel-count = 像素数与图像不符
 cell-file-too-large = 文件为 { $size }；允许不超过 { $max }

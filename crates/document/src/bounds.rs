@@ -4,7 +4,7 @@
 //! counts of beads, cells, triangles and set-points are quotients of such numbers. The bounds are wider than any
 //! machine or part that is welded, so that no sensible file meets them.
 
-use crate::document::Document;
+use crate::document::error_at;
 use crate::error::DocumentError;
 use crate::path::with_key;
 use seamwright_message::{Message, Unit};
@@ -96,24 +96,23 @@ impl Bound {
     }
 }
 
-/// Refuses the first number of `document` that is out of the bound of its unit.
+/// Refuses the first number below `root` of a text that is out of the bound of its unit.
 ///
 /// # Errors
 /// With the number's address.
-pub(crate) fn check<T>(document: &Document<T>) -> Result<(), DocumentError> {
-    // Text with wrong syntax has been refused before.
-    let Ok(table) = DeTable::parse(document.text()) else { return Ok(()) };
-    Check { document, path: String::new() }.table(table.get_ref(), None)
+pub(crate) fn check(file: &str, text: &str, root: &Spanned<DeValue>) -> Result<(), DocumentError> {
+    Check { file, text, path: String::new() }.value(root, None)
 }
 
-/// A walk over all numbers of a document.
-struct Check<'a, T> {
-    document: &'a Document<T>,
+/// A walk over all numbers of a text.
+struct Check<'a> {
+    file: &'a str,
+    text: &'a str,
     /// Path of the current key.
     path: String,
 }
 
-impl<T> Check<'_, T> {
+impl Check<'_> {
     /// Checks the content of a table, whose own key has the bound `above`.
     fn table(&mut self, table: &DeTable, above: Option<&'static Bound>) -> Result<(), DocumentError> {
         for (key, value) in table {
@@ -146,7 +145,7 @@ impl<T> Check<'_, T> {
                 (Some(bound), Some(number)) if !bound.allows(number) => {
                     let too_large = number.abs() > bound.max;
                     let code = if too_large { "document-too-large" } else { "document-too-small" };
-                    Err(self.document.error_at(&self.path, Message::new(code), bound.allowed()))
+                    Err(error_at(self.file, self.text, &self.path, Message::new(code), bound.allowed()))
                 }
                 _ => Ok(()),
             },

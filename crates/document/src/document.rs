@@ -1,9 +1,13 @@
 use crate::address::{contains, path_at, span_of};
 use crate::bounds;
+use crate::deserializer::Node;
 use crate::error::{DocumentError, place};
 use seamwright_message::Message;
 use serde::de::DeserializeOwned;
+use std::marker::PhantomData;
 use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 /// Longest value that is quoted in an error.
 const QUOTED: usize = 60;
@@ -24,14 +28,11 @@ impl<T: DeserializeOwned> Document<T> {
     /// A [`DocumentError`] at the first thing that is wrong: syntax, a missing or unknown key, a wrong type, a value
     /// out of its range or beyond the bound of its unit.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
-        match toml::from_str(text) {
-            Ok(value) => {
-                let document = Self { value, file: file.to_owned(), text: text.to_owned() };
-                bounds::check(&document)?;
-                Ok(document)
-            }
-            Err(error) => Err(explain(file, text, error.span(), error.message())),
-        }
+        let root = DeTable::parse(text).map_err(|e| explain(file, text, e.span(), e.message()))?;
+        let root = Spanned::new(root.span(), DeValue::Table(root.into_inner()));
+        let value = Node(&root).read(PhantomData).map_err(|fault| explain(file, text, fault.span, &fault.message))?;
+        bounds::check(file, text, &root)?;
+        Ok(Self { value, file: file.to_owned(), text: text.to_owned() })
     }
 }
 
@@ -75,13 +76,14 @@ impl<T> Document<T> {
 
     /// An error at the key `path` (like `tool[2].range_mm`), or at the nearest table above it that exists.
     pub fn error_at(&self, path: &str, message: impl Into<Message>, allowed: impl Into<Message>) -> DocumentError {
-        let span = span_of(&self.text, path);
-        DocumentError {
-            message: message.into(),
-            allowed: Some(allowed.into()).filter(|allowed: &Message| !allowed.is_empty()),
-            ..build(&self.file, &self.text, &span, path.to_owned())
-        }
+        error_at(&self.file, &self.text, path, message.into(), allowed.into())
     }
+}
+
+/// The error at the key `path` of a text, see [`Document::error_at`].
+pub(crate) fn error_at(file: &str, text: &str, path: &str, message: Message, allowed: Message) -> DocumentError {
+    let allowed = Some(allowed).filter(|allowed| !allowed.is_empty());
+    DocumentError { message, allowed, ..build(file, text, &span_of(text, path), path.to_owned()) }
 }
 
 fn build(file: &str, text: &str, span: &Range<usize>, key: String) -> DocumentError {

@@ -41,12 +41,14 @@
 mod address;
 mod bounds;
 mod change;
+mod deserializer;
 mod document;
 mod entries;
 mod error;
 mod key_path;
 mod number;
 mod vector;
+mod write;
 
 pub use bounds::{BOUNDS, Bound};
 pub use change::Change;
@@ -71,3 +73,4 @@ pub const RESERVED_COLUMNS: [&str; 11] = [
 pub use key_path::{Step, path_of, steps};
 pub use number::{Finite, NonNegative, Positive, SchemaVersion};
 pub use vector::{Direction, Point, Transform};
+pub use write::{to_table, to_toml};

@@ -1,9 +1,13 @@
 //! Decodes image files to grey pictures.
 
-use image::{DynamicImage, ImageFormat, ImageReader, Limits};
+use crate::pnm;
 use seamwright_message::{Message, display_by_message};
-use seamwright_vision::{Image, MAX_SIDE};
+use seamwright_vision::{FrameError, Image, MAX_SIDE};
 use std::io::Cursor;
+use zune_core::bytestream::ZCursor;
+use zune_core::colorspace::ColorSpace;
+use zune_core::options::DecoderOptions;
+use zune_jpeg::JpegDecoder;
 
 /// Reasons why bytes do not decode.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -12,8 +16,6 @@ pub enum DecodeError {
     Kind,
     /// A damaged or truncated file, or an invalid header.
     Broken(Message),
-    /// Pixels of a depth other than 8 or 16 bits.
-    Depth(u8),
 }
 
 impl DecodeError {
@@ -22,7 +24,6 @@ impl DecodeError {
         match self {
             Self::Kind => Message::new("cell-image-format"),
             Self::Broken(why) => Message::new("cell-image-broken").message("why", why.clone()),
-            Self::Depth(bits) => Message::new("cell-image-depth").number("bits", f64::from(*bits), 0),
         }
     }
 }
@@ -32,30 +33,96 @@ display_by_message!(DecodeError);
 /// Decodes a PNG, JPEG or PNM file of 8 or 16 bits to a grey picture; colours become their brightness (Rec. 709).
 ///
 /// # Errors
-/// Another format, a damaged file, a picture larger than [`MAX_SIDE`] to a side.
+/// Another format, a damaged file, a picture larger than [`MAX_SIDE`](seamwright_vision::MAX_SIDE) to a side.
 pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
-    let broken = |e: image::ImageError| DecodeError::Broken(Message::outside(&e));
-    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| DecodeError::Kind)?;
-    if reader.format().is_none() {
-        return Err(DecodeError::Kind);
+    let samples = match bytes {
+        [0x89, b'P', b'N', b'G', ..] => decode_png(bytes),
+        [0xff, 0xd8, 0xff, ..] => decode_jpeg(bytes),
+        [b'P', b'1'..=b'7', ..] => pnm::decode(bytes),
+        _ => Err(DecodeError::Kind),
+    }?;
+    Ok(samples.grey())
+}
+
+/// Values of a picture, row by row and pixel by pixel: grey, or red, green and blue; after them perhaps the opacity.
+pub(crate) enum Samples {
+    U8 { width: usize, height: usize, channels: usize, values: Vec<u8> },
+    U16 { width: usize, height: usize, channels: usize, values: Vec<u16> },
+}
+
+impl Samples {
+    fn grey(self) -> Image {
+        fn brightness<T: Copy + Into<u32>>(pixel: &[T]) -> u32 {
+            match *pixel {
+                [red, green, blue, ..] => (2126 * red.into() + 7152 * green.into() + 722 * blue.into()) / 10_000,
+                _ => pixel[0].into(),
+            }
+        }
+        match self {
+            Self::U8 { width, height, channels: 1, values } => Image::U8 { width, height, pixels: values },
+            Self::U16 { width, height, channels: 1, values } => Image::U16 { width, height, pixels: values },
+            Self::U8 { width, height, channels, values } => {
+                let pixels = values.chunks_exact(channels).map(|pixel| brightness(pixel) as u8).collect();
+                Image::U8 { width, height, pixels }
+            }
+            Self::U16 { width, height, channels, values } => {
+                let pixels = values.chunks_exact(channels).map(|pixel| brightness(pixel) as u16).collect();
+                Image::U16 { width, height, pixels }
+            }
+        }
     }
-    if reader.format() == Some(ImageFormat::Jpeg) && !is_whole_jpeg(bytes) {
+}
+
+/// Refuses a picture with a side of 0 or above [`MAX_SIDE`](seamwright_vision::MAX_SIDE), before its pixels are read.
+pub(crate) fn checked_size(width: usize, height: usize) -> Result<(), DecodeError> {
+    match (1..=MAX_SIDE).contains(&width) && (1..=MAX_SIDE).contains(&height) {
+        true => Ok(()),
+        false => Err(DecodeError::Broken(FrameError::Size { width, height }.message())),
+    }
+}
+
+fn broken(e: impl std::fmt::Display) -> DecodeError {
+    DecodeError::Broken(Message::outside(&e))
+}
+
+fn decode_png(bytes: &[u8]) -> Result<Samples, DecodeError> {
+    let mut decoder = png::Decoder::new(Cursor::new(bytes));
+    let info = decoder.read_header_info().map_err(broken)?;
+    let (width, height) = (info.width as usize, info.height as usize);
+    checked_size(width, height)?;
+    // Fewer bits become 8, a palette its colours.
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(broken)?;
+    let mut values = vec![0; reader.output_buffer_size().unwrap_or(0)];
+    reader.next_frame(&mut values).map_err(broken)?;
+    let (colour, depth) = reader.output_color_type();
+    let channels = colour.samples();
+    Ok(match depth {
+        png::BitDepth::Sixteen => {
+            let values = values.as_chunks::<2>().0.iter().map(|pair| u16::from_be_bytes(*pair)).collect();
+            Samples::U16 { width, height, channels, values }
+        }
+        _ => Samples::U8 { width, height, channels, values },
+    })
+}
+
+fn decode_jpeg(bytes: &[u8]) -> Result<Samples, DecodeError> {
+    if !is_whole_jpeg(bytes) {
         return Err(DecodeError::Broken(Message::new("cell-jpeg-truncated")));
     }
-    let mut limits = Limits::default();
-    limits.max_image_width = u32::try_from(MAX_SIDE).ok();
-    limits.max_image_height = u32::try_from(MAX_SIDE).ok();
-    reader.limits(limits);
-    let picture = reader.decode().map_err(broken)?;
-    let (width, height) = (picture.width() as usize, picture.height() as usize);
-    Ok(match picture {
-        DynamicImage::ImageLuma16(_)
-        | DynamicImage::ImageLumaA16(_)
-        | DynamicImage::ImageRgb16(_)
-        | DynamicImage::ImageRgba16(_) => Image::U16 { width, height, pixels: picture.into_luma16().into_raw() },
-        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => return Err(DecodeError::Depth(32)),
-        _ => Image::U8 { width, height, pixels: picture.into_luma8().into_raw() },
-    })
+    let options = DecoderOptions::default().set_strict_mode(false);
+    let options = options.set_max_width(usize::MAX).set_max_height(usize::MAX);
+    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
+    decoder.decode_headers().map_err(broken)?;
+    let (width, height) = decoder.dimensions().unwrap_or_default();
+    checked_size(width, height)?;
+    let colours = match decoder.input_colorspace() {
+        Some(grey @ (ColorSpace::Luma | ColorSpace::LumaA)) => grey,
+        _ => ColorSpace::RGB,
+    };
+    decoder.set_options(options.jpeg_set_out_colorspace(colours));
+    let values = decoder.decode().map_err(broken)?;
+    Ok(Samples::U8 { width, height, channels: colours.num_components(), values })
 }
 
 /// Returns true if a JPEG file contains the end of its picture. Decoders fill a truncated picture with grey, in which a

@@ -7,6 +7,7 @@ mod decode;
 mod error;
 mod live;
 mod overlay;
+mod pnm;
 mod recorded;
 mod stream;
 

@@ -1,8 +1,6 @@
 //! A frame as a picture that is drawn on, to PNG.
 
 use glam::DVec2;
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder as _};
 use seamwright_message::Message;
 use seamwright_vision::{Frame, Pixels};
 
@@ -93,10 +91,11 @@ impl Overlay {
     /// # Errors
     /// Errors of the PNG encoder.
     pub fn png(&self) -> Result<Vec<u8>, Message> {
-        let mut png = Vec::new();
-        let (width, height) = (self.width as u32, self.height as u32);
-        let encoded = PngEncoder::new(&mut png).write_image(&self.pixels, width, height, ExtendedColorType::Rgb8);
-        encoded.map_err(|e| Message::outside(&e))?;
-        Ok(png)
+        let mut bytes = Vec::new();
+        let mut png = png::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
+        png.set_color(png::ColorType::Rgb);
+        let written = png.write_header().and_then(|mut png| png.write_image_data(&self.pixels));
+        written.map_err(|e| Message::outside(&e))?;
+        Ok(bytes)
     }
 }

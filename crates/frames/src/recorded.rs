@@ -1,11 +1,13 @@
 use crate::decode::decode;
 use crate::error::FrameError;
 use crate::{FrameSource, TimedFrame, checked_time};
-use image::{ImageBuffer, ImageFormat, Luma};
+use png::BitDepth;
 use seamwright_message::{Message, Unit};
 use seamwright_vision::Image;
+use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::fs;
+use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 /// File name of the list of frames in their folder.
@@ -172,20 +174,18 @@ impl Recorder {
     pub fn add(&mut self, frame: &TimedFrame) -> Result<(), FrameError> {
         let name = format!("{:06}.png", self.count);
         let path = self.folder.join(&name);
-        let failed = |why: Message| FrameError::Image { file: path.display().to_string(), why };
-        frame.image.frame().map_err(|e| failed(e.message()))?;
-        let count = || failed(Message::new("cell-pixel-count"));
-        let side = |n: usize| u32::try_from(n).map_err(|e| failed(Message::outside(&e)));
-        let written = match &frame.image {
-            Image::U8 { width, height, pixels } => {
-                let image = ImageBuffer::<Luma<u8>, _>::from_raw(side(*width)?, side(*height)?, pixels.as_slice());
-                image.ok_or_else(count)?.save_with_format(&path, ImageFormat::Png)
-            }
-            Image::U16 { width, height, pixels } => {
-                let image = ImageBuffer::<Luma<u16>, _>::from_raw(side(*width)?, side(*height)?, pixels.as_slice());
-                image.ok_or_else(count)?.save_with_format(&path, ImageFormat::Png)
-            }
+        let invalid = |why: Message| FrameError::Image { file: path.display().to_string(), why };
+        // Also says that the sides fit.
+        frame.image.frame().map_err(|e| invalid(e.message()))?;
+        let (depth, bytes) = match &frame.image {
+            Image::U8 { pixels, .. } => (BitDepth::Eight, Cow::Borrowed(pixels.as_slice())),
+            Image::U16 { pixels, .. } => (BitDepth::Sixteen, pixels.iter().flat_map(|p| p.to_be_bytes()).collect()),
         };
+        let (Image::U8 { width, height, .. } | Image::U16 { width, height, .. }) = &frame.image;
+        let file = fs::File::create(&path).map_err(|e| FrameError::path(&path, &e))?;
+        let mut png = png::Encoder::new(BufWriter::new(file), *width as u32, *height as u32);
+        png.set_depth(depth);
+        let written = png.write_header().and_then(|mut png| png.write_image_data(&bytes));
         written.map_err(|e| FrameError::Io { what: path.display().to_string(), why: Message::outside(&e) })?;
         let _ = write!(self.list, "{name},{}", frame.t_s);
         for value in frame.axes.iter().flatten() {

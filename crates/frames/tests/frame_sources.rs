@@ -183,6 +183,15 @@ fn kinds_of_images_are_read() {
     assert_eq!(decode(pgm).unwrap(), Image::U8 { width: 3, height: 2, pixels: vec![0, 16, 32, 48, 64, 255] });
     let deep = b"P5 2 1 65535\n\x01\x02\xff\xff";
     assert_eq!(decode(deep).unwrap(), Image::U16 { width: 2, height: 1, pixels: vec![0x0102, 0xffff] });
+    // Greater values than 1 are scaled to white; black bits are 1; comments may stand anywhere.
+    let few = b"P2\n# grey\n2 1 4\n0 2\n";
+    assert_eq!(decode(few).unwrap(), Image::U8 { width: 2, height: 1, pixels: vec![0, 128] });
+    for bits in [&b"P1 3 1\n1 0\n1"[..], b"P4 3 1\n\xbf"] {
+        assert_eq!(decode(bits).unwrap(), Image::U8 { width: 3, height: 1, pixels: vec![0, 255, 0] });
+    }
+    let pam = b"P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 65535\nTUPLTYPE RGB_ALPHA\nENDHDR\n\x80\0\x80\0\x80\0\0\0";
+    assert_eq!(decode(pam).unwrap(), Image::U16 { width: 1, height: 1, pixels: vec![0x8000] });
+    assert!(decode(b"P5 3 2 255\n\x00").is_err());
     // Grey in colour images keeps its value.
     let ppm = b"P6 1 1 255\n\x50\x50\x50";
     assert_eq!(decode(ppm).unwrap(), Image::U8 { width: 1, height: 1, pixels: vec![0x50] });

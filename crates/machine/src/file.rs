@@ -9,7 +9,9 @@ use crate::sensor::SensorFile;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
-use seamwright_document::{Direction, Document, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
+use seamwright_document::{
+    Direction, Document, DocumentError, Finite, NonNegative, Point, Positive, SchemaVersion, Transform,
+};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -164,6 +166,14 @@ pub struct HeadFile {
 }
 
 impl MachineFile {
+    /// Reads a machine file as it is written; [`Machine::read`](crate::Machine::read) builds the machine of it.
+    ///
+    /// # Errors
+    /// The first error, with its address.
+    pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
+        Document::read(file, text)
+    }
+
     /// Name, own steps, direction and tip of each head.
     pub(crate) fn heads(&self) -> Vec<(&str, &[StepFile], Direction, DVec3)> {
         let tip = |tip: Option<Point>| tip.map_or(DVec3::ZERO, Point::get);

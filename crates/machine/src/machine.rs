@@ -16,7 +16,7 @@ use crate::welding_head::Head;
 use crate::{AxisLimits, Sight};
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
-use seamwright_document::{Document, DocumentError};
+use seamwright_document::DocumentError;
 use seamwright_geometry::{HeightTable, Pose};
 use std::f64::consts::TAU;
 
@@ -106,7 +106,7 @@ impl Machine {
         text: &str,
         load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
     ) -> Result<Self, DocumentError> {
-        assemble::machine(&Document::<MachineFile>::read(file, text)?, load)
+        assemble::machine(&MachineFile::read(file, text)?, load)
     }
 
     /// The same machine with head `head` as the first, to which poses refer.

@@ -95,17 +95,3 @@ impl Serialize for Finding {
         fields.end()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_warning_has_a_cure_and_a_note_has_none() {
-        let note = Finding::note("blend", Message::new("blend"), 2, PathRange { from_mm: 1.0, to_mm: 2.0 });
-        assert_eq!(note.severity(), Severity::Note);
-        assert_eq!(Finding { cure: Some(Message::new("wider")), ..note.clone() }.severity(), Severity::Warning);
-        assert_eq!(Finding { allowed: false, ..note }.severity(), Severity::Error);
-        assert!(Severity::Error > Severity::Warning && Severity::Warning > Severity::Note);
-    }
-}

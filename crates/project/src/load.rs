@@ -226,7 +226,7 @@ fn checked(
     stl: &StlFiles,
 ) -> Result<(Machine, Document<MachineFile>), Failure> {
     let machine = Machine::read_with(file, text, &|name| stl.read(within, name))?;
-    let document = Document::<MachineFile>::read(file, text)?;
+    let document = MachineFile::read(file, text)?;
     match check_drives(&machine) {
         Err(Error::Drive { axis, reason }) => Err(document.error_at(&format!("drives.{axis}"), reason, "").into()),
         _ => Ok((machine, document)),

@@ -322,7 +322,7 @@ fn arrows_of_a_machine_point_the_positive_way() {
 #[test]
 fn a_check_makes_a_page_that_is_well_formed_whatever_the_file_says() {
     let text = SHIPPED[5].text.replacen("title = \"", "title = \"</title><script>&", 1);
-    let file = seamwright_document::Document::<seamwright_machine::MachineFile>::read("m", &text).unwrap();
+    let file = seamwright_machine::MachineFile::read("m", &text).unwrap();
     let machine = Machine::read("m", &text).unwrap();
     let options = CheckOptions { seed: 1, poses: 50 };
     let result = Check::run(&file, &machine, &options, &mut || ());

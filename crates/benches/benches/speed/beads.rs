@@ -1,7 +1,7 @@
 //! From job to program: all passes of a saddle 1,580 mm long, laid out every mm. Aim: 20 ms for 12 passes; growth with
 //! passes and length no more than linear.
 
-use criterion::Criterion;
+use crate::measure::time;
 use seamwright_weld::Welding;
 use std::hint::black_box;
 
@@ -16,15 +16,12 @@ fn job(area: f64, step: f64) -> String {
     )
 }
 
-pub(crate) fn beads(c: &mut Criterion) {
-    let mut group = c.benchmark_group("job to program");
-    group.sample_size(20);
+pub(crate) fn beads() {
     for (area, step) in [(20.0, 1.0), (9.5, 1.0), (20.0, 2.0)] {
         let text = job(area, step);
         let passes = Welding::read("job", &text).unwrap().program.value.passes.len();
-        group.bench_function(format!("{passes} passes, every {step} mm"), |b| {
-            b.iter(|| black_box(Welding::read("job", black_box(&text)).unwrap()));
+        time(&format!("job to program/{passes} passes, every {step} mm"), || {
+            black_box(Welding::read("job", black_box(&text)).unwrap())
         });
     }
-    group.finish();
 }

@@ -1,6 +1,6 @@
 //! 1,000 stations of a torch along a saddle of 1.6 m: 20 fixtures and a part of 50,000 triangles. Aim: 500 ms.
 
-use criterion::Criterion;
+use crate::measure::time;
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Group, Limits, Mesh, Motion, Scene, Shape, Solid, Watch, nearest};
 use std::f64::consts::TAU;
@@ -80,17 +80,15 @@ fn scene() -> Scene {
     Scene::new(groups, vec![Watch::Apart { a: 0, b: 1, least_mm: 1.0 }]).unwrap()
 }
 
-pub(crate) fn clearance(c: &mut Criterion) {
+pub(crate) fn clearance() {
     let scene = scene();
     let limits = Limits { cutoff_mm: 100.0, precision_mm: 0.1, smallest: 0.05 };
     // The torch passes close by without contact: every cell needs the full proof.
     let profile = scene.along(&Saddle, 1000, &limits).unwrap();
     let least = profile.traces[0].nearest.1.distance;
     assert!(profile.stretches.is_empty() && least < 10.0, "{least} mm, {:?}", profile.stretches.first());
-    let mut group = c.benchmark_group("clearance");
-    group.sample_size(20);
-    group.bench_function("1,000 stations, 20 fixtures, 50,000 triangles", |b| {
-        b.iter(|| black_box(scene.along(&Saddle, 1000, &limits)).unwrap());
+    time("clearance/1,000 stations, 20 fixtures, 50,000 triangles", || {
+        black_box(scene.along(&Saddle, 1000, &limits)).unwrap()
     });
     // Two such parts, 20 mm apart and crosswise: the most expensive single distance.
     let body = Shape::Mesh(Arc::new(part()));
@@ -98,9 +96,8 @@ pub(crate) fn clearance(c: &mut Criterion) {
     let (a, b) = (solid(body.clone(), 0.0, 0.0, 0.0), Solid::new("", body, turned).unwrap());
     let apart = nearest(&a, &DAffine3::IDENTITY, &b, &DAffine3::IDENTITY, 100.0).unwrap().distance;
     assert!(apart > 5.0, "{apart} mm");
-    group.bench_function("mesh with mesh, 50,000 triangles each", |bench| {
-        bench.iter(|| black_box(nearest(&a, &DAffine3::IDENTITY, &b, &DAffine3::IDENTITY, 100.0)).unwrap());
+    time("clearance/mesh with mesh, 50,000 triangles each", || {
+        black_box(nearest(&a, &DAffine3::IDENTITY, &b, &DAffine3::IDENTITY, 100.0)).unwrap()
     });
-    group.bench_function("tree over 50,000 triangles", |b| b.iter(|| black_box(part())));
-    group.finish();
+    time("clearance/tree over 50,000 triangles", || black_box(part()));
 }

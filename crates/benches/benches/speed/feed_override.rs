@@ -4,7 +4,7 @@
 #[path = "../../../motion/tests/it/override_profile/mod.rs"]
 mod override_profile;
 
-use criterion::Criterion;
+use crate::measure::time;
 use override_profile::Case;
 use override_profile::orders::sequence;
 use seamwright_machine::{Machine, shipped};
@@ -15,7 +15,7 @@ use seamwright_testkit::Random;
 use seamwright_weld::Welding;
 use std::hint::black_box;
 
-pub(crate) fn benches(c: &mut Criterion) {
+pub(crate) fn benches() {
     let case = Case::random(&mut Random::new(4));
     let fresh = || {
         let mut feed_override = FeedOverride::new(&case.limits(), 1e-3, &case.base).unwrap();
@@ -23,34 +23,28 @@ pub(crate) fn benches(c: &mut Criterion) {
         feed_override
     };
     let mut feed_override = fresh();
-    c.bench_function("period, feed_override steady", |b| {
-        b.iter(|| {
-            if feed_override.at_end() {
-                feed_override = fresh();
-            }
-            black_box(feed_override.step())
-        });
+    time("period, feed_override steady", || {
+        if feed_override.at_end() {
+            feed_override = fresh();
+        }
+        black_box(feed_override.step())
     });
     let mut feed_override = fresh();
     let mut periods = 0u32;
-    c.bench_function("period, commands every 20", |b| {
-        b.iter(|| {
-            if feed_override.at_end() {
-                feed_override = fresh();
-            }
-            periods += 1;
-            if periods.is_multiple_of(20) {
-                feed_override
-                    .command(if periods.is_multiple_of(40) { Command::Resume } else { Command::Hold })
-                    .unwrap();
-            }
-            black_box(feed_override.step())
-        });
+    time("period, commands every 20", || {
+        if feed_override.at_end() {
+            feed_override = fresh();
+        }
+        periods += 1;
+        if periods.is_multiple_of(20) {
+            feed_override.command(if periods.is_multiple_of(40) { Command::Resume } else { Command::Hold }).unwrap();
+        }
+        black_box(feed_override.step())
     });
 }
 
 /// One step of a run along the example saddle, on its machine with four axes.
-pub(crate) fn runs(c: &mut Criterion) {
+pub(crate) fn runs() {
     let welding = Welding::read("saddle", include_str!("../../../../examples/saddle.toml")).unwrap();
     let program = &welding.program.value;
     let machine = Machine::read("m", shipped(&program.machine).unwrap().text).unwrap();
@@ -62,27 +56,23 @@ pub(crate) fn runs(c: &mut Criterion) {
         run
     };
     let mut run = fresh();
-    c.bench_function("step of a run, welding", |b| {
-        b.iter(|| {
-            if run.now().phase == RunPhase::Ended {
-                run = fresh();
-            }
-            black_box(run.step().unwrap())
-        });
+    time("step of a run, welding", || {
+        if run.now().phase == RunPhase::Ended {
+            run = fresh();
+        }
+        black_box(run.step().unwrap())
     });
     let mut run = fresh();
     let mut periods = 0usize;
-    c.bench_function("step of a run, orders every 20", |b| {
-        b.iter(|| {
-            if run.now().phase == RunPhase::Ended {
-                run = fresh();
-            }
-            periods += 1;
-            if periods.is_multiple_of(20) {
-                let orders = [Order::Override(0.4), Order::Resume, Order::Override(1.0), Order::Hold, Order::Resume];
-                run.order(orders[periods / 20 % orders.len()]).unwrap();
-            }
-            black_box(run.step().unwrap())
-        });
+    time("step of a run, orders every 20", || {
+        if run.now().phase == RunPhase::Ended {
+            run = fresh();
+        }
+        periods += 1;
+        if periods.is_multiple_of(20) {
+            let orders = [Order::Override(0.4), Order::Resume, Order::Override(1.0), Order::Hold, Order::Resume];
+            run.order(orders[periods / 20 % orders.len()]).unwrap();
+        }
+        black_box(run.step().unwrap())
     });
 }

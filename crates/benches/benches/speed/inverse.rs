@@ -1,10 +1,10 @@
 //! Cost of the inverse from a neighbour: closed forms (aim: 200 ns), and Newton's method on a 7-axis arm (aim: 20 us).
 
-use criterion::Criterion;
+use crate::measure::time;
 use seamwright_machine::{Machine, SHIPPED};
 use std::hint::black_box;
 
-pub(crate) fn inverse(c: &mut Criterion) {
+pub(crate) fn inverse() {
     for shipped in SHIPPED {
         let machine = Machine::read(shipped.name, shipped.text).unwrap();
         let poses: Vec<_> = (0..997)
@@ -17,18 +17,16 @@ pub(crate) fn inverse(c: &mut Criterion) {
             })
             .collect();
         let mut i = 0;
-        c.bench_function(&format!("inverse, {}", shipped.name), |b| {
-            b.iter(|| {
-                i = (i + 1) % poses.len();
-                black_box(machine.inverse_near(black_box(&poses[i].0), &poses[i].1))
-            });
+        time(&format!("inverse, {}", shipped.name), || {
+            i = (i + 1) % poses.len();
+            black_box(machine.inverse_near(black_box(&poses[i].0), &poses[i].1))
         });
     }
 }
 
 /// An arm of seven rotary axes, each perpendicular to the one before it; the inverse starts 0.01 rad away, as along a
 /// path.
-pub(crate) fn numeric(c: &mut Criterion) {
+pub(crate) fn numeric() {
     let mut text = String::from("schema = 1\nname = \"arm\"\ntitle = \"7R arm\"\n");
     for (k, z) in [0.0, 340.0, 340.0, 740.0, 740.0, 1140.0, 1140.0].iter().enumerate() {
         let turn = if k % 2 == 0 { "[0, 0, 1]" } else { "[0, 1, 0]" };
@@ -47,10 +45,8 @@ pub(crate) fn numeric(c: &mut Criterion) {
         })
         .collect();
     let mut i = 0;
-    c.bench_function("inverse, 7R arm by Newton's method", |b| {
-        b.iter(|| {
-            i = (i + 1) % poses.len();
-            black_box(machine.inverse_near(black_box(poses[i].0), &poses[i].1))
-        });
+    time("inverse, 7R arm by Newton's method", || {
+        i = (i + 1) % poses.len();
+        black_box(machine.inverse_near(black_box(poses[i].0), &poses[i].1))
     });
 }

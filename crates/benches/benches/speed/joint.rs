@@ -1,7 +1,7 @@
 //! Benchmark of following a joint through a frame. Targets for 512 x 512: median 0.3 ms, 99th percentile 1 ms; time
 //! linear in the passed pixels.
 
-use criterion::{BenchmarkId, Criterion, Throughput};
+use crate::measure::rate;
 use seamwright_vision::joint::{CONFIDENT, End, Follower, Options, Start};
 use seamwright_vision::{Frame, Pixels};
 use std::hint::black_box;
@@ -21,8 +21,7 @@ fn image(size: usize, width: f64) -> Vec<u8> {
     pixels
 }
 
-pub(crate) fn joint(c: &mut Criterion) {
-    let mut group = c.benchmark_group("joint");
+pub(crate) fn joint() {
     let mut follower = Follower::new(Options::default());
     for (size, width) in [(512, 2.5), (512, 6.0), (512, 12.0), (512, 30.0), (256, 6.0), (1024, 6.0)] {
         let pixels = image(size, width);
@@ -31,10 +30,8 @@ pub(crate) fn joint(c: &mut Criterion) {
         let found = follower.follow(&frame, &start);
         let sure = found.rows.iter().filter(|r| r.confidence >= CONFIDENT).count();
         assert!(found.end == End::LeftImage && 2 * sure > found.rows.len(), "{size} {width}: {sure} sure");
-        group.throughput(Throughput::Elements((size * size) as u64));
-        group.bench_with_input(BenchmarkId::new(format!("width {width}"), size), &frame, |b, frame| {
-            b.iter(|| black_box(follower.follow(frame, &start).rows.len()));
+        rate(&format!("joint/width {width}/{size}"), (size * size) as u64, || {
+            black_box(follower.follow(&frame, &start).rows.len())
         });
     }
-    group.finish();
 }

@@ -1,6 +1,5 @@
-//! Time of what must be fast, from the geometry of a seam to a row of a trace. `make bench` prints it.
-
-#![allow(missing_docs, reason = "the benchmark macros make public items")]
+//! Time of what must be fast, from the geometry of a seam to a row of a trace. `make bench` prints it; a part
+//! of a name on the command line chooses.
 
 mod beads;
 mod clearance;
@@ -9,6 +8,7 @@ mod fine;
 mod inverse;
 mod jog;
 mod joint;
+mod measure;
 mod plan;
 mod position_loop;
 mod pulses;
@@ -21,30 +21,26 @@ mod stripe;
 mod trace;
 mod write;
 
-use criterion::{criterion_group, criterion_main};
-
-criterion_group!(
-    speed,
-    beads::beads,
-    clearance::clearance,
-    feed_override::benches,
-    feed_override::runs,
-    fine::benches,
-    inverse::inverse,
-    inverse::numeric,
-    jog::benches,
-    joint::joint,
-    plan::benches,
-    position_loop::ten_loops,
-    pulses::benches,
-    read::reads,
-    reduce::benches,
-    redundancy::benches,
-    seam_point::seam_point,
-    speed_profile::profiles,
-    speed_profile::finely,
-    stripe::stripe,
-    trace::rows,
-    write::bench
-);
-criterion_main!(speed);
+fn main() {
+    beads::beads();
+    clearance::clearance();
+    feed_override::benches();
+    feed_override::runs();
+    fine::benches();
+    inverse::inverse();
+    inverse::numeric();
+    jog::benches();
+    joint::joint();
+    plan::benches();
+    position_loop::ten_loops();
+    pulses::benches();
+    read::reads();
+    reduce::benches();
+    redundancy::benches();
+    seam_point::seam_point();
+    speed_profile::profiles();
+    speed_profile::finely();
+    stripe::stripe();
+    trace::rows();
+    write::bench();
+}

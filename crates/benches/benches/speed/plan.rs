@@ -1,6 +1,6 @@
 //! Cost of the whole plan of the example (aim: 20 ms) and of one exact set-point from it (aim: 150 ns).
 
-use criterion::Criterion;
+use crate::measure::time;
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_weld::Welding;
@@ -21,21 +21,19 @@ fn plan(name: &str, text: &str) -> PassMotion {
     PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).unwrap()
 }
 
-pub(crate) fn benches(c: &mut Criterion) {
+pub(crate) fn benches() {
     for (name, text) in EXAMPLES {
-        c.bench_function(&format!("whole plan, {name}"), |b| b.iter(|| black_box(plan(name, black_box(text)))));
+        time(&format!("whole plan, {name}"), || black_box(plan(name, black_box(text))));
     }
     for (name, text) in EXAMPLES {
         let motion = plan(name, text);
         let mut points = motion.set_points(1e-3);
-        c.bench_function(&format!("set-point, {name}"), |b| {
-            b.iter(|| match points.next() {
-                Some(point) => black_box(point.q),
-                None => {
-                    points = motion.set_points(1e-3);
-                    black_box(Default::default())
-                }
-            });
+        time(&format!("set-point, {name}"), || match points.next() {
+            Some(point) => black_box(point.q),
+            None => {
+                points = motion.set_points(1e-3);
+                black_box(Default::default())
+            }
         });
     }
 }

@@ -1,6 +1,6 @@
 //! Benchmark of the position loops in a cycle: updates of ten loops and, for comparison, steps of ten simulated axes.
 
-use criterion::Criterion;
+use crate::measure::time;
 use seamwright_servo::{
     BacklashCompensation, DriveParameters, DriveTuning, EncoderSide, FrictionCompensation, Gains, LinearLoad, Notch,
     PositionLoop, ServoAxis, SetPoint, Transmission,
@@ -36,35 +36,28 @@ fn drive() -> Result<DriveParameters, seamwright_servo::Error> {
     })
 }
 
-pub(crate) fn ten_loops(criterion: &mut Criterion) {
+pub(crate) fn ten_loops() {
     let mut loops: Vec<PositionLoop> = (0..10).map(|_| full_loop().expect("a good loop")).collect();
     let mut k = 0u32;
-    criterion.bench_function("10 position loops", |bencher| {
-        bencher.iter(|| {
-            k = k.wrapping_add(1);
-            let t = f64::from(k % 4096) * PERIOD;
-            let set = SetPoint { position: t.sin(), velocity: t.cos(), acceleration: -t.sin() };
-            for position_loop in &mut loops {
-                black_box((
-                    position_loop.update(black_box(set), black_box(set.position - 1e-3)),
-                    position_loop.force(),
-                ));
-            }
-        });
+    time("10 position loops", || {
+        k = k.wrapping_add(1);
+        let t = f64::from(k % 4096) * PERIOD;
+        let set = SetPoint { position: t.sin(), velocity: t.cos(), acceleration: -t.sin() };
+        for position_loop in &mut loops {
+            black_box((position_loop.update(black_box(set), black_box(set.position - 1e-3)), position_loop.force()));
+        }
     });
     let mut axes: Vec<ServoAxis> = loops
         .iter()
         .map(|position_loop| ServoAxis::with_loop(*position_loop, drive().expect("a good drive")))
         .collect::<Result<_, _>>()
         .expect("good axes");
-    criterion.bench_function("10 simulated axes", |bencher| {
-        bencher.iter(|| {
-            k = k.wrapping_add(1);
-            let t = f64::from(k) * PERIOD;
-            let set = SetPoint { position: t.sin(), velocity: t.cos(), acceleration: -t.sin() };
-            for axis in &mut axes {
-                black_box(axis.step(black_box(set), 0.0));
-            }
-        });
+    time("10 simulated axes", || {
+        k = k.wrapping_add(1);
+        let t = f64::from(k) * PERIOD;
+        let set = SetPoint { position: t.sin(), velocity: t.cos(), acceleration: -t.sin() };
+        for axis in &mut axes {
+            black_box(axis.step(black_box(set), 0.0));
+        }
     });
 }

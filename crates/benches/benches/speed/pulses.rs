@@ -1,7 +1,7 @@
 //! Pulses of one axis a second on one core (aim: 50 million a second, 20 ns each): many and few in a period of 1 ms,
 //! and three axes with their lines in the order of time.
 
-use criterion::{BenchmarkId, Criterion, Throughput};
+use crate::measure::rate;
 use seamwright_motion::pulses::{Generator, Lines, Timing};
 use std::hint::black_box;
 
@@ -15,44 +15,34 @@ fn positions(most: f64) -> Vec<f64> {
     (1..=PERIODS).map(|k| most / angle * (angle * f64::from(k)).sin()).collect()
 }
 
-pub(crate) fn benches(c: &mut Criterion) {
-    let mut group = c.benchmark_group("pulses of an axis");
+pub(crate) fn benches() {
     for most in [195.0, 20.0] {
         let positions = positions(most);
         let count = |axis: &mut Generator| positions.iter().map(|p| axis.period(*p).unwrap().len() as u64).sum::<u64>();
         let pulses = count(&mut Generator::new(TIMING, 0.0).unwrap());
-        group.throughput(Throughput::Elements(pulses));
-        group.bench_function(BenchmarkId::from_parameter(format!("up to {most} a period")), |b| {
-            b.iter(|| {
-                let mut axis = Generator::new(TIMING, 0.0).unwrap();
-                let mut sum = 0;
-                for position in &positions {
-                    for tick in axis.period(*position).unwrap() {
-                        sum += black_box(tick);
-                    }
+        rate(&format!("pulses of an axis/up to {most} a period"), pulses, || {
+            let mut axis = Generator::new(TIMING, 0.0).unwrap();
+            let mut sum = 0;
+            for position in &positions {
+                for tick in axis.period(*position).unwrap() {
+                    sum += black_box(tick);
                 }
-                sum
-            });
+            }
+            sum
         });
     }
-    group.finish();
     let positions = positions(195.0);
     let start = [(TIMING, 0.0); 3];
     let mut lines = Lines::new(&start).unwrap();
     positions.iter().for_each(|p| lines.advance([*p, 0.7 * p, -0.3 * p]).unwrap());
     let pulses = lines.generators().map(Generator::pulses).sum();
-    let mut group = c.benchmark_group("pulses of three axes");
-    group.throughput(Throughput::Elements(pulses));
-    group.bench_function("all edges in order", |b| {
-        b.iter(|| {
-            let mut lines = Lines::new(&start).unwrap();
-            for p in &positions {
-                lines.advance([*p, 0.7 * p, -0.3 * p]).unwrap();
-                while let Some(event) = lines.event() {
-                    black_box(event);
-                }
+    rate("pulses of three axes/all edges in order", pulses, || {
+        let mut lines = Lines::new(&start).unwrap();
+        for p in &positions {
+            lines.advance([*p, 0.7 * p, -0.3 * p]).unwrap();
+            while let Some(event) = lines.event() {
+                black_box(event);
             }
-        });
+        }
     });
-    group.finish();
 }

@@ -3,7 +3,7 @@
 #[path = "../../../post/tests/it/reading/mod.rs"]
 mod reading;
 
-use criterion::{Criterion, Throughput};
+use crate::measure::rate;
 use seamwright_post::{Dialect, ReadOptions, read};
 use std::fmt::Write;
 use std::hint::black_box;
@@ -32,14 +32,11 @@ fn text(dialect: Dialect) -> String {
     text
 }
 
-pub(crate) fn reads(c: &mut Criterion) {
-    let mut group = c.benchmark_group("read");
-    group.throughput(Throughput::Elements(u64::from(BLOCKS))).sample_size(10);
+pub(crate) fn reads() {
     for dialect in Dialect::ALL {
         let (control, text) = (reading::control(dialect), text(dialect));
-        group.bench_function(format!("a million blocks of {}", dialect.name()), |b| {
-            b.iter(|| black_box(read(&control, "bench", black_box(&text), &ReadOptions::default())).unwrap());
+        rate(&format!("read/a million blocks of {}", dialect.name()), u64::from(BLOCKS), || {
+            black_box(read(&control, "bench", black_box(&text), &ReadOptions::default())).unwrap()
         });
     }
-    group.finish();
 }

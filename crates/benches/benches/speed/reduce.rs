@@ -1,6 +1,6 @@
 //! Polylines of a million points (but for the spiral) to lines and arcs, by both methods.
 
-use criterion::Criterion;
+use crate::measure::time;
 use glam::DVec3;
 use seamwright_geometry::reduce::{Method, Tolerances, reduce};
 use seamwright_testkit::Random;
@@ -61,9 +61,7 @@ fn walk(count: usize) -> Vec<DVec3> {
     (0..count).map(step).collect()
 }
 
-pub(crate) fn benches(c: &mut Criterion) {
-    let mut group = c.benchmark_group("reduce");
-    group.sample_size(10);
+pub(crate) fn benches() {
     let paths = [
         ("mixed", mixed(POINTS)),
         ("line", line(POINTS)),
@@ -71,12 +69,10 @@ pub(crate) fn benches(c: &mut Criterion) {
         ("spiral of 100,000", spiral(POINTS / 10)),
         ("walk", walk(POINTS)),
     ];
+    let tolerances = Tolerances { path_mm: TOLERANCE, columns: 1.0 };
     for (name, points) in paths {
         for (method, called) in [(Method::Greedy, "greedy"), (Method::Fewest, "fewest")] {
-            group.bench_function(format!("{name}, {called}"), |b| {
-                let tolerances = Tolerances { path_mm: TOLERANCE, columns: 1.0 };
-                b.iter(|| reduce(black_box(&points), &[], tolerances, method));
-            });
+            time(&format!("reduce/{name}, {called}"), || reduce(black_box(&points), &[], tolerances, method));
         }
     }
 }

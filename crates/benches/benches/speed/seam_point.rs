@@ -1,6 +1,6 @@
 //! Cost of a seam point by path length: position, tangent, both normals, bisector, dihedral angle. Aim: 100 ns.
 
-use criterion::Criterion;
+use crate::measure::time;
 use seamwright_weld::Welding;
 use std::hint::black_box;
 
@@ -10,17 +10,15 @@ const EXAMPLES: [(&str, &str); 3] = [
     ("ellipse", include_str!("../../../../examples/ellipse.toml")),
 ];
 
-pub(crate) fn seam_point(c: &mut Criterion) {
+pub(crate) fn seam_point() {
     for (name, text) in EXAMPLES {
         let welding = Welding::read(name, text).unwrap();
         let places: Vec<f64> =
             (0..997).map(|i| (f64::from(i) * 0.618).fract() * welding.seam.as_ref().unwrap().length()).collect();
         let mut i = 0;
-        c.bench_function(&format!("seam point with frame, {name}"), |b| {
-            b.iter(|| {
-                i = (i + 1) % places.len();
-                black_box(welding.seam.as_ref().unwrap().at(black_box(places[i])))
-            });
+        time(&format!("seam point with frame, {name}"), || {
+            i = (i + 1) % places.len();
+            black_box(welding.seam.as_ref().unwrap().at(black_box(places[i])))
         });
     }
 }

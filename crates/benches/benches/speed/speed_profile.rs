@@ -5,28 +5,28 @@
 #[allow(dead_code, unreachable_pub, reason = "it has more kinds of paths")]
 mod curves;
 
-use criterion::Criterion;
+use crate::measure::time;
 use curves::{Finely, Spline};
 use seamwright_motion::speed_profile::{Channels, SpeedProfile};
 use std::hint::black_box;
 
-pub(crate) fn profiles(c: &mut Criterion) {
+pub(crate) fn profiles() {
     for (name, jerk) in [("without jerk", f64::INFINITY), ("with jerk", 10.0)] {
         for (i, (spline, _)) in Spline::reference(jerk).iter().enumerate() {
             let axes = spline.limits().len();
-            c.bench_function(&format!("profile {name}, path {i} of {axes} axes"), |b| {
-                b.iter(|| black_box(SpeedProfile::new(black_box(spline)).map(|profile| profile.duration())));
+            time(&format!("profile {name}, path {i} of {axes} axes"), || {
+                black_box(SpeedProfile::new(black_box(spline)).map(|profile| profile.duration()))
             });
         }
     }
 }
 
-pub(crate) fn finely(c: &mut Criterion) {
+pub(crate) fn finely() {
     for (i, (spline, _)) in Spline::reference(10.0).into_iter().enumerate() {
         let axes = spline.limits().len();
         let path = Finely::new(spline, 1000);
-        c.bench_function(&format!("profile with jerk, 1000 cells, path {i} of {axes} axes"), |b| {
-            b.iter(|| black_box(SpeedProfile::new(black_box(&path)).map(|profile| profile.duration())));
+        time(&format!("profile with jerk, 1000 cells, path {i} of {axes} axes"), || {
+            black_box(SpeedProfile::new(black_box(&path)).map(|profile| profile.duration()))
         });
     }
 }

@@ -1,6 +1,6 @@
 //! Benchmark from an image to the features of a V groove, at 2048 columns. Target: 1 ms with windows of up to 512 rows.
 
-use criterion::{BenchmarkId, Criterion, Throughput};
+use crate::measure::rate;
 use seamwright_geometry::Homography;
 use seamwright_vision::stripe::{JointKind, StripeReader, StripeTask};
 use seamwright_vision::{Frame, Pixels};
@@ -26,8 +26,7 @@ fn image(height: usize) -> Vec<u8> {
     pixels
 }
 
-pub(crate) fn stripe(c: &mut Criterion) {
-    let mut group = c.benchmark_group("stripe");
+pub(crate) fn stripe() {
     for height in [256, 512, 1024] {
         let pixels = image(height);
         let to_mm = Homography::from_eight([0.05, 0.0, -51.2, 0.0, -0.05, 10.0, 0.0, 0.0]).expect("it is a scale");
@@ -35,13 +34,11 @@ pub(crate) fn stripe(c: &mut Criterion) {
         let task = StripeTask::in_mm(JointKind::V);
         let frame = Frame::new(WIDTH, height, Pixels::U8(&pixels)).expect("it has that many pixels");
         assert!(reader.read_image(&frame, Some(&to_mm), &task).is_ok_and(|f| f.is_confident()));
-        group.throughput(Throughput::Elements((WIDTH * height) as u64));
-        group.bench_with_input(BenchmarkId::new("image to features", height), &frame, |b, frame| {
-            b.iter(|| black_box(reader.read_image(frame, Some(&to_mm), &task).is_ok()));
+        rate(&format!("stripe/image to features/{height}"), (WIDTH * height) as u64, || {
+            black_box(reader.read_image(&frame, Some(&to_mm), &task).is_ok())
         });
-        group.bench_with_input(BenchmarkId::new("image to chain", height), &frame, |b, frame| {
-            b.iter(|| black_box(reader.trace(frame).is_ok()));
+        rate(&format!("stripe/image to chain/{height}"), (WIDTH * height) as u64, || {
+            black_box(reader.trace(&frame).is_ok())
         });
     }
-    group.finish();
 }

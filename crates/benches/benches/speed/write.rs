@@ -1,6 +1,6 @@
 //! Part programs to text: blocks of five axes with all words changing, a hundred thousand of them.
 
-use criterion::{Criterion, Throughput};
+use crate::measure::rate;
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::{Control, Dialect, Level, Move, PartProgram, Path, What, WriteOptions, write};
 use std::hint::black_box;
@@ -24,15 +24,14 @@ fn program(control: &Control) -> PartProgram {
     program
 }
 
-pub(crate) fn bench(c: &mut Criterion) {
+pub(crate) fn bench() {
     let Some(Ok(machine)) = shipped("table-tilting-xyzac").map(|s| Machine::read("m", s.text)) else { return };
-    let mut group = c.benchmark_group("write");
-    group.throughput(Throughput::Elements(u64::from(BLOCKS)));
     for dialect in Dialect::ALL {
         let Ok(control) = Control::new(&machine, dialect) else { return };
         let program = program(&control);
         let options = WriteOptions::default();
-        group.bench_function(dialect.name(), |b| b.iter(|| black_box(write(&control, &program, &options))));
+        rate(&format!("write/{}", dialect.name()), u64::from(BLOCKS), || {
+            black_box(write(&control, &program, &options))
+        });
     }
-    group.finish();
 }

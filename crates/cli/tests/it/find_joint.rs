@@ -1,7 +1,7 @@
 //! `seamwright vision joint`: a painted joint whose midline is known, photographs with hand-read points, and the errors
 //! of other images.
 
-use crate::common::{bad, good, json, json_file, root, run, scratch_file};
+use crate::common::{bad, good, json, json_file, picture, root, run, scratch_file};
 
 /// Rows with at least this confidence are confident (docs/reference/cli.md).
 const CONFIDENT: f64 = 0.5;
@@ -67,9 +67,9 @@ fn a_painted_joint_as_rows_json_and_picture() {
         let off = (row.y - midline(row.x)) / 1.01f64.sqrt();
         assert!(off.abs() < 0.6 && (row.width - 6.0).abs() < 2.0, "{off} {}", row.width);
     }
-    let picture = image::open(&png).unwrap();
-    assert_eq!((picture.width(), picture.height()), (320, 256));
-    let colours = picture.to_rgb8().pixels().filter(|p| p.0[0] != p.0[1]).count();
+    let (size, pixels) = picture(&png);
+    assert_eq!(size, (320, 256));
+    let colours = pixels.iter().filter(|p| p[0] != p[1]).count();
     assert!(colours > 1000, "{colours}");
     let json = json(&[&arguments[..7], &["--json"]].concat());
     assert_eq!(json["end"], "left-image");

@@ -1,6 +1,6 @@
 //! `seamwright vision stripe`: simulated images and profiles whose joint is known, and the errors of others.
 
-use crate::common::{bad, column, good, json, root, run, run_with, scratch_file, table};
+use crate::common::{bad, column, good, json, picture, root, run, run_with, scratch_file, table};
 use seamwright_machine::{Machine, Sight, shipped};
 use seamwright_simulation::camera_simulator::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use seamwright_vision::Image;
@@ -102,9 +102,9 @@ fn the_overlay_is_a_picture_of_the_same_size() {
     let path = pgm("overlay.pgm", &scene().image(&StripeDisturbances::USUAL, 4).image);
     let png = scratch_file("overlay.png", b"");
     good(&["vision", "stripe", &path, "--joint", "v", "--overlay", &png]);
-    let picture = image::open(&png).unwrap().into_rgb8();
-    assert_eq!(picture.dimensions(), (1024, 512));
-    let coloured = picture.pixels().filter(|p| p.0[0].abs_diff(p.0[2]) > 100).count();
+    let (size, pixels) = picture(&png);
+    assert_eq!(size, (1024, 512));
+    let coloured = pixels.iter().filter(|p| p[0].abs_diff(p[2]) > 100).count();
     assert!(coloured > 1000, "{coloured}");
 }
 

@@ -50,7 +50,7 @@ pub struct RoundTrip {
 
 impl RoundTrip {
     /// Compares tips and directions at `solution` with its target poses.
-    fn compare(&mut self, machine: &Machine, poses: &[Pose], q: &Joints, solution: &Solution, regular: bool) {
+    pub fn compare(&mut self, machine: &Machine, poses: &[Pose], q: &Joints, solution: &Solution, regular: bool) {
         self.solutions += 1;
         let mut off = 0.0f64;
         let mut point = 0.0f64;
@@ -72,7 +72,8 @@ impl RoundTrip {
         }
     }
 
-    fn judge(&mut self, numeric: bool, size_m: f64) {
+    /// Sets `passed` by the limits: of Newton's method if the inverse is `numeric`, for a machine of `size_m` metres.
+    pub fn judge(&mut self, numeric: bool, size_m: f64) {
         let axes = if numeric { AXES.1 } else { AXES.0 };
         self.passed = self.point_mm <= POINT * size_m
             && self.regular_direction <= DIRECTION.0
@@ -187,33 +188,4 @@ pub(super) fn pair(machine: &Machine, seed: u64, poses: u32, step: &mut dyn FnMu
     found.axes_mm_or_deg = axes;
     found.passed &= axes <= AXES.0 * size_m(machine) * (1e3 / apart).max(1.0);
     found
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::shipped::shipped;
-
-    #[test]
-    fn what_does_not_come_back_fails() {
-        let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
-        let q = machine.spread(3);
-        let pose = machine.forward(&q);
-        let judged = |change: &dyn Fn(&mut RoundTrip, &mut Solution)| {
-            let mut found = RoundTrip { poses: 1, ..RoundTrip::default() };
-            let mut solution = machine.inverse_near(pose, &q).unwrap();
-            change(&mut found, &mut solution);
-            found.compare(&machine, &[pose], &q, &solution, true);
-            found.judge(false, 1.0);
-            found.passed
-        };
-        assert!(judged(&|_, _| ()));
-        assert!(!judged(&|_, s| s.joints[0] += 3e-9));
-        assert!(!judged(&|_, s| s.joints[3] += 3e-9));
-        assert!(!judged(&|_, s| s.joints[2] = f64::NAN));
-        assert!(!judged(&|_, s| s.attitude_error = 1e-6));
-        assert!(!judged(&|f, _| f.unsolved = 1));
-        assert!(!judged(&|f, _| f.branch_missed = 1));
-        assert!(!judged(&|f, _| f.axes_mm_or_deg = 2e-9));
-    }
 }

@@ -1,6 +1,5 @@
 //! Self-tests of machine files: shipped files pass, planted mistakes are found, reach agrees with closed forms.
 
-use seamwright_document::Document;
 use seamwright_machine::check::{Check, CheckOptions, Remark, Side, remarks};
 use seamwright_machine::{Clamped, Machine, MachineFile, SHIPPED, Surroundings, shipped};
 use seamwright_message::Message;
@@ -8,7 +7,7 @@ use std::f64::consts::PI;
 
 fn checked(text: &str, poses: u32) -> Check {
     let machine = Machine::read("m.toml", text).unwrap();
-    let file = Document::<MachineFile>::read("m.toml", text).unwrap();
+    let file = MachineFile::read("m.toml", text).unwrap();
     let mut steps = 0;
     let options = CheckOptions { seed: 3, poses };
     let check = Check::run(&file, &machine, &options, &mut || steps += 1);
@@ -17,7 +16,7 @@ fn checked(text: &str, poses: u32) -> Check {
 }
 
 fn remarked(text: &str) -> Vec<Remark> {
-    remarks(&Document::<MachineFile>::read("m.toml", text).unwrap(), &Machine::read("m.toml", text).unwrap())
+    remarks(&MachineFile::read("m.toml", text).unwrap(), &Machine::read("m.toml", text).unwrap())
 }
 
 fn changed(name: &str, from: &str, to: &str) -> String {

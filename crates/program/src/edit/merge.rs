@@ -90,7 +90,7 @@ fn value(new: &New) -> Value {
 
 /// A type's keys and values; empty for types that are no table.
 pub(super) fn table_of<T: serde::Serialize>(value: &T) -> toml::Table {
-    toml::Table::try_from(value).unwrap_or_default()
+    seamwright_document::to_table(value).unwrap_or_default()
 }
 
 /// The tables at `key` of `table` as an array of tables, in any notation; empty if the key is missing.

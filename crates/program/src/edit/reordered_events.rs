@@ -88,23 +88,3 @@ fn new_steps(steps: &[(usize, bool)], count: usize, old_way: impl Fn(usize) -> u
     out.extend(last.filter(|on| *on != now).map(|on| (count, on)));
     out
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_on_stays_on() {
-        let turned = |steps: &[(usize, bool)]| new_steps(steps, 10, |i| 9 - i);
-        assert_eq!(turned(&[(3, true), (7, false)]), [(3, true), (7, false)]);
-        assert_eq!(turned(&[(2, true), (3, false)]), [(7, true), (8, false)]);
-        assert_eq!(turned(&[(0, true), (10, false)]), [(0, true), (10, false)]);
-        assert_eq!(turned(&[(0, true)]), [(0, true)]);
-        assert_eq!(turned(&[(4, true)]), [(0, true), (6, false)]);
-        assert_eq!(turned(&turned(&[(4, true)])), [(0, false), (4, true), (10, false)]);
-        assert_eq!(turned(&[(10, true)]), [(10, true)]);
-        let shifted = |steps: &[(usize, bool)]| new_steps(steps, 10, |i| (i + 4) % 10);
-        assert_eq!(shifted(&[(0, true), (10, false)]), [(0, true), (10, false)]);
-        assert_eq!(shifted(&[(2, true), (5, false)]), [(0, true), (1, false), (8, true), (10, false)]);
-    }
-}

@@ -153,7 +153,7 @@ impl Procedure {
     /// # Errors
     /// None in practice: every value in a procedure has a TOML form.
     pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
-        toml::to_string(self)
+        seamwright_document::to_toml(self)
     }
 
     /// Checks the procedure in the table `table` of `file` (empty: it is the whole file).

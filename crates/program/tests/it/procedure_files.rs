@@ -44,7 +44,8 @@ fn runs_are_found_by_name_and_by_number() {
     let of = |name, role| p.run_of(9, &pass(name, Some(role))).and_then(label);
     assert_eq!(of("north, part 1", Role::Root).as_deref(), Some("root"));
     assert_eq!(of("root, part 1", Role::Fill), None);
-    assert_eq!(Procedure::read("w.toml", &toml::to_string(&p).unwrap()).unwrap().value, p);
+    let again = p.to_toml().unwrap();
+    assert_eq!(Procedure::read("w.toml", &again).unwrap().value, p);
     assert_eq!(p.runs[0].name, Some(Role::Root));
     assert_eq!(p.runs[0].ranges["voltage_v"].ends(), (18.0, 20.5));
     for shipped in PROCEDURES {
@@ -154,7 +155,7 @@ fn efficiencies_power_and_limits() {
     let good = TEXT.replace("process = 135", &with("position_limits.fillet.pb_deg = 60\npower = [\"arc_kw\"]"));
     let p = Procedure::read("w.toml", &good).unwrap().value;
     assert!((p.position_limits.fillet.pb_deg.get() - 60.0).abs() < 1e-15);
-    assert_eq!(Procedure::read("w.toml", &toml::to_string(&p).unwrap()).unwrap().value, p);
+    assert_eq!(Procedure::read("w.toml", &p.to_toml().unwrap()).unwrap().value, p);
 }
 
 #[test]

@@ -96,6 +96,15 @@ pub fn scratch_file(name: &str, bytes: &[u8]) -> String {
     write(&folder, name, bytes)
 }
 
+/// Width, height and pixels of a PNG file in red, green and blue.
+pub fn picture(path: &str) -> ((u32, u32), Vec<[u8; 3]>) {
+    let file = std::io::BufReader::new(std::fs::File::open(path).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut bytes).unwrap();
+    (reader.info().size(), bytes.as_chunks::<3>().0.to_vec())
+}
+
 /// A CSV table: header and rows of numbers (NaN where a cell is empty or text).
 pub fn table(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
     let mut lines = csv.lines();

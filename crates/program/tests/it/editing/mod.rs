@@ -7,4 +7,5 @@ mod random;
 mod reducing;
 mod refusals;
 mod sequences;
+mod switches;
 mod variables;
