@@ -1,6 +1,6 @@
 //! From byte spans to key paths and back.
 
-use crate::path::{Step, steps, with_key};
+use crate::key_path::{Step, steps, with_key};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

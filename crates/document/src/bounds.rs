@@ -6,7 +6,7 @@
 
 use crate::document::error_at;
 use crate::error::DocumentError;
-use crate::path::with_key;
+use crate::key_path::with_key;
 use seamwright_message::{Message, Unit};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

@@ -24,7 +24,6 @@ mod task;
 mod unavailable_commands;
 
 pub(crate) use audit_entry::{Change, hides};
-pub(crate) use commands::executive_command;
 pub(crate) use connection::{CellDevices, Connection};
 pub(crate) use desk::{Loading, ToDesk};
 pub(crate) use display_distances::Around;
@@ -35,3 +34,4 @@ pub(crate) use prepared_task::{Prepared, fingerprint};
 pub(crate) use start::Cell;
 pub(crate) use stored_message::from_stored;
 pub(crate) use task::{Planned, Task};
+pub(crate) use unavailable_commands::executive_command;

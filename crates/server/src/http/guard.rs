@@ -1,7 +1,7 @@
 use super::answer::Refused;
 use super::login::same;
-use crate::refusal::{action_word, panel_word};
 use super::panel::{Panel, Shared};
+use crate::refusal::{action_word, panel_word};
 use crate::users::{Session, may};
 use crate::wire::Role;
 use axum::Extension;

@@ -1,6 +1,6 @@
-use crate::cell::{Cell, Change};
 use super::answer::Refused;
 use super::work_limit::{Turn, Turns};
+use crate::cell::{Cell, Change};
 use crate::planner::Planner;
 use crate::teaching::{Cameras, Teaching};
 use crate::users::{Accounts, Checks, Devices, MAX_USERS, OWNER, Session, Sessions, Tries};
