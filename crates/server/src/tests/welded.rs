@@ -1,17 +1,17 @@
 //! A weld from power-on to its record; a stop and a continuation.
 
 use super::lived::{Page, Served};
-use super::{Bench, Visitor};
+use super::{Bench, Visitor, beside_home};
 use http_body_util::BodyExt as _;
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// Saves a part of the ellipse as `short.toml`.
+/// Saves a part of the ellipse beside the home position as `short.toml`.
 async fn short_job(bench: &Bench, owner: &Visitor) {
     let example = bench.did(owner, "GET", "/api/jobs/ellipse.toml", Value::Null).await;
     let text = example["text"].as_str().unwrap();
     let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
-    let text = text.replace(line, "end_phi_deg = 60");
+    let text = beside_home(&text.replace(line, "end_phi_deg = 60"));
     bench.did(owner, "PUT", "/api/jobs/short.toml", json!({ "text": text })).await;
 }
 
@@ -239,8 +239,9 @@ async fn a_part_that_was_welded_without_a_record_is_finished() {
 async fn what_was_stopped_is_known_after_a_restart() {
     let served = Served::new().await;
     let owner = served.bench.owner().await;
-    let load = json!({ "job": "ellipse.toml", "from": null, "part": "N-3" });
-    served.bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    short_job(&served.bench, &owner).await;
+    let load = |part: Option<&str>| json!({ "job": "short.toml", "from": null, "part": part });
+    served.bench.did(&owner, "POST", "/api/load", load(Some("N-3"))).await;
     let mut page = served.page_up(&owner).await;
     page.weld().await;
     page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 3.0).await;
@@ -249,6 +250,7 @@ async fn what_was_stopped_is_known_after_a_restart() {
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
     let served = Served::on(served.bench.end()).await;
     let owner = served.bench.owner().await;
+    served.bench.did(&owner, "POST", "/api/load", load(None)).await;
     let mut page = served.page(&owner).await;
     let after = page.until_status("where it was left", |v| v["left"]["here"] == true).await;
     assert_eq!(after["left"], before["left"]);
