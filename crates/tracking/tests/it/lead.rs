@@ -415,7 +415,10 @@ fn a_wild_sensor() {
             most = most.max(found.value.length());
             let off = found.value.distance(wavy(s, 0.0));
             let doubt = 3.0 * found.sigma_mm + 0.15;
-            assert!(starts(&rig) > begun || found.sight >= Sight::Fading || off < doubt, "{seed} at {s}: {off} {found:?}");
+            assert!(
+                starts(&rig) > begun || found.sight >= Sight::Fading || off < doubt,
+                "{seed} at {s}: {off} {found:?}"
+            );
         }
         if starts(&rig) > begun {
             followed += 1;
