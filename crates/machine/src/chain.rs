@@ -191,7 +191,11 @@ impl Chain {
     /// Columns of the Jacobian at `q`, by axis in machine-file order: change of the tip (mm) and of the direction
     /// per mm or rad of the axis.
     pub fn jacobian(&self, q: &Joints) -> [(DVec3, DVec3); MAX_AXES] {
-        let tip = self.forward(q);
+        self.jacobian_at(q, &self.forward(q))
+    }
+
+    /// The same if the tip at `q` is known.
+    pub(crate) fn jacobian_at(&self, q: &Joints, tip: &Pose) -> [(DVec3, DVec3); MAX_AXES] {
         let mut columns = [(DVec3::ZERO, DVec3::ZERO); MAX_AXES];
         let (mut turn, mut shift) = (DMat3::IDENTITY, DVec3::ZERO);
         for screw in &self.screws {

@@ -22,7 +22,7 @@ fn all_pairs_of_shapes_agree_with_projections_in_turns() {
     for i in 0..KINDS {
         for j in 0..KINDS {
             // Brute force is expensive for mesh with mesh.
-            let count = if (i, j) == (7, 7) { 20 } else { 60 };
+            let count = if (i, j) == (7, 7) { 8 } else { 25 };
             let mut apart = 0;
             for _ in 0..cases(count) {
                 let (s, t) = (shape(i, &mut random), shape(j, &mut random));

@@ -1,6 +1,6 @@
 //! Beam mode and replay in `simulate`, on the half-ring that ships.
 
-use crate::common::{bad, example, good, root, run};
+use crate::common::{bad, example, good, part_of, root, run};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -14,7 +14,8 @@ fn a_half_ring_with_a_cosmetic_pass() {
     let folder = tempfile::tempdir().unwrap();
     let [out, again, moved] = ["out", "again", "moved"].map(|name| folder.path().join(name));
     let shown = |path: &Path| path.display().to_string();
-    let (job, misplaced) = (example("half-ring"), shown(&root().join("examples/distortions/half-ring.toml")));
+    let job = part_of(folder.path(), "half-ring", "end_phi_deg = 210", "end_phi_deg = 75");
+    let misplaced = shown(&root().join("examples/distortions/half-ring.toml"));
     let text = good(&["simulate", &job, "-o", &shown(&out), "--distortion", &misplaced]);
     assert!(
         text.contains("untracked") && text.contains("replayed: deflected by") && text.contains("deviations-pass-1.csv")

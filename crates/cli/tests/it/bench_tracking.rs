@@ -26,8 +26,10 @@ fn faults_and_beam_mode_are_kept() {
 
 #[test]
 fn as_markdown_and_what_cannot_be() {
-    let text = good(&["tools", "bench", "tracking", "--seeds", "1", "--table", "beam"]);
-    assert!(text.starts_with("## Beam mode at 10 mm/s\n") && text.contains("replayed beside the tracked pass"));
+    let text = good(&["tools", "bench", "tracking", "--seeds", "1", "--table", "faults"]);
+    assert!(
+        text.starts_with("## Faults while tracking\n") && text.lines().filter(|l| l.starts_with("| ")).count() > 80
+    );
     assert!(!text.contains("**no**"), "{text}");
     assert!(bad(2, &["tools", "bench", "tracking", "--seeds", "0"]).contains("1..=1000"));
     assert!(bad(2, &["tools", "bench", "tracking", "--table", "sems"]).contains("seams, parts, faults, beam"));

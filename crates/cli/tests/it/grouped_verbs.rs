@@ -1,6 +1,6 @@
 //! The groups of verbs, their former names, the language of the process, and what packages need.
 
-use crate::common::{bad, example, good, run, run_with};
+use crate::common::{bad, example, good, part_of, run, run_with};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -162,8 +162,8 @@ fn summaries_are_in_the_language_that_is_asked_for() {
     let shared = ["name", "position", "plan", "simulation", "zone", "alarm"];
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out").display().to_string();
-    for (job, verbs) in [("first-weld", &["check", "plan", "simulate"][..]), ("thick-saddle", &["plan"][..])] {
-        let job = example(job);
+    let many_passes = part_of(folder.path(), "thick-saddle", "overlap_mm = 20", "end_phi_deg = 80");
+    for (job, verbs) in [(example("first-weld"), &["check", "plan", "simulate"][..]), (many_passes, &["plan"][..])] {
         let report = run(&["plan", &job, "-o", &out, "--json"]).stdout;
         let names = names_of(&serde_json::from_slice(&report).unwrap());
         for verb in verbs {

@@ -1,6 +1,6 @@
 //! Reports of plans and simulated welds in all languages: only names are English, and no text is cut off.
 
-use crate::common::{bad, example, free_example, good, root, run, write};
+use crate::common::{bad, example, free_example, good, part_of, root, run, write};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -94,8 +94,11 @@ fn in_languages(arguments: &[&str], languages: &[&str]) {
 fn plans_are_told_in_all_languages() {
     in_languages(&["plan", &example("first-weld"), "--post", "linuxcnc"], &TRANSLATED);
     // Each of these has words of its own, in two of the languages: a missing translation fails other tests.
-    let examples = ["thick-saddle", "taught-saddle", "set-in-nozzle", "weave", "points", "radiator", "oblique-girth"];
-    for (name, languages) in examples.iter().zip([&TRANSLATED[..2], &TRANSLATED[2..]].iter().cycle()) {
+    let folder = tempfile::tempdir().unwrap();
+    let many_passes = part_of(folder.path(), "thick-saddle", "overlap_mm = 20", "end_phi_deg = 80");
+    in_languages(&["plan", &many_passes], &TRANSLATED[..2]);
+    let examples = ["taught-saddle", "set-in-nozzle", "weave", "points", "radiator", "oblique-girth"];
+    for (name, languages) in examples.iter().zip([&TRANSLATED[2..], &TRANSLATED[..2]].iter().cycle()) {
         in_languages(&["plan", &example(name)], languages);
     }
 }
@@ -105,8 +108,10 @@ fn simulated_welds_are_told_in_all_languages() {
     in_languages(&["simulate", &example("first-weld")], &TRANSLATED[..2]);
     in_languages(&["simulate", &example("t-joint")], &TRANSLATED[2..]);
     let distortion = root().join("examples/distortions/half-ring.toml").display().to_string();
-    in_languages(&["simulate", &example("half-ring"), "--distortion", &distortion], &TRANSLATED[1..2]);
-    in_languages(&["simulate", &example("half-ring"), "--distortion", &distortion, "--no-tracking"], &TRANSLATED[3..]);
+    let folder = tempfile::tempdir().unwrap();
+    let ring = part_of(folder.path(), "half-ring", "end_phi_deg = 210", "end_phi_deg = 75");
+    in_languages(&["simulate", &ring, "--distortion", &distortion], &TRANSLATED[1..2]);
+    in_languages(&["simulate", &ring, "--distortion", &distortion, "--no-tracking"], &TRANSLATED[3..]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `run` in real time, `simulate --fault` in virtual time, `latency`.
 
-use crate::common::{bad, example, good, json, root, run, run_with, start, write};
+use crate::common::{bad, beside_home, example, good, json, root, run, run_with, start, write};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use serde_json::Value;
@@ -132,12 +132,11 @@ fn a_weld_survives_the_power() {
     let (data, out) = (folder.path().join("data"), folder.path().join("out"));
     let [data, out] = [&data, &out].map(|path| path.display().to_string());
     // It continues 2 mm before the position up to which it is welded.
-    let text =
-        std::fs::read_to_string(example("ellipse")).unwrap().replacen("[sequence]", "[sequence]\noverlap_mm = 2", 1);
+    let text = beside_home().replacen("[sequence]", "[sequence]\noverlap_mm = 2", 1);
     let job = write(folder.path(), "ellipse.toml", text);
-    let mut child = start(&["run", &job, "-o", &out, "--data", &data, "--part", "P1", "--from", "1,105"]);
+    let mut child = start(&["run", &job, "-o", &out, "--data", &data, "--part", "P1", "--from", "1,112"]);
     let mut stdin = child.stdin.take().unwrap();
-    stdin.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 106.5 mm\n?\n").unwrap();
+    stdin.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 113.5 mm\n?\n").unwrap();
     let lines = std::io::BufReader::new(child.stdout.take().unwrap()).lines().map_while(Result::ok);
     let here = lines.into_iter().find(|line| line.contains("state")).unwrap();
     // kill -9
@@ -148,7 +147,7 @@ fn a_weld_survives_the_power() {
     let told = bad(2, &["run", &job, "-o", &out, "--data", &data, "--part", "P1"]);
     let place = told.split("--from 1,").nth(1).and_then(|rest| rest.split(';').next()).unwrap();
     let welded: f64 = place.parse().unwrap();
-    assert!((welded - 106.5).abs() < 1.0 && told.contains("weld 1 was left"), "{told}");
+    assert!((welded - 113.5).abs() < 1.0 && told.contains("weld 1 was left"), "{told}");
     good(&["records", "recover", "--data", &data]);
     let listed = good(&["records", "list", "--data", &data]);
     assert!(listed.contains("interrupted"), "{listed}");
@@ -173,7 +172,7 @@ fn a_weld_survives_the_power() {
         shown.lines().find(|line| line.trim_start().starts_with("note")).unwrap_or_default().to_owned()
     };
     let [left, ended] = ["interrupted", "good"].map(note);
-    assert!(left.contains("goes on in pass 1 from 103.00 mm; recovered"), "{left}");
+    assert!(left.contains("goes on in pass 1 from 110.00 mm; recovered"), "{left}");
     assert!(ended.ends_with(&format!("goes on in pass 1 from {:.2} mm", welded - 2.0)), "{ended}");
     good(&["records", "verify", "--data", &data]);
 }
@@ -185,7 +184,7 @@ fn a_weld_survives_the_power() {
 fn a_trace_that_cannot_grow_is_told_and_kept() {
     let folder = tempfile::tempdir().unwrap();
     let [data, out] = ["data", "out"].map(|name| folder.path().join(name).display().to_string());
-    let job = example("ellipse");
+    let job = write(folder.path(), "job.toml", beside_home());
     // Blocks of 512 bytes: some seconds of rows, and the library.
     let limited = format!(
         "trap '' XFSZ; ulimit -f 1000; exec '{}' run '{job}' -o '{out}' --data '{data}' --part P",

@@ -1,7 +1,7 @@
 //! `run` ended by a signal while it welds on a real device: arc, gas and values are off, the record is closed, the exit
 //! code reports it.
 
-use crate::common::{example, good, json, json_file, start, write};
+use crate::common::{beside_home, good, json, json_file, start, write};
 use crate::modbus_server::TestServer;
 use crate::modbus_welder::{MAP, welder};
 use seamwright_record::trace::Trace;
@@ -11,13 +11,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// The example ellipse on a machine whose process source is at `address`, with `map`.
+/// The ellipse beside home on a machine whose process source is at `address`, with `map`.
 pub(crate) fn job(folder: &Path, address: &str, map: &str) -> String {
     let machine = good(&["machine", "show", "ellipse-xy"]);
     let machine = format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\n{map}");
     std::fs::write(folder.join("cell.toml"), machine).unwrap();
-    let text = std::fs::read_to_string(example("ellipse")).unwrap();
-    write(folder, "job.toml", text.replace("machine = \"ellipse-xy\"", "machine = \"cell.toml\""))
+    write(folder, "job.toml", beside_home().replace("machine = \"ellipse-xy\"", "machine = \"cell.toml\""))
 }
 
 pub(crate) fn eventually(what: &str, done: impl Fn() -> bool) {
@@ -101,7 +100,8 @@ fn a_frozen_weld_is_stopped_and_told() {
     for frozen in [Duration::from_millis(500), Duration::from_millis(1500)] {
         let folder = tempfile::tempdir().unwrap();
         let [out, data] = ["out", "data"].map(|name| folder.path().join(name).display().to_string());
-        let mut child = start(&["run", &example("ellipse"), "-o", &out, "--data", &data, "--json"]);
+        let job = write(folder.path(), "job.toml", beside_home());
+        let mut child = start(&["run", &job, "-o", &out, "--data", &data, "--json"]);
         let mut orders = child.stdin.take().unwrap();
         orders.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 2 mm\n?\nwait fault\n").unwrap();
         let mut events = BufReader::new(child.stdout.take().unwrap()).lines().map(|line| line.unwrap());
@@ -145,7 +145,8 @@ fn a_frozen_weld_is_stopped_and_told() {
 fn a_record_that_is_removed_is_an_alarm() {
     let folder = tempfile::tempdir().unwrap();
     let [out, data] = ["out", "data"].map(|name| folder.path().join(name).display().to_string());
-    let mut child = start(&["run", &example("ellipse"), "--json", "-o", &out, "--data", &data]);
+    let job = write(folder.path(), "job.toml", beside_home());
+    let mut child = start(&["run", &job, "--json", "-o", &out, "--data", &data]);
     let mut orders = child.stdin.take().unwrap();
     orders.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 1 mm\n?\n").unwrap();
     let mut events = BufReader::new(child.stdout.take().unwrap()).lines().map(|line| line.unwrap());

@@ -181,10 +181,11 @@ fn lists_and_copies() {
     let listed = good(&["examples"]);
     let names: Vec<&str> = listed.lines().skip(1).filter_map(|line| line.split_whitespace().next()).collect();
     assert!(names.len() >= 15 && names.contains(&"saddle"), "{listed}");
-    for name in names {
+    for name in &names {
         assert_eq!(good(&["examples", name]), fs::read_to_string(example(name)).unwrap());
-        assert_eq!(run(&["check", &example(name)]).status.code(), Some(0));
     }
+    let checked: Vec<String> = std::iter::once("check".to_owned()).chain(names.iter().map(|n| example(n))).collect();
+    good(&checked.iter().map(String::as_str).collect::<Vec<_>>());
 }
 
 #[test]

@@ -37,9 +37,15 @@ fn table(page: &str, caption: &str) -> Vec<Vec<String>> {
 }
 
 #[test]
-fn figures_of_many_passes_are_those_of_the_whole_weld() {
+fn a_weld_of_many_passes_is_reported_as_a_whole() {
     let folder = tempfile::tempdir().unwrap();
-    let (summary, report, page) = planned(folder.path());
+    let planned = planned(folder.path());
+    figures_of_many_passes_are_those_of_the_whole_weld(&planned);
+    each_pass_has_its_row_and_none_stands_for_the_weld(&planned);
+    what_is_found_in_many_passes_is_said_once(&planned);
+}
+
+fn figures_of_many_passes_are_those_of_the_whole_weld((summary, report, page): &(String, Value, String)) {
     let (totals, passes) = (&report["totals"], report["passes"].as_array().unwrap());
     assert!(passes.len() > 10 && totals["passes"] == passes.len(), "{totals}");
     // Each pass has a steady current, voltage and wire feed: energy and wire are these times the arc's time.
@@ -69,19 +75,16 @@ fn figures_of_many_passes_are_those_of_the_whole_weld() {
     // A tack alone is welded in seconds.
     assert!(travel > 100.0 * number(&report["plan"]["weld_s"]));
     // The page and the command line agree, to the digits that they have.
-    assert!((tile(&page, "Weld time") / travel - 1.0).abs() < 1e-3, "{}", tile(&page, "Weld time"));
-    assert!((tile(&page, "Arc-on time") / arc - 1.0).abs() < 1e-3);
-    assert!((tile(&page, "Wire") / wire - 1.0).abs() < 1e-3);
+    assert!((tile(page, "Weld time") / travel - 1.0).abs() < 1e-3, "{}", tile(page, "Weld time"));
+    assert!((tile(page, "Arc-on time") / arc - 1.0).abs() < 1e-3);
+    assert!((tile(page, "Wire") / wire - 1.0).abs() < 1e-3);
     assert!(summary.contains(&format!("{travel:.2} s travel, {arc:.2} s arc on")), "{summary}");
     assert!(summary.contains(&format!("{wire:.2} m of wire")), "{summary}");
 }
 
-#[test]
-fn each_pass_has_its_row_and_none_stands_for_the_weld() {
-    let folder = tempfile::tempdir().unwrap();
-    let (_, report, page) = planned(folder.path());
+fn each_pass_has_its_row_and_none_stands_for_the_weld((_, report, page): &(String, Value, String)) {
     let passes = report["passes"].as_array().unwrap();
-    let rows = table(&page, "Values of each pass");
+    let rows = table(page, "Values of each pass");
     let column = |name: &str| rows[0].iter().position(|head| head == name).unwrap_or_else(|| panic!("{:?}", rows[0]));
     let (feed, current) = (column("Wire feed, m/min"), column("Current, A"));
     // Passes that are alike share a row.
@@ -101,13 +104,10 @@ fn each_pass_has_its_row_and_none_stands_for_the_weld() {
     let wire: f64 = last[column("Wire, m")].parse().unwrap();
     assert!((wire / number(&report["totals"]["wire_m"]) - 1.0).abs() < 1e-3);
     // The job's table has no values of a single pass.
-    assert!(!table(&page, "Job data").iter().flatten().any(|cell| cell == "Current"));
+    assert!(!table(page, "Job data").iter().flatten().any(|cell| cell == "Current"));
 }
 
-#[test]
-fn what_is_found_in_many_passes_is_said_once() {
-    let folder = tempfile::tempdir().unwrap();
-    let (summary, report, page) = planned(folder.path());
+fn what_is_found_in_many_passes_is_said_once((summary, report, page): &(String, Value, String)) {
     let messages: Vec<&str> =
         report["findings"].as_array().unwrap().iter().map(|f| f["message"].as_str().unwrap()).collect();
     let all = messages.len();
@@ -121,7 +121,7 @@ fn what_is_found_in_many_passes_is_said_once() {
         assert_eq!(summary.matches(start.as_str()).count(), 1, "{start}: {summary}");
     }
     assert_eq!(page.matches("<li>").count(), starts.len(), "{starts:?}");
-    for text in [&summary, &page] {
+    for text in [summary, page] {
         assert!(!text.to_lowercase().contains("none needed"));
     }
     // One line lists the files, and the page is short enough to read.

@@ -367,6 +367,13 @@ fn a_device_that_takes_one_connection() {
     cell.orders.on = false;
     cell.until("off", |_| !server.bank().coils[1]);
     cell.strike(100.0);
+    // It answers slowly: a report's answer is in transit when the cell ends.
+    server.bank().works = |bank| {
+        std::thread::sleep(Duration::from_millis(10));
+        welder(bank);
+    };
+    let reads = server.bank().reads;
+    cell.until("a slow answer", |_| server.bank().reads > reads);
     drop(cell);
     assert!(is_safe(&server.bank()));
     assert_eq!((traffic.get().connections, traffic.get().safe), (1, Some(Ok(()))));

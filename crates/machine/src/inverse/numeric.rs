@@ -37,6 +37,8 @@ type Rows = [f64; 6];
 
 #[derive(Clone, Copy)]
 struct Error {
+    /// The tip there.
+    tip: Pose,
     point: DVec3,
     /// The remaining rotation, as a vector, rad.
     turn: DVec3,
@@ -81,7 +83,7 @@ impl Numeric {
         starts: impl Iterator<Item = Joints>,
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
-        let mut least = Error { point: DVec3::INFINITY, turn: DVec3::ZERO };
+        let mut least = Error { tip: *pose, point: DVec3::INFINITY, turn: DVec3::ZERO };
         for start in starts {
             let (solution, error) = descend(chain, pose, &start);
             if accepted(chain, &error) {
@@ -145,8 +147,8 @@ fn descend(chain: &Chain, pose: &Pose, start: &Joints) -> (Solution, Error) {
     let mut error = error(chain, pose, &q);
     let mut damping = 1e-3;
     let mut singular = false;
+    let mut rows = columns(chain, &q, &error.tip);
     for _ in 0..STEPS {
-        let rows = columns(chain, &q);
         let solved = step(chain, &rows, &error, damping);
         singular = solved.1;
         let next = moved(chain, &q, &solved.0);
@@ -154,6 +156,7 @@ fn descend(chain: &Chain, pose: &Pose, start: &Joints) -> (Solution, Error) {
         let small = chain.screws.iter().all(|s| solved.0[s.axis].abs() < 1e-14 * q[s.axis].abs().max(1.0));
         if there.square(weight) < error.square(weight) {
             (q, error) = (next, there);
+            rows = columns(chain, &q, &error.tip);
             damping = if error.square(weight) < 1e-6 { 0.0 } else { damping * 0.1 };
         } else if small || damping > 1e8 || error.square(weight) < 1e-24 {
             break;
@@ -164,11 +167,8 @@ fn descend(chain: &Chain, pose: &Pose, start: &Joints) -> (Solution, Error) {
     if chain.screws.len() < MAX_SOLVED_AXES {
         to_the_point(chain, pose, &mut q, &mut error);
     }
-    let attitude_error = if chain.screws.len() < MAX_SOLVED_AXES {
-        angle_between(chain.forward(&q).direction, pose.direction)
-    } else {
-        0.0
-    };
+    let attitude_error =
+        if chain.screws.len() < MAX_SOLVED_AXES { angle_between(error.tip.direction, pose.direction) } else { 0.0 };
     (Solution { joints: q, attitude_error, singular }, error)
 }
 
@@ -178,7 +178,7 @@ fn to_the_point(chain: &Chain, pose: &Pose, q: &mut Joints, error: &mut Error) {
         return;
     }
     for _ in 0..4 {
-        let rows = columns(chain, q);
+        let rows = columns(chain, q, &error.tip);
         // J^T (J J^T)^-1 e
         let points = SMatrix::<f64, 3, MAX_AXES>::from_fn(|i, k| rows[k][i]);
         let Some(weights) = solve(points * points.transpose(), &error.point.to_array().into()) else { return };
@@ -203,18 +203,17 @@ fn error(chain: &Chain, pose: &Pose, q: &Joints) -> Error {
     let angle = sine.atan2(tip.direction.dot(pose.direction));
     // Opposite directions: any axis across is valid.
     let axis = if sine > 1e-12 { across / sine } else { tip.direction.any_orthonormal_vector() };
-    Error { point: pose.point - tip.point, turn: if angle < 1e-12 { across } else { angle * axis } }
+    Error { tip, point: pose.point - tip.point, turn: if angle < 1e-12 { across } else { angle * axis } }
 }
 
-/// The chain's columns in the order of its screws; the direction is weighted to mm.
-fn columns(chain: &Chain, q: &Joints) -> [Rows; MAX_AXES] {
-    let jacobian = chain.jacobian(q);
-    let direction = chain.forward(q).direction;
+/// The chain's columns at `q`, with its tip there, in the order of its screws; the direction is weighted to mm.
+fn columns(chain: &Chain, q: &Joints, tip: &Pose) -> [Rows; MAX_AXES] {
+    let jacobian = chain.jacobian_at(q, tip);
     let weight = mm_per_rad(chain);
     let mut rows = [[0.0; 6]; MAX_AXES];
     for (row, screw) in rows.iter_mut().zip(&chain.screws) {
         let (p, d) = jacobian[screw.axis];
-        let turn = weight * direction.cross(d);
+        let turn = weight * tip.direction.cross(d);
         *row = [p.x, p.y, p.z, turn.x, turn.y, turn.z];
     }
     rows

@@ -101,7 +101,7 @@ impl Case {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(cases(24)))]
+    #![proptest_config(ProptestConfig::with_cases(cases(10)))]
 
     /// The tip's rate by the axes is that of the path, and the tip is on the path.
     #[test]

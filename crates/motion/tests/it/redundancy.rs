@@ -164,7 +164,7 @@ fn as_good_as_an_exhaustive_search() {
     let [u, w] = ["u", "w"].map(|n| machine.axis(n).unwrap());
     let mut random = Random::new(1);
     let mut worst = 0.0f64;
-    for case in 0..cases(6) {
+    for case in 0..cases(4) {
         let (hold, free, stations) = match case % 2 {
             0 => ("hold = { u = 90 }\n", vec![w], 10),
             _ => ("", vec![u, w], 7),

@@ -8,7 +8,7 @@ use seamwright_post::{
     Control, Level, PartProgram, Path, ReadOptions, Segment, What, WriteOptions, play, read, to_program,
 };
 use seamwright_program::Along;
-use seamwright_testkit::Random;
+use seamwright_testkit::{Random, cases};
 use std::fmt::Write as _;
 
 const STEPS: usize = 20_000;
@@ -98,7 +98,7 @@ fn play_all(program: &PartProgram) -> Vec<Segment> {
 fn random_polynomials_are_gone_along_evenly() {
     let machine = Machine::read("test", MACHINE).unwrap();
     let control = Control::new(&machine, Sinumerik).unwrap();
-    for seed in 0..300 {
+    for seed in 0..cases(100) {
         let case = case(seed);
         let program = good(Sinumerik, &case.text);
         let segments = play_all(&program);

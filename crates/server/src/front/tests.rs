@@ -127,7 +127,7 @@ async fn stop_is_heard_while_handlers_block_their_threads() {
 /// Unfinished requests, more than one address may hold: a stop and a login succeed, and the requests time out.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn unfinished_requests_keep_nobody_from_stopping() {
-    let fronted = Fronted::new(Patience { stranger: Duration::from_secs(20), ..PATIENCE }, app);
+    let fronted = Fronted::new(Patience { stranger: Duration::from_secs(8), ..PATIENCE }, app);
     let login = "x-seamwright: login\r\ncontent-length: ";
     let mut stuck = Vec::new();
     for i in 0..260 {
@@ -177,7 +177,10 @@ async fn who_reads_an_answer_too_slowly_is_cut_off() {
     // Each piece is read in time, the whole answer is not.
     while stream.read(&mut some).await.is_ok_and(|n| n > 0) {
         assert!(begin.elapsed() < LONG, "it is still read");
-        tokio::time::sleep(Duration::from_millis(100)).await;
+        // What was sent before the cut is read at once.
+        if fronted.front.places.count() > 0 {
+            tokio::time::sleep(Duration::from_millis(100)).await;
+        }
     }
     assert!(begin.elapsed() > Duration::from_secs(1));
 }

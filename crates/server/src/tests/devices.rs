@@ -7,7 +7,7 @@ mod modbus_welder;
 
 use super::lived::{Page, Served};
 use super::restored::settings;
-use super::{Bench, Visitor};
+use super::{Bench, Visitor, beside_home};
 use crate::error::Error;
 use crate::serve::{Settings, until};
 use axum::http::StatusCode;
@@ -34,7 +34,7 @@ async fn jobs(bench: &Bench, owner: &Visitor, machine: &str) {
     assert_ne!(other, machine);
     std::fs::write(bench.path().join("jobs/other.toml"), other).unwrap();
     let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
-    let text = example["text"].as_str().unwrap();
+    let text = beside_home(example["text"].as_str().unwrap());
     let real = text.replace("machine = \"ellipse-xy\"", "machine = \"cell.toml\"");
     let plain = real.replace("voltage_v = 12", "");
     assert!(real != text && plain != real);

@@ -39,6 +39,14 @@ use tower::ServiceExt as _;
 pub(crate) const HOST: &str = "127.0.0.1:8080";
 pub(crate) const KEY: &str = "0123456789abcdef0123456789abcdef";
 
+/// The job of the example ellipse beside the home position of its machine, with little gas after the arc: what is waited for
+/// in real time is short.
+pub(crate) fn beside_home(ellipse: &str) -> String {
+    let near = ellipse.replace("postflow_s = 5 ", "postflow_s = 0.2 ") + "\n[placement]\nmove_mm = [-500, -150, 0]\n";
+    assert!(near.contains("postflow_s = 0.2"));
+    near
+}
+
 /// A panel with its own cell.
 pub(crate) struct Bench {
     pub(crate) panel: Arc<Panel>,

@@ -27,7 +27,7 @@ async fn rest(served: &Served, page: &mut Page) -> Vec<f64> {
     let mut before = Vec::new();
     loop {
         let begun = served.bench.panel.cell.hub.latest().unwrap().t;
-        page.until_status("status", |v| v["t"].as_f64().unwrap() > begun + 0.3).await;
+        page.until_status("status", |v| v["t"].as_f64().unwrap() > begun + 0.15).await;
         let set = |axis: &Value| axis["set"].as_f64().unwrap();
         let now: Vec<f64> = page.status["axes"].as_array().unwrap().iter().map(set).collect();
         if now == before {

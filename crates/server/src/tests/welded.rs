@@ -1,7 +1,7 @@
 //! A weld from power-on to its record; a stop and a continuation.
 
 use super::lived::{Page, Served};
-use super::{Bench, Visitor};
+use super::{Bench, Visitor, beside_home};
 use http_body_util::BodyExt as _;
 use serde_json::{Value, json};
 use std::time::Duration;
@@ -10,7 +10,7 @@ async fn short_job(bench: &Bench, owner: &Visitor) {
     let example = bench.did(owner, "GET", "/api/jobs/ellipse.toml", Value::Null).await;
     let text = example["text"].as_str().unwrap();
     let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
-    let text = text.replace(line, "end_phi_deg = 60");
+    let text = beside_home(&text.replace(line, "end_phi_deg = 60"));
     bench.did(owner, "PUT", "/api/jobs/short.toml", json!({ "text": text })).await;
 }
 
@@ -232,7 +232,8 @@ async fn a_part_that_was_welded_without_a_record_is_finished() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_was_stopped_is_known_after_a_restart() {
     let (served, owner) = Served::with_owner().await;
-    served.bench.load(&owner, "ellipse.toml", Some("N-3")).await;
+    short_job(&served.bench, &owner).await;
+    served.bench.load(&owner, "short.toml", Some("N-3")).await;
     let mut page = served.page_up(&owner).await;
     page.weld().await;
     page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 3.0).await;
@@ -241,6 +242,7 @@ async fn what_was_stopped_is_known_after_a_restart() {
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
     let served = Served::on(served.bench.end()).await;
     let owner = served.bench.owner().await;
+    assert!(served.bench.load(&owner, "short.toml", None).await.0.is_success());
     let mut page = served.page(&owner).await;
     let after = page.until_status("where it was left", |v| v["left"]["here"] == true).await;
     assert_eq!(after["left"], before["left"]);

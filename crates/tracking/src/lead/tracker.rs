@@ -153,7 +153,9 @@ impl Tracker {
         {
             self.outliers.clear();
             self.filter = Some(expected.updated(seen.value, r));
-            self.keep(seen, t);
+            // Far from the prediction it counts less: it may be an outlier, and the last one before the joint is lost.
+            let off = (seen.value - expected.value).abs().max_element();
+            self.keep(Seen { weight: seen.weight.min((GATE / off).powi(2)), ..seen }, t);
             return Verdict::Taken;
         }
         // After several gated measurements the prediction is discarded, because a widening gate would accept outliers.

@@ -1,8 +1,7 @@
 //! Seam estimates from a look-ahead sensor, for many seams, slides and sensors.
 
 use glam::DVec2;
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
+use seamwright_testkit::Random;
 use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, Refusal, Settings, Sight, Tracker, Verdict};
 
 const LEAD: f64 = 20.0;
@@ -10,10 +9,6 @@ const CYCLE: f64 = 1e-3;
 /// Cycles from exposure to exposure, and from exposure to arrival.
 const PERIOD: u64 = 10;
 const LATE: u64 = 15;
-
-fn uniform(random: &mut Pcg64Mcg) -> f64 {
-    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
-}
 
 /// A sensor ahead of a torch, cycle by cycle.
 struct Rig<'a> {
@@ -80,13 +75,13 @@ fn quantile(mut errors: Vec<f64>, q: f64) -> f64 {
     errors[((errors.len() as f64 * q) as usize).min(errors.len() - 1)]
 }
 
-fn noisy(seed: u64, sigma: f64, outliers: f64) -> impl FnMut(u64, f64, Measurement) -> Option<Measurement> {
-    let mut random = Pcg64Mcg::seed_from_u64(seed);
+fn noisy(seed: u32, sigma: f64, outliers: f64) -> impl FnMut(u64, f64, Measurement) -> Option<Measurement> {
+    let mut random = Random::of_case(seed);
     move |_, _, m| {
-        let mut error = || sigma * (0..3).map(|_| uniform(&mut random)).sum::<f64>();
+        let mut error = || sigma * (0..3).map(|_| random.within(-1.0, 1.0)).sum::<f64>();
         let error = DVec2::new(error(), error());
-        let wild = DVec2::new(uniform(&mut random), uniform(&mut random)) * 3.0;
-        let out = uniform(&mut random) < 2.0 * outliers - 1.0;
+        let wild = DVec2::new(random.within(-1.0, 1.0), random.within(-1.0, 1.0)) * 3.0;
+        let out = random.within(-1.0, 1.0) < 2.0 * outliers - 1.0;
         Some(Measurement { offset: m.offset + if out { wild } else { error }, ..m })
     }
 }
@@ -120,20 +115,19 @@ fn noise_and_outliers() {
     for (speed, outliers, limit) in
         [(5.0, 0.0, 0.03), (20.0, 0.0, 0.03), (100.0, 0.0, 0.035), (20.0, 0.05, 0.04), (100.0, 0.05, 0.1)]
     {
-        // Occasionally two outliers coincide and cost a few millimetres.
-        let p99s = (0..20).map(|seed| {
+        let (mut p99, mut gated, mut all) = (0.0, 0, 0);
+        for seed in 0..20 {
             let mut sensor = noisy(seed, 0.02, outliers);
             let mut rig = Rig::new(&wavy, &resting, &mut sensor);
-            quantile(rig.run(300.0, speed), 0.99)
-        });
-        let p99 = p99s.fold(0.0, f64::max);
-        let mut sensor = noisy(7, 0.02, outliers);
-        let mut rig = Rig::new(&wavy, &resting, &mut sensor);
-        rig.run(300.0, speed);
+            // Occasionally two outliers coincide and cost a few millimetres.
+            p99 = f64::max(p99, quantile(rig.run(300.0, speed), 0.99));
+            let sigma = rig.tracker.at(299.0).sigma_mm;
+            assert!((0.003..0.02).contains(&sigma), "{sigma}");
+            gated += rig.verdicts.iter().filter(|v| **v == Verdict::Gated).count();
+            all += rig.verdicts.len();
+        }
         assert!(p99 < limit, "{speed} mm/s, {outliers}: {p99}");
-        let sigma = rig.tracker.at(299.0).sigma_mm;
-        assert!((0.003..0.02).contains(&sigma), "{sigma}");
-        let gated = rig.verdicts.iter().filter(|v| **v == Verdict::Gated).count() as f64 / rig.verdicts.len() as f64;
+        let gated = gated as f64 / all as f64;
         assert!(gated < 0.02 + outliers, "{gated}");
         if outliers > 0.0 {
             assert!(gated > 0.6 * outliers, "{gated}");
@@ -351,28 +345,28 @@ fn a_frozen_sensor() {
 #[test]
 fn nothing_upsets_it() {
     for seed in 0..40 {
-        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let mut random = Random::of_case(seed);
         let mut tracker = Tracker::new(Settings::usual(LEAD, 100.0), OwnCurve::straight(LEAD)).unwrap();
         let (mut s, mut speed, mut slide) = (0.0, 0.05, DVec2::ZERO);
         for i in 1..20_000 {
             let t = f64::from(i) * CYCLE;
-            if random.next_u64().is_multiple_of(500) {
-                speed = 0.3 * uniform(&mut random);
+            if random.one_in(500) {
+                speed = 0.3 * random.within(-1.0, 1.0);
             }
-            if random.next_u64().is_multiple_of(3000) {
-                s += 300.0 * uniform(&mut random);
+            if random.one_in(3000) {
+                s += 300.0 * random.within(-1.0, 1.0);
             }
             s += speed;
-            slide =
-                (slide + DVec2::new(uniform(&mut random), uniform(&mut random)) * 0.02).clamp(-DVec2::ONE, DVec2::ONE);
-            tracker.advance(Moment { t_s: t, s_mm: s, slide }, s + 6.0 * uniform(&mut random));
-            if random.next_u64().is_multiple_of(8) {
-                let exposed_s = t - 0.015 + 0.04 * uniform(&mut random).powi(5);
-                let offset = DVec2::new(uniform(&mut random), uniform(&mut random)) * 2.0;
-                let confidence = uniform(&mut random).abs();
+            slide = (slide + DVec2::new(random.within(-1.0, 1.0), random.within(-1.0, 1.0)) * 0.02)
+                .clamp(-DVec2::ONE, DVec2::ONE);
+            tracker.advance(Moment { t_s: t, s_mm: s, slide }, s + 6.0 * random.within(-1.0, 1.0));
+            if random.one_in(8) {
+                let exposed_s = t - 0.015 + 0.04 * random.within(-1.0, 1.0).powi(5);
+                let offset = DVec2::new(random.within(-1.0, 1.0), random.within(-1.0, 1.0)) * 2.0;
+                let confidence = random.within(-1.0, 1.0).abs();
                 let _ = tracker.take(&Measurement { exposed_s, offset, confidence }, t);
             }
-            let found = tracker.at(s + 5.0 * uniform(&mut random));
+            let found = tracker.at(s + 5.0 * random.within(-1.0, 1.0));
             assert!(found.value.is_finite() && found.value.length() < 20.0, "{seed} {i}: {found:?}");
             assert!(found.sigma_mm >= 0.0);
         }
@@ -390,23 +384,41 @@ fn a_fast_sine() {
     assert!(taken > 0.98, "{taken}");
 }
 
-/// A sensor with random values is not followed; they count from the slide and could lead it away.
+/// A sensor with random values is not followed; they count from the slide and could lead it away. Until the joint is given
+/// up, the estimate is as far off as it says: one random value may pass the gate. Three that agree by chance are a joint;
+/// that happens once in a hundred times.
 #[test]
 fn a_wild_sensor() {
+    let mut followed = 0;
     for (seed, speed) in (0..20).flat_map(|seed| [(seed, 20.0), (seed, 100.0)]) {
-        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let mut random = Random::of_case(seed + 1000);
         let mut noise = noisy(seed, 0.02, 0.0);
         let mut sensor = |i: u64, place: f64, m: Measurement| {
             let m = noise(i, place, m)?;
-            let wild = DVec2::new(uniform(&mut random), uniform(&mut random)) * 4.0;
+            let wild = DVec2::new(random.within(-1.0, 1.0), random.within(-1.0, 1.0)) * 4.0;
             Some(if place < 100.0 { m } else { Measurement { offset: wild, ..m } })
         };
         let mut rig = Rig::new(&wavy, &resting, &mut sensor);
         rig.run(100.0, speed);
+        let starts = |rig: &Rig| rig.verdicts.iter().filter(|v| **v == Verdict::Restarted).count();
+        let begun = starts(&rig);
+        let mut most = 0.0f64;
         while rig.s < 130.0 {
-            let (_, found) = rig.cycle(speed * CYCLE);
-            assert!(found.value.length() < 2.5, "{seed} at {}: {found:?}", rig.s);
+            let (s, found) = rig.cycle(speed * CYCLE);
+            most = most.max(found.value.length());
+            let off = found.value.distance(wavy(s, 0.0));
+            let doubt = 3.0 * found.sigma_mm + 0.15;
+            assert!(
+                starts(&rig) > begun || found.sight >= Sight::Fading || off < doubt,
+                "{seed} at {s}: {off} {found:?}"
+            );
         }
+        if starts(&rig) > begun {
+            followed += 1;
+            continue;
+        }
+        assert!(most < 2.5, "{seed}: {most}");
         assert!(rig.tracker.at(rig.s).sight >= Sight::Fading, "{seed}");
     }
+    assert!(followed <= 2, "{followed} of 40");
 }

@@ -111,7 +111,7 @@ fn body(random: &mut Random, kind: usize, size: f64) -> (String, DVec3, DVec3) {
 fn random_nozzles_on_every_body() {
     let mut random = Random::new(1);
     let (mut made, mut refused) = ([0; 5], 0);
-    for case in 0..cases(1000) {
+    for case in 0..cases(400) {
         let kind = case % 5;
         let size = random.decades(50.0, 3000.0);
         let radius = size * random.within(0.02, 0.95);
@@ -134,7 +134,7 @@ fn random_nozzles_on_every_body() {
         check(&welding, &[&*surfaces.first, &*surfaces.second], direction, outside, &mut random);
     }
     println!("made {made:?}, refused {refused}");
-    assert!(made.iter().all(|m| *m >= cases(60)), "too few: {made:?}, refused {refused}");
+    assert!(made.iter().all(|m| *m >= cases(24)), "too few: {made:?}, refused {refused}");
 }
 
 #[test]

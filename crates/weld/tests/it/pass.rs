@@ -146,7 +146,7 @@ fn welding_of(case: &Case) -> Welding {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(cases(800)))]
+    #![proptest_config(ProptestConfig::with_cases(cases(250)))]
 
     #[test]
     fn poses_are_those_of_the_formula(case in case(), parts in prop::collection::vec(0.0..1.0f64, 8)) {

@@ -20,10 +20,26 @@ pub fn example(name: &str) -> String {
     root().join("examples").join(format!("{name}.toml")).display().to_string()
 }
 
+/// The example ellipse beside the home position of its machine, with little gas after the arc: what is waited for in real
+/// time is short.
+pub fn beside_home() -> String {
+    let ellipse = std::fs::read_to_string(example("ellipse")).unwrap();
+    let near = ellipse.replace("postflow_s = 5 ", "postflow_s = 0.2 ") + "\n[placement]\nmove_mm = [-500, -150, 0]\n";
+    assert!(near.contains("postflow_s = 0.2"));
+    near
+}
+
 /// An example job without its procedure, to be changed beyond it.
 pub fn free_example(name: &str) -> String {
     let text = std::fs::read_to_string(example(name)).unwrap();
     text.lines().filter(|line| !line.starts_with("procedure = ")).map(|line| format!("{line}\n")).collect()
+}
+
+/// An example with part of its seam, as a job in `folder`: `whole` in its text becomes `part`.
+pub fn part_of(folder: &Path, name: &str, whole: &str, part: &str) -> String {
+    let text = std::fs::read_to_string(example(name)).unwrap();
+    assert!(text.contains(whole), "{name}: {whole}");
+    write(folder, &format!("{name}.toml"), text.replace(whole, part))
 }
 
 /// Starts `seamwright` with pipes for its input and outputs.

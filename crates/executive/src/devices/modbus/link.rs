@@ -80,6 +80,12 @@ impl Line {
         Ok(())
     }
 
+    /// Waits for the answer to the request in transit, if there is one: left on a connection, it would be taken for the
+    /// answer to the next request.
+    pub(super) async fn answered(&self) {
+        drop(self.0.lock().await);
+    }
+
     /// Also true while a request waits for its answer.
     pub(super) fn is_connected(&self) -> bool {
         self.0.try_lock().map_or(true, |wire| wire.is_some())

@@ -41,7 +41,7 @@ impl OrderWriter {
         self.write(link).await
     }
 
-    /// Writes orders until the end.
+    /// Writes orders until the end; nothing is in transit on their connection then.
     pub(super) async fn run(&mut self, link: &Link) {
         let period = Duration::from_secs_f64(link.device.poll_s);
         let mut pause = BACK_OFF.0;
@@ -66,6 +66,7 @@ impl OrderWriter {
             }
             link.traffic.change(|t| t.away_s += begun.elapsed().as_secs_f64());
         }
+        self.line.answered().await;
     }
 
     /// Writes changed orders.

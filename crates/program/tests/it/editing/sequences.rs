@@ -89,7 +89,7 @@ fn patches_are_exact_for_any_texts() {
 }
 
 #[test]
-fn a_thousand_edits_of_a_megabyte_take_little() {
+fn hundreds_of_edits_of_a_megabyte_take_little() {
     let rows: String = (0..25_000).map(|i| format!("    [{i}, 20.5, 30.25, 180, 0.5], # point {i}\n")).collect();
     let text = format!(
         "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[[passes]]\nname = \"p\"\n[passes.points]\n\
@@ -98,12 +98,12 @@ fn a_thousand_edits_of_a_megabyte_take_little() {
     );
     assert!(text.len() > 1_000_000);
     let (mut history, mut now) = (History::default(), text.clone());
-    for i in 0..1000 {
+    for i in 0..200 {
         let next = now.replacen(&format!("    [{i}, 20.5,"), &format!("    [{i}, 21.5,"), 1);
         history.push(Patch::between(Message::verbatim(format!("edit {i}")), &now, &next));
         now = next;
     }
-    assert!(history.size() < 200_000, "{}", history.size());
+    assert!(history.size() < 40_000, "{}", history.size());
     while let Some((before, _)) = history.undo(&now) {
         now = before;
     }
