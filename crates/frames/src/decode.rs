@@ -54,7 +54,7 @@ impl Samples {
     fn grey(self) -> Image {
         fn brightness<T: Copy + Into<u32>>(pixel: &[T]) -> u32 {
             match *pixel {
-                [red, green, blue, ..] => (2126 * red.into() + 7152 * green.into() + 722 * blue.into()) / 10_000,
+                [red, green, blue, ..] => (2126 * red.into() + 7152 * green.into() + 722 * blue.into() + 5000) / 10_000,
                 _ => pixel[0].into(),
             }
         }

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 /// Lateral displacement of 0.6 mm.
 const SHIFT: &str = "schema = 1\n[[displacement]]\nshift = { lateral_mm = 0.6 }\n";
-const SHORT: &str = "end_phi_deg = 12";
+const SHORT: &str = "end_phi_deg = 32";
 
 async fn trace(served: &Served, owner: &super::Visitor, id: i64, columns: &str) -> Vec<Vec<f64>> {
     let path = format!("/api/records/{id}/trace?columns={columns}&most=4000");
