@@ -43,11 +43,11 @@ struct Header {
     height: usize,
     /// Values of a pixel.
     channels: usize,
-    /// Greatest value.
+    /// Maximum value.
     most: usize,
 }
 
-/// What has not been read yet.
+/// The rest of the file, not read yet.
 struct Rest<'a>(&'a [u8]);
 
 impl Rest<'_> {

@@ -1,4 +1,4 @@
-//! What happens at a corner, as a file has it.
+//! Behaviour at a corner, as a file states it.
 
 use seamwright_document::{Document, DocumentError, Positive, to_toml};
 use seamwright_program::AtCorner;

@@ -148,7 +148,7 @@ mod tests {
         assert!(resume.contains("resume") && resume.ends_with("allowed in hold"), "{resume}");
     }
 
-    /// On a transfer move there is no path speed: the axes themselves tell that a held program moves.
+    /// On a transfer move there is no path speed: the motion of the axes shows that a held program moves.
     #[test]
     fn a_held_program_moves_while_its_axes_do() {
         let (place, process) = (Place::default(), ProcessState::Off);

@@ -47,7 +47,7 @@ impl IntoResponse for Refused {
     }
 }
 
-/// What is wrong with a request.
+/// Fault of a request.
 impl From<Message> for Refused {
     fn from(message: Message) -> Self {
         Self::input(message)

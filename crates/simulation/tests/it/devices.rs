@@ -138,7 +138,7 @@ fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
 
 const EVENTS: [Event; 3] = [Event::Silence, Event::Restart, Event::Loss];
 
-/// A device with a fault that begins when it is told.
+/// A device with a fault that begins on request.
 fn faulty<T, R: Copy + Default>(it: T, device: Device, kind: FaultKind, told: &Arc<AtomicBool>) -> Faulty<T, R> {
     let fault = Fault { device, kind, when: When::Flagged, lasts_s: 0.4, which: 1 };
     Faulty::new(it, device, &[fault], PERIOD_S).flagged_by(told)

@@ -146,7 +146,7 @@ struct Step {
     way: DVec3,
     /// By how much the direction changes: as far as the axes can.
     turn: DVec3,
-    /// Where the axes are drawn.
+    /// Positions to which the axes are drawn.
     pull: Joints,
 }
 

@@ -157,18 +157,18 @@ impl Making<'_> {
     /// The cylinder that a helix lies on, going on to both sides of it.
     pub(super) fn helix(&self, helix: &Helix) -> Result<Vec<Solid>, Impossible> {
         let (centre, along) = (helix.origin_mm.get(), helix.direction.unit());
-        self.cylinder("cylinder", Foot { centre, along, radius: helix.radius_mm.get() }, 0.0)
+        self.cylinder("cylinder", &Foot { centre, along, radius: helix.radius_mm.get() }, 0.0)
     }
 
     /// A tube that extends to both sides of the cut.
     pub(super) fn girth(&self, girth: &Girth) -> Result<Vec<Solid>, Impossible> {
         let (centre, along, radius) = (girth.origin_mm.get(), girth.direction.unit(), girth.radius_mm.get());
-        self.cylinder("tube", Foot { centre, along, radius }, 6.0 * radius)
+        self.cylinder("tube", &Foot { centre, along, radius }, 6.0 * radius)
     }
 
     /// A cylinder that goes on to both sides of the seam.
-    fn cylinder(&self, name: &str, foot: Foot, usual: f64) -> Result<Vec<Solid>, Impossible> {
-        let Foot { centre, along, radius } = foot;
+    fn cylinder(&self, name: &str, foot: &Foot, usual: f64) -> Result<Vec<Solid>, Impossible> {
+        let Foot { centre, along, radius } = *foot;
         let Extent { low, high } = self.heights(centre, along);
         let length = self.body(usual, high - low)?;
         let start = centre + (0.5 * (low + high - length)) * along;
