@@ -23,7 +23,8 @@ const SOURCES: [&str; 8] = [
 ];
 
 /// Ends of the names of files among them that are in no panel: tests, and the words of the command line and of reports.
-const NOT_SOURCES: [&str; 5] = [".test.ts", "words/formatted.json", "/cli.ftl", "/report.ftl", "international.txt"];
+const NOT_SOURCES: [&str; 6] =
+    [".test.ts", ".stub.ts", "words/formatted.json", "/cli.ftl", "/report.ftl", "international.txt"];
 
 /// The panel as it was last packed: the test `packed_panel_is_current` writes it.
 const PACKED: &str = "panel.tar.gz";

@@ -1,4 +1,5 @@
 //! Writes values as TOML. They become JSON values first, so that the code of each type is made for one format only.
+//! Numbers must be finite: JSON has no others, and their keys would be left out.
 
 use serde::Serialize;
 use serde::ser::Error as _;
@@ -23,15 +24,15 @@ pub fn to_table<T: Serialize>(value: &T) -> Result<Table, Error> {
 }
 
 fn text(value: serde_json::Result<Value>) -> Result<String, Error> {
-    toml::to_string(&given(value)?)
+    toml::to_string(&present(value)?)
 }
 
 fn table(value: serde_json::Result<Value>) -> Result<Table, Error> {
-    Table::try_from(given(value)?)
+    Table::try_from(present(value)?)
 }
 
 /// The value without the keys that have none.
-fn given(value: serde_json::Result<Value>) -> Result<Value, Error> {
+fn present(value: serde_json::Result<Value>) -> Result<Value, Error> {
     let mut value = value.map_err(Error::custom)?;
     drop_missing(&mut value);
     Ok(value)

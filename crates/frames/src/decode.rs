@@ -9,12 +9,15 @@ use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
 
+/// Maximum memory of a picture's decoded values, bytes: a small file can decode to a large picture.
+const MAX_BYTES: usize = 512 << 20;
+
 /// Reasons why bytes do not decode.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum DecodeError {
-    /// Unknown image format.
+    /// Unknown image format, or an invalid header.
     Kind,
-    /// A damaged or truncated file, or an invalid header.
+    /// A damaged or truncated file, or a picture that is too large.
     Broken(Message),
 }
 
@@ -33,7 +36,8 @@ display_by_message!(DecodeError);
 /// Decodes a PNG, JPEG or PNM file of 8 or 16 bits to a grey picture; colours become their brightness (Rec. 709).
 ///
 /// # Errors
-/// Another format, a damaged file, a picture larger than [`MAX_SIDE`](seamwright_vision::MAX_SIDE) to a side.
+/// Another format, a damaged file, a picture larger than [`MAX_SIDE`](seamwright_vision::MAX_SIDE) to a side or than
+/// 512 MiB.
 pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
     let samples = match bytes {
         [0x89, b'P', b'N', b'G', ..] => decode_png(bytes),
@@ -73,9 +77,11 @@ impl Samples {
     }
 }
 
-/// Refuses a picture with a side of 0 or above [`MAX_SIDE`](seamwright_vision::MAX_SIDE), before its pixels are read.
-pub(crate) fn checked_size(width: usize, height: usize) -> Result<(), DecodeError> {
-    match (1..=MAX_SIDE).contains(&width) && (1..=MAX_SIDE).contains(&height) {
+/// Refuses a picture before its pixels are read: a side of 0 or above [`MAX_SIDE`](seamwright_vision::MAX_SIDE), or
+/// values of more than [`MAX_BYTES`].
+pub(crate) fn checked_size(width: usize, height: usize, bytes_a_pixel: usize) -> Result<(), DecodeError> {
+    let sides = (1..=MAX_SIDE).contains(&width) && (1..=MAX_SIDE).contains(&height);
+    match sides && width * height * bytes_a_pixel <= MAX_BYTES {
         true => Ok(()),
         false => Err(DecodeError::Broken(FrameError::Size { width, height }.message())),
     }
@@ -89,7 +95,12 @@ fn decode_png(bytes: &[u8]) -> Result<Samples, DecodeError> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     let info = decoder.read_header_info().map_err(broken)?;
     let (width, height) = (info.width as usize, info.height as usize);
-    checked_size(width, height)?;
+    // Fewer bits become 8, of at most four colours.
+    let bytes_a_pixel = match info.bit_depth {
+        png::BitDepth::Sixteen => 2 * info.color_type.samples(),
+        _ => 4,
+    };
+    checked_size(width, height, bytes_a_pixel)?;
     // Fewer bits become 8, a palette its colours.
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(broken)?;
@@ -115,11 +126,11 @@ fn decode_jpeg(bytes: &[u8]) -> Result<Samples, DecodeError> {
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
     decoder.decode_headers().map_err(broken)?;
     let (width, height) = decoder.dimensions().unwrap_or_default();
-    checked_size(width, height)?;
     let colours = match decoder.input_colorspace() {
         Some(grey @ (ColorSpace::Luma | ColorSpace::LumaA)) => grey,
         _ => ColorSpace::RGB,
     };
+    checked_size(width, height, colours.num_components())?;
     decoder.set_options(options.jpeg_set_out_colorspace(colours));
     let values = decoder.decode().map_err(broken)?;
     Ok(Samples::U8 { width, height, channels: colours.num_components(), values })

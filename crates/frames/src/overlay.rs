@@ -94,7 +94,11 @@ impl Overlay {
         let mut bytes = Vec::new();
         let mut png = png::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
         png.set_color(png::ColorType::Rgb);
-        let written = png.write_header().and_then(|mut png| png.write_image_data(&self.pixels));
+        png.set_compression(png::Compression::Fast);
+        let written = png.write_header().and_then(|mut png| {
+            png.write_image_data(&self.pixels)?;
+            png.finish()
+        });
         written.map_err(|e| Message::outside(&e))?;
         Ok(bytes)
     }

@@ -185,7 +185,12 @@ impl Recorder {
         let file = fs::File::create(&path).map_err(|e| FrameError::path(&path, &e))?;
         let mut png = png::Encoder::new(BufWriter::new(file), *width as u32, *height as u32);
         png.set_depth(depth);
-        let written = png.write_header().and_then(|mut png| png.write_image_data(&bytes));
+        // While a seam is taught, pictures come ten times a second.
+        png.set_compression(png::Compression::Fast);
+        let written = png.write_header().and_then(|mut png| {
+            png.write_image_data(&bytes)?;
+            png.finish()
+        });
         written.map_err(|e| FrameError::Io { what: path.display().to_string(), why: Message::outside(&e) })?;
         let _ = write!(self.list, "{name},{}", frame.t_s);
         for value in frame.axes.iter().flatten() {

@@ -1,6 +1,7 @@
 use seamwright_message::{Message, Unit, display_by_message};
 
-/// Error in the construction of a geometric object. Angles are in rad, lengths in mm. Names of sizes, directions and
+/// Error in the construction of a geometric object. Angles are in rad, those of a wall about the tube's
+/// axis; lengths in mm. Names of sizes, directions and
 /// sets of points are codes of messages.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs, reason = "the fields say what they are")]

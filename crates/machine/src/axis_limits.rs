@@ -17,6 +17,7 @@ impl AxisLimits {
     pub const NONE: Self = Self { speed: f64::INFINITY, acceleration: f64::INFINITY, jerk: f64::INFINITY };
 
     /// All limits times `factor`.
+    #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
         let Self { speed, acceleration, jerk } = self;
         Self { speed: factor * speed, acceleration: factor * acceleration, jerk: factor * jerk }
@@ -29,6 +30,7 @@ impl AxisLimits {
     }
 
     /// The lower one of each limit.
+    #[must_use]
     pub fn min(self, other: Self) -> Self {
         Self {
             speed: self.speed.min(other.speed),

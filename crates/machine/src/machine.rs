@@ -110,6 +110,7 @@ impl Machine {
     }
 
     /// The same machine with head `head` as the first, to which poses refer.
+    #[must_use]
     pub fn with_first_head(mut self, head: usize) -> Self {
         self.heads.swap(0, head);
         self
@@ -117,6 +118,7 @@ impl Machine {
 
     /// The same machine with every axis' speed, acceleration and jerk reduced by the fraction `reserve`, which planning
     /// leaves to corrections.
+    #[must_use]
     pub fn with_reserve(&self, reserve: f64) -> Self {
         let mut machine = self.clone();
         for axis in &mut machine.axes {

@@ -19,7 +19,6 @@ impl Stop {
         stop
     }
 
-    /// Time until all rest, s.
     pub(super) fn ramps(&self) -> &[Ramp] {
         &self.ramps[..self.axes]
     }

@@ -33,6 +33,8 @@ fn path(path: &str) -> String {
 async fn every_route_wants_a_session_a_role_a_token_and_json() {
     let bench = Bench::new().await;
     let everybody = bench.everybody().await;
+    let open: Vec<&str> = all_routes().iter().filter(|(.., action)| action.is_none()).map(|row| row.1).collect();
+    assert_eq!(open, ["/api/login", "/api/stop"], "all others need a session");
     let mut checked = 0;
     for (method, route, action) in all_routes() {
         let Some(action) = action else { continue };

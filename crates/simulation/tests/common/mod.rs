@@ -17,9 +17,11 @@ use seamwright_weld::Welding;
 
 pub(crate) const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
 
-/// Factor of the number of cases, if `SEAMWRIGHT_SOAK` requests one.
+/// Factor of the number of cases, if `SEAMWRIGHT_SOAK` requests one. Not `testkit`'s: that crate has an allocator, and so
+/// have the tests of allocations here.
 pub(crate) fn soak() -> Option<u64> {
-    std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|factor| factor.parse().ok())
+    let factor = std::env::var("SEAMWRIGHT_SOAK").ok()?;
+    Some(factor.parse().unwrap_or_else(|_| panic!("SEAMWRIGHT_SOAK={factor}: not a whole number")))
 }
 
 /// The example weld, planned.
@@ -131,6 +133,7 @@ pub(crate) fn limit_use<'a>(machine: &'a Machine, samples: &[Sample]) -> [(f64, 
             let acceleration = (d - 2.0 * c + b) / (period.powi(2) * axis.max_acceleration);
             let jerk = (d - 3.0 * c + 3.0 * b - a) / (period.powi(3) * axis.jerk());
             for (worst, used) in worst.iter_mut().zip([speed, acceleration, jerk].map(f64::abs)) {
+                assert!(used.is_finite(), "{} at {} s", axis.name, four[3].set.t);
                 if used > worst.0 {
                     *worst = (used, four[3].set.t, &axis.name);
                 }

@@ -241,7 +241,7 @@ fn back_steps_round_a_ring_tie_in_with_each_other() {
 /// Regular rows of very different lengths: many ways cost the same.
 #[test]
 fn large_regular_grids_come_to_an_end() {
-    for (long, short, ways) in [(60, 6, 1), (16, 16, 2), (300, 300, 1)] {
+    for (long, short, ways) in [(100, 10, 1), (24, 24, 2), (400, 400, 1)] {
         let stop = |row: u32, column: i32| {
             let place = DVec3::new(50.0 * f64::from(column), 60.0 * f64::from(row), 0.0);
             Stop { row, ways: [(place, place + 10.0 * DVec3::X), (place + 10.0 * DVec3::X, place)][..ways].to_vec() }
