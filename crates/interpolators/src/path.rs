@@ -57,7 +57,7 @@ impl Path {
     /// Length of the whole path, mm, within 1e-12 mm or the rounding of the length itself.
     ///
     /// # Errors
-    /// A curve that cannot be measured.
+    /// A curve without a finite length.
     pub fn length_mm(&self) -> Result<f64, Error> {
         Ok(self.by_length(seamwright_geometry::DEFAULT_ACCURACY_MM)?.length())
     }

@@ -57,7 +57,7 @@ fn has_key(table: &TableEntries, key: &str) -> bool {
 /// Makes the changes of a form in its text, and reads the form of the result.
 ///
 /// # Errors
-/// A change that cannot be made.
+/// An invalid change: a path that the text lacks, or a value that does not fit there.
 pub(crate) fn answer(form: FormText) -> Result<FormAnswer, DocumentError> {
     answered(form, format_of)
 }
