@@ -573,3 +573,7 @@ cli-tune-hz = Hz
 cli-tune-per-s = 1/s
 cli-tune-ms = ms
 cli-tune-db = dB
+cli-stopped = gestoppt in Zyklus { $cycle }
+cli-no-cell-runs = dort läuft keine Zelle
+cli-data-of-running-cell = der Datenordner eines laufenden Panels
+cli-stop-unanswered = der Stopp ist nicht bestätigt: { $why }

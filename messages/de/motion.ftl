@@ -263,3 +263,4 @@ motion-sweep = der überstrichene Winkel darf nicht 0 und in jeder Richtung höc
 motion-step-too-long = ein Schritt von { $step } (Geschwindigkeit mal Periode) ist zu lang für diese Bahn: höchstens { $max } (die Länge der Bahn, oder ein Achtel eines ganzen Umlaufs)
 motion-pulse-too-large = ein Impuls von { $pulse } ist zu groß für diese Form: höchstens { $max }
 motion-too-many-steps = das braucht etwa { $steps } Schritte oder Impulse; die Grenze ist { $max }
+motion-not-verified = Lage { $pass }: die geplante Bewegung ist nicht abspielbar ({ $why })

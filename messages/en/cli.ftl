@@ -886,3 +886,13 @@ cli-tune-hz = Hz
 cli-tune-per-s = 1/s
 cli-tune-ms = ms
 cli-tune-db = dB
+
+# STOP.
+cli-stopped = stopped in cycle { $cycle }
+cli-no-cell-runs = no cell runs there
+    .cause = No process listens on the socket of STOP in this data folder.
+    .cure = Name the data folder with which the panel was started.
+cli-data-of-running-cell = the data folder of a running panel
+cli-stop-unanswered = the stop is not acknowledged: { $why }
+    .cause = The cycle stands, or the process of the cell does not answer.
+    .cure = Use the emergency stop of the machine, then check that arc, gas and drives are off.

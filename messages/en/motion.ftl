@@ -473,3 +473,8 @@ motion-pulse-too-large = a pulse of { $pulse } is too large for this shape: at m
 motion-too-many-steps = this needs about { $steps } steps or pulses; the limit is { $max }
     .cause = Length over step, or size over pulse, exceeds the limit.
     .cure = Enlarge `--speed-mm-s`, `--period-ms` or `--pulse-mm`.
+
+# Check before a motion is played.
+motion-not-verified = pass { $pass }: the planned motion cannot be played ({ $why })
+    .cause = A motion from another process is incomplete or exceeds a limit of an axis of this machine.
+    .cure = Load the job again. If it remains, report it with the job and the machine file.

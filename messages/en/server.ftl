@@ -70,9 +70,6 @@ server-no-machine = there is no machine
 server-no-machine-named = there is no machine `{ $name }`
     .cause = Neither a supplied machine nor a file among the jobs of the panel has this name.
     .cure = Correct `machine` in the job, or copy the machine file into `jobs/` of the data folder.
-server-no-devices = there are no devices
-    .cause = The cell has not published its devices yet, in the first moment after its start.
-    .cure = Wait a moment and load the page again.
 server-no-axis = there is no axis `{ $axis }`; allowed: { $allowed }
     .cause = The machine of the cell has no axis of this name; the page may show a machine that was loaded before.
     .cure = Load the page again.
@@ -248,9 +245,6 @@ server-devices-held = the devices are not released: restart the panel
 server-devices-not-connected = the devices cannot be connected
     .cause = The thread that connects to the devices ended by a fault of the program.
     .cure = Report it with the machine file.
-server-not-connected = the devices are not connected for this job: try again
-    .cause = Another load or a release changed the devices between the plan and its transfer to the cell.
-    .cure = Load the job again.
 server-needs-other-devices = the job is for another machine: switch the drives off first
     .cause = The job has another machine or other process values at real devices, and the drives are on.
     .cure = Switch the drives off, then load the job.
@@ -689,3 +683,22 @@ server-event-tool-changed = tip of { $head } changed in { $file }: takes effect 
 server-event-sensor-changed = sensor { $sensor } changed in { $file }: takes effect when a job of this machine is loaded again
     .cause = The running cell keeps its sensors, so that nothing changes during tracking.
     .cure = Switch the drives off and load a job of this machine.
+
+# Process of the cell.
+server-event-cell-lost = the cell has died: { $reason }
+    .cause = The process of the cell has ended without an order. Its record is closed as interrupted.
+    .cure = Check that arc, gas and drives are off, and look at the weld before it is continued.
+server-event-cell-restarted = a new cell has started: off, without a program; its devices are connected
+    .cause = A new process has taken the place of the one that died. Nothing moves or burns by itself.
+    .cure = Load the job again. References may be lost: home the axes.
+server-event-cell-not-restarted = no new cell could be started: { $reason }
+    .cause = The devices do not answer, or the cell has died too often.
+    .cure = Check at the machine that arc, gas and drives are off. The panel ends: remove the reason, then start it again.
+server-cell-dies-often = the cell has died { $n } times within ten minutes
+    .cause = Something ends the process of the cell again and again.
+    .cure = Look at the log for the reason before the panel is started again.
+
+# Process of the cell.
+server-event-cell-found = found a running cell with its program: { $job }
+    .cause = The cell has outlived its panel. A weld goes on in a new record; the record before it is closed as interrupted.
+    .cure = Look at the mode and the alarms, then go on.

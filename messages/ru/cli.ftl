@@ -603,3 +603,7 @@ cli-tune-hz = Гц
 cli-tune-per-s = 1/с
 cli-tune-ms = мс
 cli-tune-db = дБ
+cli-stopped = остановлено в цикле { $cycle }
+cli-no-cell-runs = там ячейка не работает
+cli-data-of-running-cell = папка данных работающей панели
+cli-stop-unanswered = остановка не подтверждена: { $why }

@@ -603,3 +603,7 @@ cli-tune-hz = Гц
 cli-tune-per-s = 1/с
 cli-tune-ms = мс
 cli-tune-db = дБ
+cli-stopped = зупинено в циклі { $cycle }
+cli-no-cell-runs = там комірка не працює
+cli-data-of-running-cell = папка даних працюючої панелі
+cli-stop-unanswered = зупинку не підтверджено: { $why }

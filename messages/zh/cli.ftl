@@ -483,3 +483,7 @@ cli-tune-hz = Hz
 cli-tune-per-s = 1/s
 cli-tune-ms = ms
 cli-tune-db = dB
+cli-stopped = 已在循环 { $cycle } 中停止
+cli-no-cell-runs = 该处没有运行的单元
+cli-data-of-running-cell = 正在运行的面板的数据文件夹
+cli-stop-unanswered = 停止未得到确认：{ $why }

@@ -248,3 +248,4 @@ motion-sweep = 扫掠角不得为 0，且任一方向不超过 { $limit }，而�
 motion-step-too-long = 步长 { $step }（速度与周期之积）对此路径太长：最多 { $max }（路径长度，或整圈长度的八分之一）
 motion-pulse-too-large = 脉冲当量 { $pulse } 对此形状太大：最多 { $max }
 motion-too-many-steps = 这需要约 { $steps } 个步或脉冲；上限为 { $max }
+motion-not-verified = 焊道 { $pass }：规划的运动无法执行（{ $why }）

@@ -110,6 +110,11 @@ pub(crate) enum Verb {
     /// Start the cell and the operator's panel in the browser; also without any verb
     #[command(after_help = serve::HELP)]
     Serve(serve::ServeArgs),
+    /// Stop the running cell at once: process off, axes at rest; needs neither panel nor login
+    Stop(serve::StopArgs),
+    /// Run the cell of a panel, which starts this process: executive and devices
+    #[command(hide = true)]
+    Cell(serve::CellArgs),
     /// Answer a question of the panel on standard input, with little memory and time
     #[command(hide = true)]
     AnswerOneQuestion(serve::QuestionArgs),

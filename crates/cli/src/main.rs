@@ -29,7 +29,7 @@ fn main() -> ExitCode {
     };
     // Another process of ours reads the answers to questions: they are in no language.
     let language = match cli.verb {
-        Some(Verb::AnswerOneQuestion(_)) => Language::English,
+        Some(Verb::AnswerOneQuestion(_) | Verb::Cell(_)) => Language::English,
         _ => choose_language(cli.language.as_deref()),
     };
     // The server renders for each of its users, and records are in no language.
@@ -77,6 +77,8 @@ fn dispatch(verb: Verb) -> Result<(), Failure> {
         Verb::Simulate(a) => verbs::simulate::run(&a),
         Verb::Run(a) => verbs::run::run(&a),
         Verb::Serve(a) => verbs::serve::run(&a),
+        Verb::Stop(a) => verbs::cell::stop(&a),
+        Verb::Cell(a) => verbs::cell::cell(&a),
         Verb::AnswerOneQuestion(a) => verbs::serve::answer_one_question(&a),
         Verb::Post(a) => verbs::post::run(&a),
         Verb::Import(a) => verbs::read::run(&a),

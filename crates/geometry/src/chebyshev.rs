@@ -1,3 +1,4 @@
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -28,7 +29,7 @@ pub fn nodes() -> &'static [f64; NODES] {
 }
 
 /// A truncated Chebyshev series on [-1, 1]: `sum c_k T_k(x)`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Series {
     /// Coefficients, lowest first.
     pub c: [f64; NODES],

@@ -20,6 +20,17 @@ pub struct InterlockFile {
     pub level: Level,
 }
 
+/// Reaction of a running program to the loss of its panel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PanelLost {
+    /// It is held on its path, as by the operator: the crater is filled.
+    #[default]
+    Hold,
+    /// It goes on to its end.
+    Continue,
+}
+
 fn yes() -> bool {
     true
 }

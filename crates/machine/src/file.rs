@@ -3,7 +3,7 @@
 use crate::AxisLimits;
 use crate::axis::EncoderSide;
 use crate::beam_deflection::BeamDeflection;
-use crate::cell::{InterlockFile, SourceFile};
+use crate::cell::{InterlockFile, PanelLost, SourceFile};
 use crate::devices::DeviceFile;
 use crate::sensor::SensorFile;
 use glam::DVec3;
@@ -35,6 +35,10 @@ pub struct MachineFile {
     /// Axes that go to their home positions, one after another, once all references are found; none if missing.
     #[serde(default)]
     pub home_order: Vec<String>,
+    /// Reaction of a running program to the loss of its panel (the process has died, or is silent for a second); `hold` if
+    /// missing. Jogging stops in any case.
+    #[serde(default)]
+    pub on_panel_lost: PanelLost,
     /// Steps from the machine's base to the torch tip, in order.
     #[serde(default)]
     pub tool: Vec<StepFile>,

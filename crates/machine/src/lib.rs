@@ -52,7 +52,7 @@ mod welding_head;
 pub use axis::{Axis, AxisKind, Drive, EncoderSide, Load, RangeViolation};
 pub use axis_limits::AxisLimits;
 pub use beam_deflection::BeamDeflection;
-pub use cell::{InterlockFile, Level, Source, SourceFile};
+pub use cell::{InterlockFile, Level, PanelLost, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use collision_monitor::CollisionMonitor;
 pub use devices::{

@@ -1,7 +1,7 @@
 use crate::assemble;
 use crate::axis::{Axis, AxisKind, RangeViolation};
 use crate::beam_deflection::BeamDeflection;
-use crate::cell::{InterlockFile, Source};
+use crate::cell::{InterlockFile, PanelLost, Source};
 use crate::chain::{AxisSet, Joints, MAX_AXES};
 use crate::devices::MachineDevices;
 use crate::file::{ControlsFile, Io, MachineFile};
@@ -36,6 +36,8 @@ pub struct Machine {
     pub axes: Vec<Axis>,
     /// Indices of the axes that move to their home positions, one after another, after all references are found.
     pub home_order: Vec<usize>,
+    /// Reaction of a running program to the loss of its panel.
+    pub on_panel_lost: PanelLost,
     /// Period of position loops and set-points, s.
     pub servo_period_s: f64,
     /// Outputs of the process.

@@ -306,7 +306,7 @@ impl Trial<'_> {
 
 /// True for a finding against the weld that a shift of the work or another work angle may cure.
 fn is_of_range(finding: &Finding) -> bool {
-    !finding.allowed && ["range", "reach"].contains(&finding.kind)
+    !finding.allowed && ["range", "reach"].contains(&finding.kind.as_ref())
 }
 
 fn count_against(findings: &[Finding]) -> usize {

@@ -4,6 +4,7 @@ use crate::follower::Follower;
 use crate::stretch::Stretch;
 use seamwright_geometry::{NODES, Series, nodes};
 use seamwright_machine::{Axis, AxisKind, Course, Joints, MAX_AXES, Machine};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
@@ -42,7 +43,7 @@ pub struct JointPoint {
 /// Panels of Chebyshev series fitted to the closed-form inverse kinematics at their nodes and halved until they agree
 /// with it between the nodes. Guarantee (checked at 33 stations a panel): within 1e-10 mm and 1e-12 rad of the exact
 /// inverse, except in blends at corners. Evaluation does not allocate, and its cost depends on the number of axes only.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct JointPath {
     panels: Vec<Panel>,
     /// `blocks` per panel, one after the other.
@@ -63,7 +64,7 @@ pub struct JointPath {
     line: Option<Vec<Series>>,
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct Panel {
     start: f64,
     end: f64,
@@ -119,6 +120,24 @@ impl JointPath {
 
     fn empty(axes: usize, length: f64) -> Self {
         Self { blocks_a_panel: axes.div_ceil(LANES), length, axes, ..Self::default() }
+    }
+
+    /// Returns true if evaluation is possible everywhere, for a machine with this number of axes: panels adjoin one
+    /// another over the whole length, each with all its coefficients, and all numbers are finite.
+    pub(crate) fn is_whole(&self, axes: usize) -> bool {
+        let ends = self.panels.iter().map(|p| p.end);
+        let starts = self.panels.iter().skip(1).map(|p| p.start).chain(std::iter::once(self.length));
+        let marks = || self.bends.iter().chain(&self.stops).chain(self.blends.iter().flat_map(|(a, b)| [a, b]));
+        let line = self.line.iter().flatten().flat_map(|series| &series.c);
+        self.axes == axes
+            && axes <= MAX_AXES
+            && self.blocks_a_panel == axes.div_ceil(LANES)
+            && self.blocks.len() == self.panels.len() * self.blocks_a_panel
+            && self.line.as_ref().is_none_or(|line| line.len() == self.panels.len())
+            && self.panels.first().is_some_and(|first| first.start.total_cmp(&0.0).is_eq())
+            && self.panels.iter().all(|p| p.start < p.end)
+            && ends.zip(starts).all(|(end, start)| end.total_cmp(&start).is_eq())
+            && self.blocks.iter().flatten().flatten().chain(marks()).chain(line).all(|value| value.is_finite())
     }
 
     /// Length of the path, mm.

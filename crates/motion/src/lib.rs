@@ -91,6 +91,7 @@ pub mod taught;
 mod tip_channels;
 mod tip_path;
 pub mod transfer;
+mod verification;
 mod weave_limits;
 mod weld_motion;
 

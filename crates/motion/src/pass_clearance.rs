@@ -4,9 +4,10 @@ use seamwright_clearance::Limits;
 use seamwright_machine::Surroundings;
 use seamwright_message::Message;
 use seamwright_program::{Finding, PathRange};
+use serde::{Deserialize, Serialize};
 
 /// Clearance along a pass.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PassClearance {
     /// Minimum distance (mm) of everything watched at path lengths of the pass (mm), up to the cut-off.
     pub found: Vec<(f64, f64)>,

@@ -17,13 +17,14 @@ use crate::weave_limits::Woven;
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_message::Message;
 use seamwright_program::{ArcTime, Finding, Pass, PathRange, Procedure, Sequence, TorchPath, torch_jumps};
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// Number of samples of the tip's travel by path length before the axes are known.
 const RATES: u32 = 60;
 
 /// One pass as motion: the axes' path, the speed profile and the process sequence.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct PassMotion {
     /// The axes' positions by path length.
     pub path: JointPath,
@@ -38,6 +39,7 @@ pub struct PassMotion {
     /// Maximum angle (rad) between requested and reached torch attitude, and its path length (mm).
     pub attitude_error: (f64, f64),
     /// Notes on a feasible weld.
+    #[serde(with = "seamwright_program::finding_data")]
     pub findings: Vec<Finding>,
 }
 

@@ -12,11 +12,12 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Pass, PathRange, Procedure, TorchPath};
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// A whole program as motion: its passes, and the transfer moves before, between and after them.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct WeldMotion {
     /// The passes in order.
     pub passes: Vec<PassMotion>,
@@ -27,6 +28,7 @@ pub struct WeldMotion {
     /// Comparison of each pass with the welding procedure specification, if any.
     pub procedure: Vec<PassProcedure>,
     /// Notes on a feasible weld.
+    #[serde(with = "seamwright_program::finding_data")]
     pub findings: Vec<Finding>,
 }
 

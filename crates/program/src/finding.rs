@@ -2,6 +2,7 @@ use crate::path_range::PathRange;
 use seamwright_message::{Language, Message};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 
 /// A fault that keeps a weld from being made as requested, or a note about it. It has its position on the seam and the
 /// operator action.
@@ -14,7 +15,7 @@ use serde::{Serialize, Serializer};
 pub struct Finding {
     /// Short kind, stable for programs: `reach`, `range`, `speed`, `attitude`, `access`, `singular`, `jump`, `hold`,
     /// `pulses`, `steps`, `pace`, `stop`, `blend`, `least_speed`, `time`, `turn`, `bead`, `procedure`.
-    pub kind: &'static str,
+    pub kind: Cow<'static, str>,
     /// Description of the fault, with the value found and the value allowed.
     pub message: Message,
     /// Pass, counted from 1.
@@ -52,13 +53,13 @@ impl Finding {
         cure: Message,
     ) -> Self {
         let PathRange { from_mm, to_mm } = range.into();
-        Self { kind, message, pass, from_mm, to_mm, cure: Some(cure), allowed: false }
+        Self { kind: kind.into(), message, pass, from_mm, to_mm, cure: Some(cure), allowed: false }
     }
 
     /// A note of pass `pass` (counted from 1) on a range of its path length: information that asks for no action.
     pub fn note(kind: &'static str, message: impl Into<Message>, pass: usize, range: PathRange) -> Self {
         let PathRange { from_mm, to_mm } = range;
-        Self { kind, message: message.into(), pass, from_mm, to_mm, cure: None, allowed: true }
+        Self { kind: kind.into(), message: message.into(), pass, from_mm, to_mm, cure: None, allowed: true }
     }
 
     /// Returns the words of the operator action; empty if none is needed.
@@ -93,5 +94,61 @@ impl Serialize for Finding {
         fields.serialize_field("cure_code", &cure.as_ref().map(|cure| &cure.code))?;
         fields.serialize_field("cure_arguments", &cure.as_ref().map(Message::named_arguments))?;
         fields.end()
+    }
+}
+
+/// Findings as data between programs: messages with their codes and arguments, so that they are read back unchanged. Used
+/// as `#[serde(with = "seamwright_program::finding_data")]` for lists.
+pub mod finding_data {
+    use super::Finding;
+    use seamwright_message::Message;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+    use std::borrow::Cow;
+
+    #[derive(Serialize, Deserialize)]
+    struct Data<'a> {
+        kind: Cow<'static, str>,
+        message: Cow<'a, Message>,
+        pass: usize,
+        from_mm: f64,
+        to_mm: f64,
+        cure: Option<Cow<'a, Message>>,
+        allowed: bool,
+    }
+
+    /// Writes a list of findings.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn serialize<S: Serializer>(findings: &[Finding], serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(findings.iter().map(|f| Data {
+            kind: f.kind.clone(),
+            message: Cow::Borrowed(&f.message),
+            pass: f.pass,
+            from_mm: f.from_mm,
+            to_mm: f.to_mm,
+            cure: f.cure.as_ref().map(Cow::Borrowed),
+            allowed: f.allowed,
+        }))
+    }
+
+    /// Reads a list of findings.
+    ///
+    /// # Errors
+    /// Those of the deserializer.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Finding>, D::Error> {
+        let data = Vec::<Data<'static>>::deserialize(deserializer)?;
+        Ok(data
+            .into_iter()
+            .map(|f| Finding {
+                kind: f.kind,
+                message: f.message.into_owned(),
+                pass: f.pass,
+                from_mm: f.from_mm,
+                to_mm: f.to_mm,
+                cure: f.cure.map(Cow::into_owned),
+                allowed: f.allowed,
+            })
+            .collect())
     }
 }

@@ -69,7 +69,7 @@ pub fn group_findings(findings: &[Finding]) -> Vec<FindingGroup<'_>> {
 
 fn says_the_same(a: &Finding, b: &Finding) -> bool {
     let exactly = a.severity() == Severity::Error;
-    (a.kind, a.allowed) == (b.kind, b.allowed)
+    (&a.kind, a.allowed) == (&b.kind, b.allowed)
         && if exactly {
             // As they are printed: numbers may differ beyond the decimals that are shown.
             let printed = |m: &Message| m.as_data();

@@ -89,7 +89,7 @@ pub use at_corner::AtCorner;
 pub use bead::Bead;
 pub use branch::{Branch, OtherBranch};
 pub use copies::SeamCopy;
-pub use finding::{Finding, Severity};
+pub use finding::{Finding, Severity, finding_data};
 pub use finding_groups::{FindingGroup, FindingPlace, group_findings};
 pub use joint::{
     Bevel, Fillet, FilletOrButt, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ,

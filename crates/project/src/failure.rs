@@ -44,7 +44,7 @@ pub fn findings_message(findings: &[Finding]) -> Message {
     }];
     for group in &groups {
         let finding = Message::new("project-finding").message("severity", severity(group.finding));
-        lines.push(finding.text("kind", group.finding.kind).message("finding", group.message.clone()));
+        lines.push(finding.text("kind", group.finding.kind.as_ref()).message("finding", group.message.clone()));
         lines.push(Message::new("project-where").message("places", places(group)).indented());
         if let Some(cure) = &group.cure {
             lines.push(Message::new("project-cure").message("cure", cure.clone()).indented());

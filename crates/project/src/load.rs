@@ -218,6 +218,14 @@ pub fn machine_foreign(name: &str, text: &str, folder: &Path) -> Result<Machine,
     checked(name, text, &FileScope::fenced(folder), &StlFiles::default()).map(|(machine, _)| machine)
 }
 
+/// The machine of a text, treated as a file in `folder`.
+///
+/// # Errors
+/// Any fault of the text.
+pub fn machine_text(name: &str, text: &str, folder: &Path) -> Result<Machine, Failure> {
+    checked(name, text, &FileScope::open(folder), &StlFiles::default()).map(|(machine, _)| machine)
+}
+
 /// A machine file with its drives checked too, so that no later step is the first to stumble over them.
 fn checked(
     file: &str,
@@ -291,7 +299,7 @@ impl Loaded {
             return None;
         };
         Some(Finding {
-            kind: "unchecked",
+            kind: "unchecked".into(),
             message: Message::new(code),
             pass: 1,
             from_mm: 0.0,

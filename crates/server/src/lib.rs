@@ -17,7 +17,8 @@
 //! Serve a cell until a signal ends it:
 //!
 //! ```no_run
-//! use seamwright_machine::{Machine, shipped};
+//! use seamwright_cell::MachineSource;
+//! use seamwright_machine::shipped;
 //! use seamwright_server::{Settings, serve};
 //!
 //! let file = shipped("saddle-4axis").expect("a shipped machine");
@@ -26,8 +27,7 @@
 //!     names: Vec::new(),
 //!     tls: None,
 //!     data: "data".into(),
-//!     machine: Machine::read(file.name, file.text)?,
-//!     folder: ".".into(),
+//!     machine: MachineSource { name: file.name.to_owned(), text: file.text.to_owned(), folder: ".".into() },
 //!     values: Vec::new(),
 //!     cameras: Vec::new(),
 //!     program: None,
@@ -47,6 +47,7 @@ mod log;
 mod planner;
 mod refusal;
 mod serve;
+mod service_manager;
 mod teaching;
 #[cfg(test)]
 mod tests;

@@ -4,11 +4,12 @@ use crate::front::answer;
 use crate::http::Panel;
 use crate::log;
 use crate::planner::Planner;
+use crate::service_manager;
 use crate::teaching::Cameras;
 use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
+use seamwright_cell::{CellStart, MachineSource};
 use seamwright_executive::realtime::{Shutdown, ShutdownCause};
-use seamwright_machine::Machine;
 use seamwright_message::Message;
 use seamwright_project::failure::with_allowed;
 use seamwright_project::files;
@@ -37,15 +38,13 @@ pub struct Settings {
     /// Folder of records, jobs and users; created if missing.
     pub data: PathBuf,
     /// The machine of the cell.
-    pub machine: Machine,
-    /// Folder to which paths in the machine file are relative.
-    pub folder: PathBuf,
+    pub machine: MachineSource,
     /// Process values of programs to come, for devices that are not simulated.
     pub values: Vec<String>,
     /// Addresses, `HOST` or `HOST:PORT`, allowed as source of camera frames beside this computer.
     pub cameras: Vec<String>,
-    /// This program, started as a child process for plans and drafts, with limits of memory and time. `None`: planned
-    /// in this process.
+    /// This program, started as child processes: one for the cell, and one for each plan and draft, with limits of memory
+    /// and time. `None`: all of it in this process.
     pub program: Option<PathBuf>,
     /// Name of a job in `data`, or of an example, loaded at the start.
     pub job: Option<String>,
@@ -131,8 +130,8 @@ impl Lives<'_> {
         };
         let listener = self.listen()?;
         let port = listener.local_addr().map_err(|e| Error::system(&e))?.port();
-        let (machine, folder) = (&settings.machine, &settings.folder);
-        let cell = Cell::start(machine, folder, &settings.values, &settings.data, self.shutdown);
+        let start = CellStart { machine: settings.machine.clone(), values: settings.values.clone() };
+        let cell = Cell::start(&start, &settings.data, settings.program.as_deref(), self.shutdown);
         let cell = cell.map_err(Error::Settings)?;
         let has_admin = accounts.has_admin();
         let mut panel = Panel::new(cell, accounts, self.key.clone(), settings.data.clone(), hosts(&names, port));
@@ -141,7 +140,7 @@ impl Lives<'_> {
         panel.planner = Planner::new(settings.program.clone());
         let panel = Arc::new(panel);
         self.say_restored(&panel);
-        if let Some(job) = &settings.job
+        if let Some(job) = settings.job.as_ref().filter(|_| !panel.cell.has_program)
             && let Err(e) = crate::http::begin_with(&panel, job).await
         {
             if self.restored.is_none() {
@@ -157,6 +156,7 @@ impl Lives<'_> {
         let fragment = if has_admin { String::new() } else { format!("#key={}", self.key) };
         log::info(&format!("seamwright {} serves {scheme}://{host}:{port}/", env!("CARGO_PKG_VERSION")));
         ready(&format!("{scheme}://{host}:{port}/{fragment}"));
+        service_manager::ready();
         let mut restores = panel.restores.subscribe();
         let user = tokio::select! {
             () = answer(listener, tls, Arc::clone(&panel), work.clone()) => None,
@@ -165,6 +165,9 @@ impl Lives<'_> {
         };
         if let Some(task) = renews {
             task.abort();
+        }
+        if user.is_none() {
+            service_manager::stopping();
         }
         log::info(if user.is_some() { "all data are restored: the cell begins anew" } else { "the panel ends" });
         if user.is_some() {

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crate::compensation::{BacklashCompensation, BacklashOffset, FrictionCompensation};
 use crate::error::{Error, positive, servo_period, within};
 use crate::notch::Notch;
+use serde::{Deserialize, Serialize};
 
 /// Time constant of the derivative's filter, in servo periods.
 ///
@@ -17,7 +18,7 @@ pub(crate) const NOTCHES: usize = 2;
 const LARGEST_ERROR: f64 = 1e9;
 
 /// Set position, speed and acceleration of an axis at one instant.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct SetPoint {
     /// Position (u).
     pub position: f64,

@@ -117,9 +117,9 @@ fn greater(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
 impl Summary {
     /// Returns findings for deviations beyond the tolerance, and for drives at their current limit.
     pub fn findings(&self, tolerance: &Tolerance, pass: usize) -> Vec<Finding> {
-        let finding = |kind, message, at, cure, allowed| {
+        let finding = |kind: &'static str, message, at, cure, allowed| {
             let cure = Some(Message::new(cure));
-            Finding { kind, message, pass, from_mm: at, to_mm: at, cure, allowed }
+            Finding { kind: kind.into(), message, pass, from_mm: at, to_mm: at, cure, allowed }
         };
         let mut findings = Vec::new();
         let (path, limit) = (self.path_error_mm.max, tolerance.path_mm.get());

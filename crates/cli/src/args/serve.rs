@@ -47,6 +47,25 @@ pub(crate) struct ServeArgs {
     pub(crate) open: bool,
 }
 
+/// Of STOP.
+#[derive(Debug, Args)]
+pub(crate) struct StopArgs {
+    /// Data folder of the running panel
+    #[arg(long, value_name = "DIR")]
+    pub(crate) data: Option<PathBuf>,
+}
+
+/// Of the process of a cell.
+#[derive(Debug, Args)]
+pub(crate) struct CellArgs {
+    /// Folder of the sockets of its panel and of STOP
+    #[arg(long, value_name = "DIR")]
+    pub(crate) sockets: PathBuf,
+    /// Read the machine from standard input, as JSON
+    #[arg(long, required = true)]
+    pub(crate) start_on_input: bool,
+}
+
 /// Of the process that answers one question of the panel.
 #[derive(Debug, Args)]
 pub(crate) struct QuestionArgs {

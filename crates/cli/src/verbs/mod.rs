@@ -1,6 +1,7 @@
 //! One module a verb.
 
 pub(crate) mod bench;
+pub(crate) mod cell;
 pub(crate) mod check;
 pub(crate) mod edit;
 pub(crate) mod find_joint;

@@ -1,11 +1,13 @@
 use crate::args::serve::{QuestionArgs, ServeArgs};
 use crate::refusals::{not_json, refused};
 use crate::rows::print_text;
+use seamwright_cell::MachineSource;
+use seamwright_machine::shipped;
 use seamwright_message::Message;
 use seamwright_project::examples::EXAMPLES;
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
-use seamwright_project::load::{load_text, machine};
+use seamwright_project::load::{Loaded, load_text, machine_and_file};
 use seamwright_server::{Error, Settings, Tls, serve};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -34,18 +36,18 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         None => None,
     };
     let values = loaded.as_ref().map_or(Vec::new(), |l| l.welding.program.value.process_values());
-    let (machine, folder) = match (&args.machine, loaded) {
-        (Some(name), _) => (machine(name)?, Path::new(name).parent().unwrap_or(Path::new(".")).to_owned()),
-        (None, Some(loaded)) => (loaded.machine.clone(), loaded.folder().to_owned()),
+    let machine = match (&args.machine, loaded) {
+        (Some(name), _) => named_machine(name)?,
+        (None, Some(loaded)) => machine_of(&loaded)?,
         // Without a job there is a machine.
-        (None, None) => (machine("saddle-4axis")?, jobs.clone()),
+        (None, None) => named_machine("saddle-4axis")?,
     };
     let tls = match (&args.cert, &args.key) {
         (Some(cert), Some(key)) => Some(Tls::Files { cert: cert.clone(), key: key.clone() }),
         _ => args.tls.then_some(Tls::Own),
     };
     let (names, cameras, program) = (args.host.clone(), args.camera.clone(), this_program());
-    let settings = Settings { bind: args.bind, names, tls, data, machine, folder, values, cameras, program, job };
+    let settings = Settings { bind: args.bind, names, tls, data, machine, values, cameras, program, job };
     let ready = |url: &str| {
         // Errors are ignored: the server runs without a reader of its output, too.
         drop(print_text(&format!("{url}\n")));
@@ -57,6 +59,24 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         Error::Settings(text) => Failure::input(text),
         Error::System(text) => Failure::environment(text),
     })
+}
+
+/// The machine file or supplied machine of this name.
+pub(super) fn named_machine(name: &str) -> Result<MachineSource, Failure> {
+    let (_, document) = machine_and_file(name)?;
+    let folder = Path::new(name).parent().unwrap_or(Path::new(".")).to_owned();
+    Ok(MachineSource { name: name.to_owned(), text: document.text().to_owned(), folder })
+}
+
+/// The machine of a job.
+fn machine_of(loaded: &Loaded) -> Result<MachineSource, Failure> {
+    let text = match &loaded.machine_file {
+        Some(path) => files::read(path)?,
+        None => shipped(&loaded.machine.name).map_or_else(String::new, |file| file.text.to_owned()),
+    };
+    let name =
+        loaded.machine_file.as_ref().map_or_else(|| loaded.machine.name.clone(), |file| file.display().to_string());
+    Ok(MachineSource { name, text, folder: loaded.folder().to_owned() })
 }
 
 /// Path of this program, to start it once more. The file may have been replaced since, so the system's handle of the

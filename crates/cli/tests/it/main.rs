@@ -3,6 +3,7 @@
 mod beam;
 mod bench_tracking;
 mod book;
+mod cell_process;
 mod certificate;
 mod commands;
 mod common;

@@ -1,9 +1,10 @@
 use crate::tracking::trouble;
 use seamwright_message::{Argument, Language, Message, named_enum};
+use serde::{Deserialize, Serialize};
 
 named_enum! {
     /// Reaction of the cell to an alarm, the mildest first.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
     pub enum Reaction {
         /// Report only.
         Tell => "told", "alarm-reaction-report";
@@ -20,7 +21,7 @@ named_enum! {
 
 named_enum! {
     /// Alarms of a cell.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
     pub enum Alarm {
         /// An interlock condition of the machine file is not met; the detail is its number.
         Interlock => "condition not met",

@@ -2,9 +2,10 @@ use super::alarm::{Alarm, Reaction};
 use super::command::Ask;
 use super::port::Note;
 use arrayvec::ArrayVec;
+use serde::{Deserialize, Serialize};
 
 /// Position of the torch.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Place {
     /// The pass, counted from 1; 0 outside of all passes.
     pub pass: usize,
@@ -13,7 +14,7 @@ pub struct Place {
 }
 
 /// State of an alarm (ISA-18.2, clause 5.5).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum AlarmState {
     /// Active and unacknowledged.
     Unacknowledged,
@@ -24,7 +25,7 @@ pub enum AlarmState {
 }
 
 /// An alarm on the list.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Raised {
     /// The alarm.
     pub alarm: Alarm,

@@ -3,9 +3,10 @@ use super::missing_permissive::Missing;
 use super::mode::{Event, Mode, Refused};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::jog;
+use serde::{Deserialize, Serialize};
 
 /// Origin of a command: numbers that the outside resolves to names, so that a cycle carries no text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Origin {
     /// Number of the user; 0 is the cell itself.
     pub user: u32,
@@ -14,7 +15,7 @@ pub struct Origin {
 }
 
 /// A command to the cell.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Command {
     /// Origin of the command.
     pub origin: Origin,
@@ -32,7 +33,7 @@ impl Command {
 }
 
 /// Requested actions.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Ask {
     /// Switch the drives on.
     SwitchOn,

@@ -2,6 +2,7 @@ use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_servo::SetPoint;
 use seamwright_tracking::beam::{Beam, Picture};
 use seamwright_tracking::lead::Measurement;
+use serde::{Deserialize, Serialize};
 use std::ops::DerefMut;
 
 /// Maximum number of process values of a weld.
@@ -10,7 +11,7 @@ pub const VALUES: usize = 16;
 pub(super) const LATE_S: f64 = 0.1;
 
 /// Orders to the devices in a cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Orders {
     /// Drives on.
     pub power: bool,
@@ -37,7 +38,7 @@ impl Orders {
 }
 
 /// Orders to the process source.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct ProcessOrders {
     /// The gas valve is open.
     pub gas: bool,
@@ -48,7 +49,7 @@ pub struct ProcessOrders {
 }
 
 /// Orders to the joint sensors and to the deflected beam.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SeamOrders {
     /// The cell's clock at the start of the period, s: exposures are stamped with it.
     pub t_s: f64,
@@ -71,7 +72,7 @@ impl Default for SeamOrders {
 }
 
 /// Device reports; by default of infinite age.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Reports {
     /// The drives.
     pub drives: DriveReport,
@@ -92,7 +93,7 @@ pub struct Reports {
 }
 
 /// Report of the sensors ahead of the torches.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct SensorReport {
     /// Measurement of each head that arrived in this period.
     pub measured: [Option<Measurement>; 2],
@@ -118,7 +119,7 @@ impl Default for Reports {
 }
 
 /// Report of the drives.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct DriveReport {
     /// The drives have power.
     pub powered: bool,
@@ -143,7 +144,7 @@ pub struct DriveReport {
 }
 
 /// Report of the process source.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct SourceReport {
     /// Ready to switch on.
     pub ready: bool,

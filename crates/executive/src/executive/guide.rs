@@ -4,9 +4,10 @@ use super::device_interface::{Reports, SeamOrders};
 use seamwright_machine::Joints;
 use seamwright_tracking::beam::Picture;
 use seamwright_tracking::lead::Sight;
+use serde::{Deserialize, Serialize};
 
 /// Tracking state of a head; lateral and height in the torch's frame, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Tracked {
     /// Estimated joint position relative to the planned path.
     pub deviation_mm: [f64; 2],

@@ -1,9 +1,10 @@
 use super::alarm::{Alarm, named};
 use super::mode::Refused;
 use seamwright_message::{Argument, Message, named_enum};
+use serde::{Deserialize, Serialize};
 
 /// Reasons why an action is not possible now.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Missing {
     /// The mode does not accept it.
     Mode(Refused),
@@ -37,7 +38,7 @@ pub enum Missing {
 
 named_enum! {
     /// A device that does not answer.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
     pub enum SilentDevice {
         /// The drives.
         Drives => "drives", "cell-device-drives";

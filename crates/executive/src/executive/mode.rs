@@ -1,9 +1,10 @@
 use seamwright_message::{Argument, Message, display_by_message, named_enum};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 named_enum! {
     /// Operating mode of the cell. Power means that the drives hold or move the axes.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
     pub enum Mode {
         /// Drives without power, brakes closed.
         Off => "off", "cell-mode-off";
@@ -30,7 +31,7 @@ named_enum! {
 
 named_enum! {
     /// Events of the cell.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
     pub enum Event {
         /// Power-on request.
         SwitchOn => "switch on", "cell-trigger-switch-on";
@@ -129,7 +130,7 @@ impl fmt::Display for Event {
 }
 
 /// An event that a mode does not accept.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Refused {
     /// The mode.
     pub mode: Mode,

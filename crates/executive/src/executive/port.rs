@@ -8,10 +8,11 @@ use super::mode::Mode;
 use super::process::ProcessState;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::feed_override::RunPhase;
+use serde::{Deserialize, Serialize};
 use std::ops::Deref;
 
 /// Status of the executive.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Status {
     /// Time since the executive started, s.
     pub t: f64,
@@ -59,7 +60,7 @@ impl Deref for Cycle<'_> {
 }
 
 /// An event for the log.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Note {
     /// The mode changed.
     Mode(Mode, Mode),

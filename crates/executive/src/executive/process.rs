@@ -1,12 +1,13 @@
 use super::alarm::Alarm;
 use super::device_interface::{LATE_S, SourceReport};
 use seamwright_machine::Source;
+use serde::{Deserialize, Serialize};
 
 /// Validity of an arming, s.
 const ARMED_S: f64 = 60.0;
 
 /// State of arc or beam.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum ProcessState {
     /// Not requested.
     #[default]

@@ -1,15 +1,47 @@
+use serde::{Deserialize, Serialize};
+
 /// Bins per factor of two: the resolution is an eighth of the lateness.
 const BINS_AN_OCTAVE: u32 = 8;
 /// Number of bins, up to 2^40 ns.
 const BINS: usize = 40 * BINS_AN_OCTAVE as usize;
 
 /// Lateness of cycle starts: a histogram of fixed size with bins that grow with the lateness.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(into = "Filled", from = "Filled")]
 pub struct Latency {
     bins: Box<[u64; BINS]>,
     count: u64,
     most_ns: u64,
     missed: u64,
+}
+
+/// A [`Latency`] between processes: its filled bins.
+#[derive(Serialize, Deserialize)]
+struct Filled {
+    /// Number of each filled bin, with its count.
+    bins: Vec<(u16, u64)>,
+    most_ns: u64,
+    missed: u64,
+}
+
+impl From<Latency> for Filled {
+    fn from(all: Latency) -> Self {
+        let filled = (0u16..).zip(all.bins.iter().copied()).filter(|(_, count)| *count > 0);
+        Self { bins: filled.collect(), most_ns: all.most_ns, missed: all.missed }
+    }
+}
+
+impl From<Filled> for Latency {
+    fn from(filled: Filled) -> Self {
+        let mut all = Self { most_ns: filled.most_ns, missed: filled.missed, ..Self::default() };
+        for (bin, count) in filled.bins {
+            if let Some(known) = all.bins.get_mut(usize::from(bin)) {
+                *known = known.saturating_add(count);
+                all.count = all.count.saturating_add(count);
+            }
+        }
+        all
+    }
 }
 
 impl Default for Latency {

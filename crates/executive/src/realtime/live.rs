@@ -1,12 +1,13 @@
 use super::Shutdown;
 use crate::executive::{Ask, Command, Cycle, Note, Orders, Port, Reports, Status};
 use rtrb::{Consumer, Producer, RingBuffer};
+use serde::{Deserialize, Serialize};
 use std::ops::Deref;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// A cycle, copied for other threads.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Shown {
     /// Status of the executive.
     pub status: Status,
@@ -14,6 +15,8 @@ pub struct Shown {
     pub orders: Orders,
     /// Device reports.
     pub reports: Reports,
+    /// Number of the cycle, from 1.
+    pub cycle: u64,
     /// Number of cycles lost before this one, on a full queue.
     pub lost: u64,
 }
@@ -28,7 +31,7 @@ impl Deref for Shown {
 
 impl From<&Cycle<'_>> for Shown {
     fn from(c: &Cycle<'_>) -> Self {
-        Self { status: c.status, orders: *c.orders, reports: *c.reports, lost: 0 }
+        Self { status: c.status, orders: *c.orders, reports: *c.reports, cycle: 0, lost: 0 }
     }
 }
 
@@ -46,24 +49,64 @@ pub struct LivePort {
     urgent: Urgent,
     shutdown: Shutdown,
     lost: u64,
+    /// Number of the running cycle, from 1.
+    cycle: u64,
 }
 
 /// A stop or a hold from any thread, ahead of all queues.
 #[derive(Debug, Clone, Default)]
-pub struct Urgent(Arc<AtomicU8>);
+pub struct Urgent(Arc<UrgentState>);
+
+#[derive(Debug, Default)]
+struct UrgentState {
+    /// Number of requests so far, above [`KIND_BITS`] bits of the most severe one that the cycle has not yet taken.
+    requested: AtomicU64,
+    /// Number of the last request that the cycle has taken, and the cycle in which it acted.
+    taken: AtomicU64,
+    cycle: AtomicU64,
+}
+
+/// Bits of the kind of an urgent request: 0 none, 1 hold, 2 stop.
+const KIND_BITS: u32 = 2;
+const KIND: u64 = (1 << KIND_BITS) - 1;
+
+/// Number of an urgent request, to see when the cycle has acted on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UrgentRequest(u64);
 
 impl Urgent {
-    /// Requests a stop or a hold; other commands go through the queue.
-    pub fn ask(&self, ask: &Ask) {
-        match ask {
-            Ask::Stop => drop(self.0.fetch_max(2, Ordering::Relaxed)),
-            Ask::Hold => drop(self.0.fetch_max(1, Ordering::Relaxed)),
-            _ => {}
+    /// Requests a stop or a hold; `None` for other commands, which go through the queue.
+    pub fn ask(&self, ask: &Ask) -> Option<UrgentRequest> {
+        let kind = match ask {
+            Ask::Stop => 2,
+            Ask::Hold => 1,
+            _ => return None,
+        };
+        let next = |before: u64| ((before >> KIND_BITS) + 1) << KIND_BITS | (before & KIND).max(kind);
+        let mut before = self.0.requested.load(Ordering::Relaxed);
+        loop {
+            match self.0.requested.compare_exchange_weak(before, next(before), Ordering::SeqCst, Ordering::Relaxed) {
+                Ok(_) => return Some(UrgentRequest(next(before) >> KIND_BITS)),
+                Err(newer) => before = newer,
+            }
         }
     }
 
-    fn take(&self) -> Option<Command> {
-        match self.0.swap(0, Ordering::Relaxed) {
+    /// Returns the number of the cycle that acted on `request`, once it has.
+    pub fn acted_in(&self, request: UrgentRequest) -> Option<u64> {
+        let taken = self.0.taken.load(Ordering::Acquire) >= request.0;
+        taken.then(|| self.0.cycle.load(Ordering::Relaxed))
+    }
+
+    /// Takes the request in cycle number `cycle`. Wait-free.
+    fn take(&self, cycle: u64) -> Option<Command> {
+        if self.0.requested.load(Ordering::Relaxed) & KIND == 0 {
+            return None;
+        }
+        let requested = self.0.requested.fetch_and(!KIND, Ordering::SeqCst);
+        self.0.cycle.store(cycle, Ordering::Relaxed);
+        self.0.taken.store(requested >> KIND_BITS, Ordering::Release);
+        match requested & KIND {
             0 => None,
             1 => Some(Command::of(Ask::Hold)),
             _ => Some(Command::of(Ask::Stop)),
@@ -122,6 +165,7 @@ pub fn live(shutdown: &Shutdown) -> (LivePort, Outside) {
         urgent: urgent.clone(),
         shutdown: shutdown.clone(),
         lost: 0,
+        cycle: 1,
     };
     (port, Outside { commands: to_executive, cycles: shown, notes: noted, failed, urgent })
 }
@@ -135,11 +179,12 @@ impl LivePort {
 
 impl Port for LivePort {
     fn command(&mut self, _t: f64) -> Option<Command> {
-        self.urgent.take().or_else(|| self.commands.pop().ok())
+        self.urgent.take(self.cycle).or_else(|| self.commands.pop().ok())
     }
 
     fn show(&mut self, cycle: &Cycle<'_>) {
-        let shown = Shown { lost: self.lost, ..Shown::from(cycle) };
+        let shown = Shown { cycle: self.cycle, lost: self.lost, ..Shown::from(cycle) };
+        self.cycle += 1;
         if self.cycles.push(shown).is_err() {
             self.loses();
         }

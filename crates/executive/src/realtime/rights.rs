@@ -1,4 +1,5 @@
 use seamwright_message::{Argument, Message};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Priority of the cycle, 1 to 99: above ordinary work, below the kernel's own threads.
@@ -7,7 +8,7 @@ const CYCLE: u8 = 80;
 const BELOW: u8 = 70;
 
 /// Real-time resources that the system grants to the calling thread.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RealtimeRights {
     /// Real-time priority (SCHED_FIFO), or the reason for its refusal.
     pub priority: Result<(), Message>,

@@ -51,6 +51,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         name: m.name.clone(),
         title: m.title.clone(),
         home_order: home_order(file, &axes)?,
+        on_panel_lost: file.value.on_panel_lost,
         servo_period_s: m.servo_period_ms.map_or(1e-3, |p| p.get() * 1e-3),
         io: m.io.clone(),
         interlocks: m.interlocks.clone(),

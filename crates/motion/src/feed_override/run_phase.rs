@@ -1,4 +1,5 @@
 use super::control::Played;
+use serde::{Deserialize, Serialize};
 
 /// Order of the operator.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,7 +23,7 @@ pub enum Order {
 }
 
 /// Process phase at an instant of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum RunPhase {
     /// At rest, process off, waiting for an order.
     Held,

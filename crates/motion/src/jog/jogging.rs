@@ -6,9 +6,10 @@ use super::tip::{TipFrame, TipLine, same_way};
 use glam::DVec3;
 use rsruckig::prelude::Synchronization;
 use seamwright_machine::{CollisionMonitor, Joints, MAX_AXES, Machine, RangeViolation, Surroundings};
+use serde::{Deserialize, Serialize};
 
 /// Command of the operator; replaces the previous one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "the fields say what they are")]
 pub enum Command {
     /// Come to rest by the fastest stop. Acknowledges a halt.

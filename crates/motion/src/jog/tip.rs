@@ -3,9 +3,10 @@ use super::state::{AxisState, State};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisLimits, Joints, Machine};
+use serde::{Deserialize, Serialize};
 
 /// Frame of the directions of a tip jog.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TipFrame {
     /// The work's.
     Work,

@@ -13,9 +13,10 @@ mod window_check;
 pub use planned_pass::{PlannedPass, Quantity};
 use seamwright_message::Message;
 use seamwright_program::{FilletOrButt, Finding, Inclination, PositionStretch, Procedure};
+use serde::{Deserialize, Serialize};
 
 /// Values of a planned pass, and the windows of its procedure.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PassProcedure {
     /// Passes of the procedure's run for this pass; none if no run matches.
     pub run: Option<Message>,
@@ -31,6 +32,7 @@ pub struct PassProcedure {
     /// Welding positions, one after the other.
     pub positions: Vec<PositionStretch>,
     /// Findings for values outside the procedure.
+    #[serde(with = "seamwright_program::finding_data")]
     pub findings: Vec<Finding>,
 }
 

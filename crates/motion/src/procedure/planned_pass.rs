@@ -1,6 +1,7 @@
 use crate::pass_motion::PassMotion;
 use seamwright_machine::Machine;
 use seamwright_program::{Outside, Pass, TorchPath, Window};
+use serde::{Deserialize, Serialize};
 
 /// A pass with its planned motion.
 #[derive(Clone, Copy)]
@@ -18,7 +19,7 @@ pub struct PlannedPass<'a> {
 }
 
 /// A value along a pass.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Quantity {
     /// Its key in the procedure, which ends in its unit.
     pub key: String,

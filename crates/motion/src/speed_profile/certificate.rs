@@ -3,9 +3,10 @@ use super::channels::Channels;
 use super::jerk_limited::RESERVE;
 use super::profile::{ProfilePoint, SpeedProfile};
 use seamwright_geometry::numeric::bisect;
+use serde::{Deserialize, Serialize};
 
 /// Limit that bounds the speed of the tip.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Bound {
     /// The requested speed: the tip reaches it.
     Asked,
@@ -20,7 +21,7 @@ pub enum Bound {
 }
 
 /// A stretch of the path with one bound.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Interval {
     /// Parameters of its start and end.
     pub from: f64,
@@ -39,7 +40,7 @@ pub struct Interval {
 }
 
 /// Maximum fraction of each limit that a channel uses, over the whole path.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Use {
     /// Of its speed.
     pub speed: f64,
@@ -50,7 +51,7 @@ pub struct Use {
 }
 
 /// Result of a speed profile: reached speeds and binding limits. It can be verified from the set-points and the limits.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// Stretches in order, from the first parameter to the last.
     pub intervals: Vec<Interval>,

@@ -8,6 +8,7 @@ use super::profile_cell::Cell;
 use super::reachability;
 use super::rest_to_rest::RestToRest;
 use crate::stretch::Stretch;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// Number of cells of a profile without limits of jerk.
@@ -46,7 +47,7 @@ pub struct ProfilePoint {
 /// - No channel exceeds its speed, acceleration or jerk at any time. At least half a thousandth of each limit is kept
 ///   in reserve (without limits of jerk 2e-5).
 /// - The tip is never faster than requested, and exactly as fast unless slowed down.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct SpeedProfile {
     pieces: Vec<RestToRest>,
     cells: Vec<Cell>,
@@ -148,6 +149,20 @@ impl SpeedProfile {
             *cursor += 1;
         }
         self.point(*cursor, t - self.cells[*cursor].t, false)
+    }
+
+    /// Returns true if evaluation is possible at all times, along a path of this length: cells follow one another from 0
+    /// to the duration, each with its piece.
+    pub(crate) fn is_whole(&self, length: f64) -> bool {
+        let times = self.cells.iter().map(|cell| cell.t).chain(std::iter::once(self.duration));
+        let later = times.clone().skip(1);
+        self.cells.first().is_some_and(|first| first.t.total_cmp(&0.0).is_eq())
+            && self.duration.is_finite()
+            && self.end.total_cmp(&length).is_eq()
+            && times.zip(later).all(|(t, next)| t <= next)
+            && self.owner.len() == self.cells.len()
+            && self.owner.is_sorted()
+            && self.owner.iter().all(|owner| (*owner as usize) < self.pieces.len())
     }
 
     fn point(&self, i: usize, t: f64, before: bool) -> ProfilePoint {

@@ -2,9 +2,10 @@ use super::cells::Cells;
 use super::profile::ProfilePoint;
 use super::rest_to_rest::RestToRest;
 use crate::stretch::Stretch;
+use serde::{Deserialize, Serialize};
 
 /// A cell of a speed profile: `d2 tau / dt2 = a + w tau`, with `tau` from its start.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(super) struct Cell {
     pub(super) tau: f64,
     end: f64,

@@ -1,3 +1,5 @@
+use serde::{Deserialize, Serialize};
+
 /// A parameter `tau` of a piece of path from rest to rest, regular at rest.
 ///
 /// A start from rest with constant jerk has `s ~ t^3`, so the squared speed by path length goes with the power 4/3
@@ -6,7 +8,7 @@
 /// positive at rest. A constant `b` there is a start with constant jerk and zero acceleration. Between the phases
 /// `du/dtau` is 1; the map is twice continuously differentiable with a bounded third derivative, which jumps at `tau =
 /// L`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct RestToRest {
     pub(crate) from: f64,
     pub(crate) to: f64,

@@ -2,10 +2,11 @@ use super::rest_to_rest::RestToRest;
 use crate::feed_override::{Rates, Timed, Tip};
 use seamwright_geometry::numeric::bisect;
 use seamwright_machine::{AxisLimits, Course, Joints, Machine};
+use serde::{Deserialize, Serialize};
 
 /// Synchronised move of all axes between two sets of positions, straight in axis space, from rest to rest. Its speed is
 /// the maximum within every axis' speed, acceleration and jerk.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Leg {
     from: Joints,
     to: Joints,
@@ -98,7 +99,7 @@ impl Course for Leg {
 }
 
 /// Transfer move: consecutive legs, at rest between them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TransferMove {
     /// The legs.
     pub legs: Vec<Leg>,

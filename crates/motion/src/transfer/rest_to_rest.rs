@@ -1,8 +1,9 @@
 use seamwright_machine::AxisLimits;
+use serde::{Deserialize, Serialize};
 
 /// Time-optimal motion from 0 to 1, rest to rest, within a speed, an acceleration and a jerk limit: up to seven phases
 /// of constant jerk, symmetric in time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct RestToRest {
     jerk: f64,
     /// Speed of the cruise phase, 1/s.

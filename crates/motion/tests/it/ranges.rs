@@ -153,7 +153,7 @@ fn a_reason_names_only_changes_that_were_tried() {
     );
     let machine = read_machine(SCARA);
     let found = plan(&machine, &far).unwrap_err();
-    assert_eq!((found[0].kind, code(&found[0].cure)), ("reach", "motion-cure-range-none-angle"));
+    assert_eq!((found[0].kind.as_ref(), code(&found[0].cure)), ("reach", "motion-cure-range-none-angle"));
 }
 
 #[test]

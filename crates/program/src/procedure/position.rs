@@ -40,7 +40,7 @@ impl fmt::Display for WeldingPosition {
 }
 
 /// Inclination of a weld against gravity at one station.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Inclination {
     /// Slope S of the direction of travel, rad: positive uphill.
     pub slope: f64,
@@ -133,7 +133,7 @@ impl Default for FilletLimits {
 }
 
 /// A stretch of a pass in one position.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PositionStretch {
     /// The position.
     pub position: WeldingPosition,

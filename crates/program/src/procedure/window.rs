@@ -51,7 +51,7 @@ impl JsonSchema for Window {
 }
 
 /// A stretch of a pass on which a value is outside its window, on one side of it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Outside {
     /// Path length at which it leaves the window, mm.
     pub from_mm: f64,

@@ -18,6 +18,8 @@ const BLOCK_HEAD: usize = 16;
 const BLOCK_BYTES: usize = 1 << 17;
 /// Maximum length of a header; longer ones are refused.
 const MAX_HEADER: u32 = 1 << 24;
+/// Rows are with the system no later than this after they came: the death of this process does not lose them.
+const WRITE_EVERY: Duration = Duration::from_millis(100);
 /// Rows are on the disk no later than this after they came.
 const SYNC_EVERY: Duration = Duration::from_millis(500);
 
@@ -48,6 +50,8 @@ pub(super) struct RawWriter {
     /// Bytes of the file up to the end of its last whole block.
     whole: u64,
     synced: Instant,
+    /// Time of the last block.
+    written: Instant,
 }
 
 impl RawWriter {
@@ -85,6 +89,7 @@ impl RawWriter {
             lost: 0,
             whole: head.len() as u64,
             synced: Instant::now(),
+            written: Instant::now(),
         })
     }
 
@@ -105,7 +110,8 @@ impl RawWriter {
         if self.synced.elapsed() >= SYNC_EVERY {
             return self.flush();
         }
-        if self.block.len() >= BLOCK_HEAD + BLOCK_BYTES { self.write_block() } else { Ok(()) }
+        let due = self.block.len() >= BLOCK_HEAD + BLOCK_BYTES || self.written.elapsed() >= WRITE_EVERY;
+        if due { self.write_block() } else { Ok(()) }
     }
 
     /// Puts everything on the disk.
@@ -129,6 +135,7 @@ impl RawWriter {
     }
 
     fn write_block(&mut self) -> Result<(), Error> {
+        self.written = Instant::now();
         if self.in_block == 0 {
             return Ok(());
         }

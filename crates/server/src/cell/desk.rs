@@ -1,27 +1,29 @@
 use super::alarms::Mirror;
 use super::archive::Archive;
-use super::connection::Connection;
 use super::display_distances::Around;
 use super::event::{Happening, happening};
 use super::hub::Hub;
 use super::names::{Extra, Names};
-use super::prepared_task::Prepared;
 use super::progress::{Left, Parts, Progress, ToWeld};
 use super::recorder::Recorder;
-use super::safe_outputs::SafeOutputs;
 use super::standstill::Stillness;
+use super::supervisor::{News, Supervisor};
 use super::unavailable_commands::Readiness;
+use crate::http::adopted;
 use crate::refusal::{Lack, lack};
+use crate::service_manager;
 use crate::wire::{FromCell, Shelving, WorkView};
-use rtrb::{Consumer, Producer, PushError};
-use seamwright_executive::realtime::{Outside, RealtimeRights, Shown, Shutdown};
-use seamwright_executive::{Ask, Command, Missing, Mode, Origin};
+use seamwright_cell::protocol::{Report, Request, Unprepared};
+use seamwright_cell::{Program, fingerprint};
+use seamwright_executive::realtime::{RealtimeRights, Shown, Shutdown};
+use seamwright_executive::{Ask, Command, Missing, Mode, Note, ProcessState, Raised};
+use seamwright_machine::{Clamped, Machine, MachineDevices};
 use seamwright_message::Message;
 use seamwright_record::{DataFolder, Plan};
-use std::collections::{HashMap, VecDeque};
+use std::collections::{BTreeMap, HashMap, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError};
-use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 
@@ -33,6 +35,8 @@ const SHOW: Duration = Duration::from_micros(33_333);
 /// Maximum time of the cycle to end after a signal or a panic; then the desk ends without it.
 const SHUTDOWN: Duration = Duration::from_secs(15);
 
+/// Period of reports to the service manager.
+const REPORT: Duration = Duration::from_secs(1);
 /// Maximum number of commands that wait for the cycle.
 const WAITING: usize = 512;
 
@@ -51,12 +55,14 @@ pub(crate) enum ToDesk {
 
 /// A program to be loaded into the cell.
 pub(crate) struct Loading {
-    pub(crate) prepared: Box<Prepared>,
-    pub(crate) view: Option<Arc<WorkView>>,
+    /// For the cell; the desk numbers it.
+    pub(crate) program: Box<Program>,
+    pub(crate) machine: Box<Machine>,
+    pub(crate) view: Arc<WorkView>,
     /// Surroundings for the display of distances.
     pub(crate) around: Arc<Around>,
     /// Plan of the record of its weld.
-    pub(crate) plan: Option<Plan>,
+    pub(crate) plan: Plan,
     /// Number of passes to be welded.
     pub(crate) passes: usize,
     /// Length of finished weld that is welded over on purpose when a weld is continued, mm.
@@ -65,35 +71,49 @@ pub(crate) struct Loading {
 }
 
 /// Receiver of the result of loading a program.
-pub(crate) type Loaded = oneshot::Sender<Result<(), Lack>>;
+pub(crate) type Loaded = oneshot::Sender<Result<(), NotLoaded>>;
+
+/// Reasons why a program was not loaded.
+#[derive(Debug)]
+pub(crate) enum NotLoaded {
+    /// The state of the cell.
+    Lack(Lack),
+    /// The program itself, or its devices.
+    Invalid(Message),
+}
 
 /// Handles messages of the cycle: informs clients, records welds, forwards commands.
 pub(super) struct Desk {
     pub(super) hub: Arc<Hub>,
     pub(super) archive: Archive,
-    pub(super) outside: Outside,
+    pub(super) cell: Supervisor,
     from: Receiver<ToDesk>,
-    next: Producer<Box<Prepared>>,
-    done: Consumer<Box<Prepared>>,
     pub(super) names: Names,
     pub(super) recorder: Recorder,
     pub(super) mirror: Mirror,
     pub(super) to_weld: Option<ToWeld>,
     /// The running weld.
     pub(super) welding: Option<Welding>,
-    pub(super) safe_outputs: SafeOutputs,
+    /// Devices without a confirmation of their safe outputs, with the reason.
+    unconfirmed: BTreeMap<String, Message>,
     waiting: VecDeque<Command>,
     /// Missing conditions reported so far, by station and command number.
     pub(super) lacks: HashMap<(u32, u32), Vec<Lack>>,
     loading: Option<Box<Pending>>,
+    /// Number of the last program.
+    programs: u32,
+    /// The program was found in a running cell, whose first cycle has not come yet.
+    adopts: bool,
     now: Option<Shown>,
     shown: Instant,
+    /// Time of the last report to the service manager.
+    reported: Instant,
     stillness: Stillness,
     readiness: Option<Readiness>,
     /// Real-time rights granted to the cycle.
-    pub(super) footing: Arc<OnceLock<RealtimeRights>>,
-    /// The missing real-time rights have been reported.
-    granted: bool,
+    pub(super) footing: Option<RealtimeRights>,
+    /// The cell has ended.
+    ended: bool,
     missed: u32,
     /// Maximum number of cycles missed at once.
     longest: u32,
@@ -117,13 +137,6 @@ pub(super) struct Welding {
     runs: bool,
 }
 
-/// The desk's ends of the queues to and from the cycle.
-pub(super) struct Queues {
-    pub(super) outside: Outside,
-    pub(super) next: Producer<Box<Prepared>>,
-    pub(super) done: Consumer<Box<Prepared>>,
-}
-
 /// Audit log, alarms and weld records of a cell, with the data that earlier runs left in them.
 pub(super) struct Records {
     pub(super) archive: Archive,
@@ -134,39 +147,31 @@ pub(super) struct Records {
 }
 
 impl Desk {
-    pub(super) fn new(
-        hub: Arc<Hub>,
-        queues: Queues,
-        from: Receiver<ToDesk>,
-        names: Names,
-        records: Records,
-        footing: Arc<OnceLock<RealtimeRights>>,
-    ) -> Self {
-        let Queues { outside, next, done } = queues;
+    pub(super) fn new(hub: Arc<Hub>, cell: Supervisor, from: Receiver<ToDesk>, names: Names, records: Records) -> Self {
         let Records { archive, recorder, mirror, left } = records;
-        let safe_outputs = SafeOutputs::new(Arc::clone(&hub));
         Self {
             hub,
             archive,
-            outside,
+            cell,
             from,
-            next,
-            done,
             names,
             recorder,
             mirror,
             to_weld: None,
             welding: None,
-            safe_outputs,
+            unconfirmed: BTreeMap::new(),
             waiting: VecDeque::new(),
             lacks: HashMap::new(),
             loading: None,
+            programs: 0,
+            adopts: false,
             now: None,
             shown: Instant::now(),
+            reported: Instant::now(),
             stillness: Stillness::default(),
             readiness: None,
-            footing,
-            granted: false,
+            footing: None,
+            ended: false,
             longest: 0,
             missed: 0,
             left,
@@ -177,23 +182,31 @@ impl Desk {
         }
     }
 
-    /// Runs until `ended` returns true, or a requested `shutdown` times out. Then closes records.
-    pub(super) fn run(mut self, ended: impl Fn() -> bool, shutdown: &Shutdown) {
+    /// Runs until the cell ends, or does not end in time after a requested `shutdown`. Then closes records. Returns one
+    /// line for each device that has not confirmed its safe outputs.
+    pub(super) fn run(mut self, shutdown: &Shutdown) -> Vec<String> {
         let mut asked: Option<Instant> = None;
-        // After a panic of its own the desk only waits: the panic requests a shutdown, so the cycle ends by itself.
+        // After a panic of its own the desk only waits: the panic requests a shutdown, so the cell ends by itself.
         let mut fails = false;
-        while !ended() {
-            fails = fails || catch_unwind(AssertUnwindSafe(|| self.look())).is_err();
-            if shutdown.is_requested() && asked.get_or_insert_with(Instant::now).elapsed() > SHUTDOWN {
+        while !self.ended {
+            if fails {
+                self.wait_for_end();
+            } else {
+                fails = catch_unwind(AssertUnwindSafe(|| self.look(shutdown))).is_err();
+            }
+            if shutdown.is_requested() && asked.is_none() {
+                asked = Some(Instant::now());
+                // A cell that has gone is noticed by its news.
+                self.cell.send(&Request::Shutdown);
+            }
+            if asked.is_some_and(|asked| asked.elapsed() > SHUTDOWN) {
                 eprintln!("error: the cycle does not come to its end: check that arc, gas and drives are off");
+                self.cell.kill();
                 break;
             }
             std::thread::sleep(LOOK);
         }
         let closed = catch_unwind(AssertUnwindSafe(|| {
-            if !fails {
-                self.look();
-            }
             if let Some(cause) = shutdown.cause() {
                 self.tell(happening(Message::new("server-event-stopped-by").message("cause", cause.message())));
                 self.recorder.stopped_by(&cause.message());
@@ -203,29 +216,42 @@ impl Desk {
         if closed.is_err() {
             eprintln!("error: the record of the last weld was not closed: the next start makes it whole");
         }
+        self.cell.wait();
+        let line = |(name, why): (&String, &Message)| {
+            format!("device `{name}`: its outputs are not confirmed to be safe: {why}")
+        };
+        self.unconfirmed.iter().map(line).collect()
     }
 
-    /// Reports once which real-time rights the cycle lacks.
-    fn tell_footing(&mut self) {
-        let Some(footing) = self.footing.get().filter(|_| !self.granted) else { return };
+    /// Reports which real-time rights the cycle lacks.
+    fn tell_footing(&mut self, footing: RealtimeRights) {
         if !footing.is_whole() {
             let text = footing.to_string();
             eprintln!("note: the cycle runs without real-time rights: {text}");
             self.tell(happening(Message::new("server-event-no-realtime").message("reason", footing.message())));
         }
-        self.granted = true;
+        self.footing = Some(footing);
     }
 
-    fn look(&mut self) {
-        self.tell_footing();
-        while let Ok(done) = self.done.pop() {
-            self.drop_task(done);
+    /// Reads the news of the cell without handling them, up to its end.
+    fn wait_for_end(&mut self) {
+        while let Some(news) = self.cell.news() {
+            self.ended |= matches!(news, News::Lost(_) | News::Report(Report::Ended { .. }));
+            if self.ended {
+                break;
+            }
         }
-        while let Ok((t, note)) = self.outside.notes.pop() {
-            self.handle_note(t, note);
-        }
-        while let Ok(shown) = self.outside.cycles.pop() {
-            self.cycle(&shown);
+    }
+
+    fn look(&mut self, shutdown: &Shutdown) {
+        self.cell.beat();
+        while !self.ended
+            && let Some(news) = self.cell.news()
+        {
+            match news {
+                News::Report(report) => self.handle_report(report),
+                News::Lost(why) => self.lost(&why, shutdown),
+            }
         }
         let unshelved = self.mirror.expire();
         if !unshelved.is_empty() {
@@ -257,18 +283,149 @@ impl Desk {
             self.wind_down();
         }
         while let Some(command) = self.waiting.front() {
-            if self.outside.commands.push(*command).is_err() {
+            if !self.cell.send(&Request::Command(*command)) {
                 break;
             }
             self.waiting.pop_front();
         }
     }
 
-    /// Drops a task that the cycle has finished or does not get. Its devices end in another thread.
-    fn drop_task(&self, mut task: Box<Prepared>) {
-        if let Some(devices) = task.devices.take() {
-            self.safe_outputs.let_go(devices);
+    fn handle_report(&mut self, report: Report) {
+        match report {
+            Report::Hello { program, alarms, .. } => self.greeted(program.as_deref(), &alarms),
+            Report::Cycle(shown) => self.cycle(&shown),
+            Report::Note((t, note)) => self.handle_note(t, note),
+            Report::Rights(rights) => self.tell_footing(rights),
+            Report::Lines(lines) => self.hub.set_lines(lines),
+            Report::Prepared { outcome: Ok(()), .. } => {}
+            Report::Prepared { outcome: Err(why), .. } => self.unprepared(why),
+            Report::DevicesReleased => self.devices_released(),
+            Report::Released { device, outcome } => self.released(device, outcome),
+            Report::Ended { failed } => {
+                self.ended = true;
+                if failed {
+                    eprintln!("error: the cycle has failed");
+                }
+            }
         }
+    }
+
+    /// The cell has answered: a new one has neither a program nor alarms, one that was found running may have both.
+    fn greeted(&mut self, program: Option<&Program>, alarms: &[Raised]) {
+        for raised in alarms {
+            self.mirror.update(&Note::Alarm(*raised), "");
+        }
+        if !alarms.is_empty() {
+            self.hub.alarms(self.mirror.views(&self.names));
+        }
+        let Some(program) = program else { return };
+        self.programs = program.number;
+        match adopted(program) {
+            Ok(loading) => {
+                let Loading { machine, view, around, plan, passes, overlap_mm, .. } = loading;
+                self.hub.set_machine(&machine);
+                let to_weld = ToWeld::new(plan, passes, view.from).with_overlap(overlap_mm);
+                self.names = names_of(*machine, program, &view);
+                self.to_weld = Some(to_weld);
+                self.tell(happening(Message::new("server-event-cell-found").text("job", &view.title)));
+                self.hub.set_around(around);
+                self.hub.set_work(Some(view));
+                self.adopts = true;
+            }
+            // It goes on; a new load shows its job.
+            Err(why) => self.tell(happening(Message::new("server-event-not-loaded").message("reason", why.message))),
+        }
+    }
+
+    /// The first cycle of a cell that was found running: a weld goes on in a new record.
+    fn adopt(&mut self, shown: &Shown) {
+        self.adopts = false;
+        let welds =
+            matches!(shown.mode, Mode::Weld | Mode::Hold) && (shown.armed || shown.process != ProcessState::Off);
+        if let Some(of) = self.to_weld.as_mut().filter(|_| welds) {
+            let done = shown.place.pass.saturating_sub(of.start.0 as usize);
+            of.passes = of.passes.saturating_sub(done);
+            self.welding = Some(Welding::default());
+            self.begin_record();
+        }
+    }
+
+    /// The cell has the machine of the program that is being loaded, without devices and program.
+    fn devices_released(&mut self) {
+        let Some(pending) = &self.loading else { return };
+        let (mut machine, around) = (pending.names.machine.clone(), Arc::clone(&pending.around));
+        machine.devices = MachineDevices::default();
+        self.recorder.end();
+        self.without_program(machine, around);
+    }
+
+    /// A device was released: it has confirmed its safe outputs, or has not.
+    fn released(&mut self, device: String, outcome: Result<(), Message>) {
+        match outcome {
+            // A device that was reconnected and is safe now is removed.
+            Ok(()) => drop(self.unconfirmed.remove(&device)),
+            Err(why) => {
+                let message = Message::new("server-event-safe-unconfirmed").text("device", &device);
+                self.tell(happening(message.message("reason", why.clone())));
+                self.unconfirmed.insert(device, why);
+            }
+        }
+    }
+
+    /// The cell has died: a new one takes its place, off and without a program. Nothing else starts by itself.
+    fn lost(&mut self, why: &Message, shutdown: &Shutdown) {
+        eprintln!("error: the cell has died: {why}");
+        self.tell(happening(Message::new("server-event-cell-lost").message("reason", why.clone())));
+        self.recorder.stopped_by(why);
+        self.recorder.end();
+        self.welding = None;
+        if let Some(pending) = self.loading.take() {
+            let lost = lack("silent_cycle", Message::new("server-cell-silent"));
+            drop(pending.answer.send(Err(NotLoaded::Lack(lost))));
+        }
+        self.waiting.clear();
+        let of_devices = |desk: &mut Self, why: &Message| {
+            for device in &desk.names.machine.devices.modbus {
+                desk.unconfirmed.insert(device.name.clone(), why.clone());
+            }
+        };
+        if self.quits || shutdown.is_requested() {
+            of_devices(self, why);
+            self.ended = true;
+            return;
+        }
+        match self.cell.restart().and_then(|()| self.cell.start_of_cell().machine.read()) {
+            Ok(machine) => self.forget_program(machine),
+            Err(why) => {
+                eprintln!("error: no new cell: {why}");
+                self.tell(happening(Message::new("server-event-cell-not-restarted").message("reason", why.clone())));
+                of_devices(self, &why);
+                self.ended = true;
+                shutdown.request(seamwright_executive::realtime::ShutdownCause::Asked);
+            }
+        }
+    }
+
+    /// Goes back to the machine of the start, without a program.
+    fn forget_program(&mut self, machine: Machine) {
+        (self.now, self.readiness) = (None, None);
+        // It was valid at the start.
+        if let Ok(around) = Around::new(&machine, &Clamped::default()) {
+            self.without_program(machine, Arc::new(around));
+        }
+        self.tell(happening(Message::new("server-event-cell-restarted")));
+    }
+
+    fn without_program(&mut self, machine: Machine, around: Arc<Around>) {
+        self.mirror.forget();
+        self.hub.set_machine(&machine);
+        self.hub.set_around(around);
+        self.hub.set_lines(Vec::new());
+        let fingerprint = fingerprint(&machine);
+        self.names = Names { machine, fingerprint, values: 0, heads: 0 };
+        self.hub.alarms(self.mirror.views(&self.names));
+        self.hub.set_work(None);
+        self.to_weld = None;
     }
 
     /// Refuses a start, and returns false, if it would weld finished passes without confirmation.
@@ -301,12 +458,15 @@ impl Desk {
     }
 
     fn cycle(&mut self, shown: &Shown) {
+        if self.adopts {
+            self.adopt(shown);
+        }
         self.missed = self.missed.saturating_add(shown.reports.missed);
         self.longest = self.longest.max(shown.reports.missed);
         if let Some(trouble) = self.recorder.row(&self.names, shown)
             && self.trouble.as_ref() != Some(&trouble)
         {
-            self.outside.fail();
+            self.cell.send(&Request::RecordFails(true));
             self.tell(happening(Message::new("server-event-record-fails").text("reason", &trouble)));
             self.trouble = Some(trouble);
         }
@@ -330,12 +490,16 @@ impl Desk {
             self.hub.refuses(readiness.map_or_else(Vec::new, |now| now.refused(&self.names)));
         }
         self.now = Some(*shown);
+        if self.reported.elapsed() >= REPORT {
+            self.reported = Instant::now();
+            service_manager::alive();
+        }
         if self.shown.elapsed() >= SHOW {
             self.shown = Instant::now();
             let extra = Extra {
                 missed: self.missed,
                 longest: self.longest,
-                footing: self.footing.get(),
+                footing: self.footing.as_ref(),
                 left: self.left.as_ref().map(|left| left.seen(self.to_weld.as_ref())),
                 start: self.to_weld.as_ref().map(|of| of.start),
                 part: self.to_weld.as_ref().map_or_else(String::new, |of| of.plan.part.clone()),
@@ -357,51 +521,52 @@ impl Desk {
 
     /// Returns the reason for which a program cannot be loaded, if any.
     fn unfit(&self, loading: &Loading) -> Option<Lack> {
-        let prepared = &loading.prepared;
         if self.loading.is_some() {
             return Some(lack("moving", Message::new("server-loading")));
         }
-        let connected = || self.hub.connection().is_some_and(|to| to.serves_it(prepared));
-        if prepared.devices.is_none() && !connected() {
-            return Some(lack("work", Message::new("server-not-connected")));
-        }
         let off = self.now.is_none_or(|now| now.mode == Mode::Off);
-        if prepared.fingerprint() != self.names.fingerprint && !off {
-            return Some(lack("mode", Message::new("server-needs-other-devices")));
+        if loading.program.machine != self.names.fingerprint && !off {
+            return Some(needs_off());
         }
         let moves = |now: Shown| now.mode.moves() || now.mode == Mode::Hold || now.phase.is_some();
         self.now.is_some_and(moves).then(|| self.names.lack(Missing::Moving))
     }
 
-    /// Gives a program to the cycle, which takes it only at rest.
+    /// Gives a program to the cell, which takes it only at rest.
     fn load(&mut self, loading: Loading, answer: Loaded) {
         // The client may have gone.
         if let Some(lack) = self.unfit(&loading) {
-            drop(answer.send(Err(lack)));
-            self.drop_task(loading.prepared);
+            drop(answer.send(Err(NotLoaded::Lack(lack))));
             return;
         }
-        let Loading { prepared, view, around, plan, passes, overlap_mm, user } = loading;
-        let start = view.as_ref().and_then(|view| view.from);
-        let to_weld = plan.map(|plan| ToWeld::new(plan, passes, start).with_overlap(overlap_mm));
-        let to = prepared.devices.as_ref().map(|devices| devices.to().clone());
-        let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
-        let values = prepared.with(|work| work.values().len());
-        let heads = view.as_ref().map_or(0, |view| view.tracked);
-        if let Err(PushError::Full(prepared)) = self.next.push(prepared) {
-            self.drop_task(prepared);
-            drop(answer.send(Err(lack("moving", Message::new("server-cell-silent")))));
+        let Loading { mut program, machine, view, around, plan, passes, overlap_mm, user } = loading;
+        let to_weld = ToWeld::new(plan, passes, view.from).with_overlap(overlap_mm);
+        self.programs += 1;
+        program.number = self.programs;
+        let names = names_of(*machine, &program, &view);
+        if !self.cell.send(&Request::Load(program)) {
+            drop(answer.send(Err(NotLoaded::Lack(lack("moving", Message::new("server-cell-silent"))))));
             return;
         }
-        self.waiting.push_back(Command { origin: Origin::default(), number: 0, ask: Ask::Load });
-        let names = Names { machine, fingerprint, values, heads };
-        self.loading = Some(Box::new(Pending { names, to, view, around, to_weld, user, answer }));
+        self.loading = Some(Box::new(Pending { names, view, around, to_weld, user, answer }));
+    }
+
+    /// The cell could not prepare the program.
+    fn unprepared(&mut self, why: Unprepared) {
+        let Some(pending) = self.loading.take() else { return };
+        let why = match why {
+            Unprepared::Busy => NotLoaded::Lack(lack("moving", Message::new("server-loading"))),
+            Unprepared::NeedsOff => NotLoaded::Lack(needs_off()),
+            Unprepared::Invalid(message) | Unprepared::Devices(message) => NotLoaded::Invalid(message),
+        };
+        // The client may have gone.
+        drop(pending.answer.send(Err(why)));
     }
 
     pub(super) fn loaded(&mut self, refused: Option<Missing>) {
         let Some(pending) = self.loading.take() else { return };
         if let Some(missing) = refused {
-            drop(pending.answer.send(Err(self.names.lack(missing))));
+            drop(pending.answer.send(Err(NotLoaded::Lack(self.names.lack(missing)))));
             return;
         }
         // Its rows belong to the previous program.
@@ -410,23 +575,19 @@ impl Desk {
             self.mirror.forget();
             self.hub.alarms(self.mirror.views(&pending.names));
             self.hub.set_machine(&pending.names.machine);
-            if let Some(to) = &pending.to {
-                self.hub.set_connection(to);
-            }
         }
         self.names = pending.names;
-        self.to_weld = pending.to_weld;
+        self.to_weld = Some(pending.to_weld);
         if let Some(of) = &self.to_weld {
             let data = DataFolder::open_to_read(self.recorder.folder()).ok();
             if let Some(Progress::Left(left)) = self.parts.of(of, data.as_ref().map(DataFolder::library)) {
                 self.left = Some(left);
             }
         }
-        if let Some(view) = &pending.view {
-            self.tell(happening(Message::new("server-event-loaded").text("job", &view.title)).by(Some(pending.user)));
-        }
+        let loaded = Message::new("server-event-loaded").text("job", &pending.view.title);
+        self.tell(happening(loaded).by(Some(pending.user)));
         self.hub.set_around(pending.around);
-        self.hub.set_work(pending.view);
+        self.hub.set_work(Some(pending.view));
         drop(pending.answer.send(Ok(())));
     }
 
@@ -445,14 +606,20 @@ impl Desk {
     }
 }
 
-/// A program that the cycle has been given but not yet taken.
+fn names_of(machine: Machine, program: &Program, view: &WorkView) -> Names {
+    Names { machine, fingerprint: program.machine.clone(), values: view.values.len(), heads: view.tracked }
+}
+
+fn needs_off() -> Lack {
+    lack("mode", Message::new("server-needs-other-devices"))
+}
+
+/// A program that the cell has been given but not yet taken.
 pub(super) struct Pending {
     names: Names,
-    /// Machine and process values that its devices serve.
-    to: Option<Connection>,
-    view: Option<Arc<WorkView>>,
+    view: Arc<WorkView>,
     around: Arc<Around>,
-    to_weld: Option<ToWeld>,
+    to_weld: ToWeld,
     user: String,
     answer: Loaded,
 }

@@ -2,7 +2,7 @@ use crate::wire::EventView;
 use seamwright_message::Message;
 
 /// Kinds of events by the codes of their messages.
-const KINDS: [(&str, &str); 35] = [
+const KINDS: [(&str, &str); 39] = [
     ("server-event-mode", "mode"),
     ("server-event-order", "order"),
     ("server-event-refused", "refused"),
@@ -22,6 +22,10 @@ const KINDS: [(&str, &str); 35] = [
     ("server-event-stopped-by", "alarm"),
     ("server-event-cycles-missed", "alarm"),
     ("server-event-no-realtime", "alarm"),
+    ("server-event-cell-lost", "alarm"),
+    ("server-event-cell-restarted", "alarm"),
+    ("server-event-cell-found", "work"),
+    ("server-event-cell-not-restarted", "alarm"),
     ("server-event-safe-unconfirmed", "alarm"),
     ("server-event-journal-damaged", "alarm"),
     ("server-event-weld-lost", "record"),

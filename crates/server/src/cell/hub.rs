@@ -1,8 +1,8 @@
-use super::connection::Connection;
 use super::display_distances::Around;
 use super::event::Happening;
 use crate::view::written;
 use crate::wire::{AlarmView, EventView, FromCell, NearView, RefusedView, Role, Status, TeachView, WorkView};
+use seamwright_executive::devices::modbus::Traffic;
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;
 use std::collections::{HashMap, VecDeque};
@@ -53,7 +53,7 @@ struct Told {
     work_text: Option<Text>,
     machine: Option<Arc<Machine>>,
     /// Machine and process values that the devices serve.
-    connection: Option<Connection>,
+    lines: Vec<(String, Traffic)>,
     around: Option<Arc<Around>>,
     control: Option<Holder>,
     teach: TeachView,
@@ -218,13 +218,13 @@ impl Hub {
         told.all(&FromCell::Machine);
     }
 
-    /// Machine and process values that the devices serve.
-    pub(crate) fn connection(&self) -> Option<Connection> {
-        self.lock().connection.clone()
+    /// Traffic with each real device, by name.
+    pub(crate) fn lines(&self) -> Vec<(String, Traffic)> {
+        self.lock().lines.clone()
     }
 
-    pub(super) fn set_connection(&self, to: &Connection) {
-        self.lock().connection = Some(to.clone());
+    pub(super) fn set_lines(&self, lines: Vec<(String, Traffic)>) {
+        self.lock().lines = lines;
     }
 
     /// Sets the surroundings that the machine must keep clear of.

@@ -9,7 +9,7 @@ use seamwright_message::Message;
 /// The machine's names for the executive's indices, and its kinematic chain.
 pub(super) struct Names {
     pub(super) machine: Machine,
-    /// See [`super::Prepared::fingerprint`].
+    /// See [`seamwright_cell::fingerprint`].
     pub(super) fingerprint: String,
     /// Number of process values of the program.
     pub(super) values: usize,

@@ -7,6 +7,7 @@ use super::names::WHY;
 use super::progress::{Left, Progress};
 use crate::refusal::Lack;
 use crate::wire::FromCell;
+use seamwright_cell::protocol::Request;
 use seamwright_executive::realtime::RealtimeRights;
 use seamwright_executive::{Ask, Command, Missing, Mode, Note, Origin, Place, Raised};
 use seamwright_message::{Message, Unit};
@@ -87,19 +88,19 @@ impl Desk {
         }
     }
 
-    fn begin_record(&mut self) {
+    pub(super) fn begin_record(&mut self) {
         self.left_before = self.left.take();
         let Some(of) = &self.to_weld else { return };
         let welder = self.hub.holder().unwrap_or_default();
-        let missing: Vec<&str> = self.footing.get().into_iter().flat_map(RealtimeRights::missing).collect();
+        let missing: Vec<&str> = self.footing.iter().flat_map(RealtimeRights::missing).collect();
         match self.recorder.begin(&of.plan, of.passes, &welder, &missing) {
             Ok(()) => {
                 // Trouble of the previous record has been reported; this record is complete so far.
-                self.outside.mend();
+                self.cell.send(&Request::RecordFails(false));
                 self.trouble = None;
             }
             Err(e) => {
-                self.outside.fail();
+                self.cell.send(&Request::RecordFails(true));
                 self.tell(happening(Message::new("server-event-not-recorded").message("reason", e.message())));
             }
         }

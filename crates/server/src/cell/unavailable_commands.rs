@@ -153,6 +153,7 @@ mod tests {
     fn a_held_program_moves_while_its_axes_do() {
         let (place, process) = (Place::default(), ProcessState::Off);
         let mut shown = Shown {
+            cycle: 1,
             status: Status {
                 mode: Mode::Hold,
                 place,

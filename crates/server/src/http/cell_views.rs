@@ -38,8 +38,7 @@ pub(super) async fn devices(State(panel): Shared) -> Answer<Vec<DeviceView>> {
     let machine = panel.machine()?;
     let (status, work) = (hub.latest(), hub.work());
     let values = work.as_ref().map_or(&[][..], |work| &work.values);
-    let connection = hub.connection().ok_or_else(|| Refused::server(Message::new("server-no-devices")))?;
-    let mut views = device_views(&machine, &connection.lines, values, status.as_ref());
+    let mut views = device_views(&machine, &hub.lines(), values, status.as_ref());
     let simulated = simulated_view(&machine, values, status.as_ref());
     if !simulated.signals.is_empty() {
         views.push(simulated);

@@ -143,7 +143,7 @@ impl Client {
         let (name, ask) = executive_command(ask)?;
         // A stop needs neither role, token nor number.
         if ask == Ask::Stop {
-            self.panel.cell.urgent.ask(&ask);
+            drop(self.panel.cell.urgent.ask(&ask));
             // Audited at most once a second: a held key does not fill the disk.
             if self.stopped.is_none_or(|at| at.elapsed() > Duration::from_secs(1)) {
                 self.stopped = Some(Instant::now());
@@ -158,7 +158,7 @@ impl Client {
         self.allowed(name)?;
         self.counts(seq)?;
         if ask == Ask::Hold {
-            self.panel.cell.urgent.ask(&ask);
+            drop(self.panel.cell.urgent.ask(&ask));
             self.audit(panel_word("do", name), Message::new("server-audit-accepted"));
             self.answer(seq, Ok(()));
             return Ok(());

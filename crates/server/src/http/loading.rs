@@ -1,40 +1,54 @@
 use super::answer::Refused;
 use super::job_name::checked;
-use crate::cell::{Around, Planned, Prepared, Task};
+use crate::cell::{Around, Loading};
 use crate::view::work_view;
 use crate::wire::{Load, WorkView};
+use seamwright_cell::{Program, decode_motion, encode_motion, fingerprint, try_program};
 use seamwright_document::DocumentError;
 use seamwright_executive::Place;
 use seamwright_message::{Message, Unit};
-use seamwright_motion::WeldMotion;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::recording::{Header, Who, record_plan};
 use seamwright_project::run_rows;
 use seamwright_project::simulated_part::Part;
-use seamwright_record::Plan;
+use seamwright_record::{Plan, sha256};
 use seamwright_simulation::tracking::Distortion;
 use std::path::Path as FilePath;
+use std::sync::Arc;
 
 /// A planned job to be loaded.
-pub(super) struct Ready {
-    pub(super) loaded: Loaded,
-    pub(super) motion: WeldMotion,
-    pub(super) part: Part,
-    pub(super) from: Option<Place>,
-    pub(super) view: WorkView,
-    pub(super) record: Plan,
-    pub(super) passes: usize,
+struct Ready {
+    loaded: Loaded,
+    program: Program,
+    view: WorkView,
+    record: Plan,
+    passes: usize,
 }
 
-/// Plans a job to be loaded, only from its text and the folder of jobs; `number` is the number of its view.
-pub(super) fn ready(load: &Load, text: &str, jobs: &FilePath, number: u64) -> Result<Ready, Refused> {
+/// Plans a job to be loaded, only from its text and the folder of jobs, and tries all steps of loading that take memory
+/// and time. Returns the motion for [`ready`].
+/// Fails if the job is invalid. The approach from the current axis positions is not checked.
+pub(crate) fn planned(load: &Load, text: &str, jobs: &FilePath) -> Result<Vec<u8>, Refused> {
     let loaded = load_foreign(checked(&load.job)?, text, jobs)?;
     let part = simulated_part(load.distortion.as_deref())?;
     part.check_devices(&loaded.machine)?;
-    let motion = part.plan(&loaded)?;
+    let motion = encode_motion(&part.plan(&loaded)?).map_err(Refused::server)?;
+    let Ready { loaded, program, view, record, .. } = ready(load, text, jobs, motion.clone(), 0)?;
+    let around = Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?;
+    try_program(program).map_err(Refused::input)?;
+    // Dropped together: panel and cell also need all of them at once.
+    drop((view, around, record, loaded));
+    Ok(motion)
+}
+
+/// Reads a planned job to be loaded; `number` is the number of its view.
+fn ready(load: &Load, text: &str, jobs: &FilePath, motion: Vec<u8>, number: u64) -> Result<Ready, Refused> {
+    let loaded = load_foreign(checked(&load.job)?, text, jobs)?;
+    let tracking = simulated_part(load.distortion.as_deref())?.tracking;
+    let plan = decode_motion(&motion, &loaded).map_err(Refused::input)?;
     let from = load.from.map(|(pass, s_mm)| Place { pass: pass as usize, s_mm });
-    let mut view = work_view(number, &load.job, &loaded, Ok(&motion));
-    let heads = if part.tracking { run_rows::head_names(&loaded) } else { Vec::new() };
+    let mut view = work_view(number, &load.job, &loaded, Ok(&plan));
+    let heads = if tracking { run_rows::head_names(&loaded) } else { Vec::new() };
     (view.from, view.tracked, view.distortion) = (load.from, heads.len(), load.distortion.clone());
     let columns = run_rows::columns(&loaded.machine, &view.values, &heads);
     let title = loaded.welding.program.value.title.clone();
@@ -43,27 +57,49 @@ pub(super) fn ready(load: &Load, text: &str, jobs: &FilePath, number: u64) -> Re
     let header = Header { columns: &columns, about: &about, from };
     let simulated = loaded.machine.devices.is_empty();
     let who = Who { part: load.part.clone().unwrap_or_default(), simulated, welder: None };
-    let record = record_plan(&loaded, &motion, &header, who)?;
-    let passes = motion.passes.len() - from.map_or(0, |place| place.pass.saturating_sub(1)).min(motion.passes.len());
-    Ok(Ready { loaded, motion, part, from, view, record, passes })
+    let record = record_plan(&loaded, &plan, &header, who)?;
+    let passes = plan.passes.len() - from.map_or(0, |place| place.pass.saturating_sub(1)).min(plan.passes.len());
+    let program = Program {
+        number: 0,
+        job: load.job.clone(),
+        text: text.to_owned(),
+        folder: jobs.to_owned(),
+        machine: fingerprint(&loaded.machine),
+        sha256: sha256(&motion),
+        motion,
+        from,
+        about: serde_json::to_string(load).map_err(|e| Refused::server(e.to_string()))?,
+        distortion: load.distortion.clone(),
+    };
+    Ok(Ready { loaded, program, view, record, passes })
 }
 
-/// Performs all steps of loading that take memory and time, and discards the result.
-/// Fails if the job is invalid. The approach from the current axis positions is not checked.
-pub(crate) fn try_load(load: &Load, text: &str, jobs: &FilePath) -> Result<(), Refused> {
-    let Ready { loaded, motion, part, from, view, .. } = ready(load, text, jobs, 0)?;
-    let home = loaded.machine.home();
-    let around = Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?;
-    let prepared = Prepared::new(Task::Job(Box::new(Planned { loaded, motion, part })), &home, from);
-    // Dropped together: the cell also needs all of them at once.
-    drop((view, around, prepared));
-    Ok(())
+/// Reads the program of a running cell again, which a panel before this one has loaded.
+pub(crate) fn adopted(program: &Program) -> Result<Loading, Refused> {
+    let load: Load = serde_json::from_str(&program.about).map_err(|e| Refused::server(e.to_string()))?;
+    loading(&load, &program.text, &program.folder, program.motion.clone(), (1, String::new()))
+}
+
+/// Reads a planned job to be loaded; its view has the number of `of`, and it is loaded by the user of `of`.
+pub(super) fn loading(
+    load: &Load,
+    text: &str,
+    jobs: &FilePath,
+    motion: Vec<u8>,
+    of: (u64, String),
+) -> Result<Loading, Refused> {
+    let overlap_mm = overlap(load)?;
+    let (number, user) = of;
+    let Ready { loaded, program, view, record, passes } = ready(load, text, jobs, motion, number)?;
+    let around = Arc::new(Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?);
+    let (program, machine, view) = (Box::new(program), Box::new(loaded.machine), Arc::new(view));
+    Ok(Loading { program, machine, view, around, plan: record, passes, overlap_mm, user })
 }
 
 /// Maximum overlap over finished weld that needs no confirmation at a start, mm.
 const MAX_OVERLAP_MM: f64 = 100.0;
 
-pub(super) fn overlap(load: &Load) -> Result<f64, Refused> {
+fn overlap(load: &Load) -> Result<f64, Refused> {
     let overlap_mm = load.overlap_mm.unwrap_or(0.0);
     if (0.0..=MAX_OVERLAP_MM).contains(&overlap_mm) {
         return Ok(overlap_mm);

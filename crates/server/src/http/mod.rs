@@ -38,7 +38,7 @@ pub(crate) use assets::panel_files;
 pub(crate) use client::hears;
 pub(crate) use guard::cookie;
 pub(crate) use jobs::text as job_text;
-pub(crate) use loading::try_load;
+pub(crate) use loading::{adopted, planned};
 pub use openapi::openapi;
 pub(crate) use panel::Panel;
 pub(crate) use placement::found_place;

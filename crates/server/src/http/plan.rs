@@ -1,10 +1,10 @@
 use super::answer::{Answer, JSON, Refused, page_of};
 use super::job_name::checked;
 use super::jobs::text;
-use super::loading::{Ready, overlap, ready};
+use super::loading::loading;
 use super::panel::{Panel, Shared};
 use super::records::{reads, spoken};
-use crate::cell::{Around, CellDevices, Change, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
+use crate::cell::{Change, Loading, NotLoaded, ToDesk};
 use crate::planner::{Asked, Page, Question};
 use crate::users::Session;
 use crate::view::tuning_view;
@@ -18,7 +18,7 @@ use axum::response::{IntoResponse as _, Response};
 use seamwright_message::Message;
 use serde::Deserialize;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use tokio::sync::oneshot;
 
 /// Runs long work in its own thread, one at a time.
@@ -122,25 +122,23 @@ fn at_rest(panel: &Panel) -> Result<(), Refused> {
     Ok(())
 }
 
-/// Plans a job and loads it into the cell. The job is first planned beside the cell, with limits of memory and time. A
-/// valid one is planned again in this process for the cycle; starts are refused meanwhile.
+/// Plans a job and loads it into the cell. The job is planned beside the cell, with limits of memory and time; starts are
+/// refused while the cell prepares it.
 async fn put_in(panel: &Arc<Panel>, load: Load, page: Page) -> Result<Arc<WorkView>, Refused> {
     at_rest(panel)?;
     let (asked, job, user) = (Arc::clone(panel), load.job.clone(), page.user.clone());
     let text = panel.reading.run(move || text(&asked, &job)).await?;
-    if panel.planner.is_bounded() {
-        let question = Question::Load { load: load.clone(), text: text.clone() };
-        panel.planner.ask(page, question, panel.jobs()).await?;
-    }
+    let question = Question::Load { load: load.clone(), text: text.clone() };
+    let motion = panel.planner.ask(page, question, panel.jobs()).await?;
+    let _announced = panel.loads.announce();
     let loading = alone(panel, move |panel| {
-        let _announced = panel.loads.announce();
         std::thread::sleep(ANNOUNCED);
         at_rest(panel)?;
-        loading(panel, &load, &text, user)
+        loading(&load, &text, &panel.jobs(), motion, (panel.plan_number(), user))
     });
     let loading = loading.await?;
-    let view = loading.view.clone().ok_or_else(|| Refused::server(Message::new("server-no-drawing")))?;
-    give(panel, connected(panel, loading).await?).await?;
+    let view = Arc::clone(&loading.view);
+    give(panel, loading).await?;
     panel.teaching.leave(&panel.cell.hub, &view);
     Ok(view)
 }
@@ -151,63 +149,15 @@ async fn give(panel: &Panel, loading: Loading) -> Result<(), Refused> {
     let (answer, answered) = oneshot::channel();
     panel.cell.desk.send(ToDesk::Load(Box::new(loading), answer)).map_err(|_| gone())?;
     let taken = answered.await.map_err(|_| gone())?;
-    taken.map_err(|lack| Refused::new(StatusCode::CONFLICT, "busy", lack.message))
-}
-
-/// Adds the required devices if those of the cell serve another program. Real devices are released first, by loading a
-/// machine without a program. A job may use only the devices chosen at the start of the panel.
-async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, Refused> {
-    /// Maximum time for releasing devices, s.
-    const GO_S: u64 = 20;
-    let now = panel.cell.hub.connection();
-    if now.as_ref().is_some_and(|to| to.serves_it(&loading.prepared)) {
-        return Ok(loading);
-    }
-    let (own, folder) = panel.cell.devices.clone();
-    let its = &loading.prepared.machine().devices;
-    if !its.is_empty() && *its != own {
-        return Err(Message::new("server-other-devices").into());
-    }
-    if let Some(now) = now.filter(Connection::is_real) {
-        let prepared = Box::new(Prepared::bare(loading.prepared.machine()).map_err(Refused::input)?);
-        let around = Arc::clone(&loading.around);
-        let user = loading.user.clone();
-        let bare = Loading { prepared, view: None, around, plan: None, passes: 0, overlap_mm: 0.0, user };
-        give(panel, bare).await?;
-        let begin = Instant::now();
-        while now.is_there() {
-            if begin.elapsed() > Duration::from_secs(GO_S) {
-                return Err(Refused::server(Message::new("server-devices-held")));
-            }
-            tokio::time::sleep(Duration::from_millis(20)).await;
-        }
-    }
-    alone(panel, move |_| {
-        let values = loading.prepared.with(|work| work.values().to_vec());
-        loading.prepared.devices = Some(CellDevices::new(&loading.prepared, &folder, &values).map_err(Refused::input)?);
-        Ok(loading)
+    taken.map_err(|why| match why {
+        NotLoaded::Lack(lack) => Refused::new(StatusCode::CONFLICT, "busy", lack.message),
+        NotLoaded::Invalid(message) => Refused::input(message),
     })
-    .await
 }
 
 pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), Message> {
     let load = Load { job: job.to_owned(), from: None, overlap_mm: None, part: None, distortion: None };
     put_in(panel, load, Page::default()).await.map(drop).map_err(|refused| refused.message)
-}
-
-fn loading(panel: &Panel, load: &Load, text: &str, user: String) -> Result<Loading, Refused> {
-    let overlap_mm = overlap(load)?;
-    let ready = ready(load, text, &panel.jobs(), panel.plan_number())?;
-    let Ready { loaded, motion, part, from, view, record, passes } = ready;
-    let view = Arc::new(view);
-    // From the current axis positions on the cell's devices, from home on others.
-    let fingerprint = fingerprint(&loaded.machine);
-    let same = panel.cell.hub.connection().is_some_and(|to| to.serves(&fingerprint, &view.values));
-    let at = panel.cell.hub.set_points().filter(|_| same).unwrap_or(loaded.machine.home());
-    let around = Arc::new(Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?);
-    let task = Task::Job(Box::new(Planned { loaded, motion, part }));
-    let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
-    Ok(Loading { prepared, view: Some(view), around, plan: Some(record), passes, overlap_mm, user })
 }
 
 /// Plans a recorded weld again, to show the torch of its record.

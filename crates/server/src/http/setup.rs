@@ -2,7 +2,7 @@
 
 use super::answer::{Answer, Refused};
 use super::panel::{Panel, Shared};
-use crate::cell::{Change, ToDesk, fingerprint, happening};
+use crate::cell::{Change, ToDesk, happening};
 use crate::users::Session;
 use crate::view::{PARAMETERS, parameters_view};
 use crate::wire::{ParameterChange, ParametersView, Shelving, ToolAnswer, ToolTip, ToolTouches};
@@ -10,6 +10,7 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
 use glam::{DAffine3, DVec3};
+use seamwright_cell::fingerprint;
 use seamwright_geometry::fit::{outliers, pivot, rms};
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 use seamwright_message::{Message, Unit};

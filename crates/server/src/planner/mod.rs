@@ -195,11 +195,6 @@ impl Planner {
         }
     }
 
-    /// Returns true if questions are answered with limits of memory and time.
-    pub(crate) fn is_bounded(&self) -> bool {
-        self.program.is_some()
-    }
-
     fn begin(&self, page: Page, sort: Sort, name: &'static str) -> Result<Ticket, Refused> {
         let mut table = lock(&self.running);
         let older = table.running.values().filter(|running| running.page == page && running.name == name);

@@ -1,6 +1,6 @@
 //! Questions to a planner, answered only from a text and the folder of jobs.
 
-use crate::http::{Refused, found_place, try_load};
+use crate::http::{Refused, found_place, planned};
 use crate::view::{clamped_views, sections, work_view};
 use crate::wire::{DraftAnswer, Load, PlaceText, PlanAnswer, PostAnswer, WrongView};
 use seamwright_document::DocumentError;
@@ -30,7 +30,7 @@ pub(crate) enum Question {
     Report { name: String, text: String, language: String },
     /// Part program for it: a [`PostAnswer`].
     Post { text: String, dialect: String },
-    /// Check that it can be planned and loaded: an empty answer.
+    /// Check that it can be planned and loaded: its motion, see [`seamwright_cell::encode_motion`].
     Load { load: Load, text: String },
     /// Pose of its part: a [`crate::wire::PlaceAnswer`].
     Place { asked: PlaceText },
@@ -62,7 +62,7 @@ impl Question {
             }
             Self::Report { name, text, language } => report(name, text, language, jobs),
             Self::Post { text, dialect } => json(&post(text, dialect, jobs)?),
-            Self::Load { load, text } => try_load(load, text, jobs).map(|()| Vec::new()),
+            Self::Load { load, text } => planned(load, text, jobs),
             Self::Place { asked } => json(&found_place(asked, jobs)?),
         }
     }

@@ -7,14 +7,14 @@ mod modbus_welder;
 
 use super::lived::{Page, Served};
 use super::restored::settings;
-use super::{Bench, Visitor, beside_home};
+use super::{Bench, Visitor, beside_home, cell_start};
 use crate::error::Error;
 use crate::serve::{Settings, until};
 use axum::http::StatusCode;
 use modbus_server::TestServer;
 use modbus_welder::{MAP, welder};
 use seamwright_executive::realtime::{Shutdown, ShutdownCause};
-use seamwright_machine::{Machine, shipped};
+use seamwright_machine::shipped;
 use seamwright_record::DataFolder;
 use seamwright_record::library::{Query, WeldResult};
 use serde_json::{Value, json};
@@ -182,8 +182,8 @@ async fn a_device_let_go_without_an_answer_is_reported_and_holds_nobody_up() {
 fn the_panel_ends_with_an_error_if_a_device_does_not_confirm_its_safe_outputs() {
     for silent in [false, true] {
         let server = TestServer::new(welder);
-        let machine = Machine::read("m.toml", &machine(&server.address.to_string())).unwrap();
         let folder = tempfile::tempdir().unwrap();
+        let machine = cell_start(folder.path(), &machine(&server.address.to_string())).machine;
         let of = Settings { machine, job: None, ..settings(folder.path()) };
         let (ready, is_ready) = channel();
         let shutdown = Shutdown::default();

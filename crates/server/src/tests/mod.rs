@@ -28,8 +28,9 @@ use axum::Router;
 use axum::body::Body;
 use axum::http::{Request, Response, StatusCode};
 use http_body_util::BodyExt as _;
+use seamwright_cell::{CellStart, MachineSource};
 use seamwright_executive::realtime::Shutdown;
-use seamwright_machine::{Machine, shipped};
+use seamwright_machine::shipped;
 use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::Arc;
@@ -45,6 +46,12 @@ pub(crate) fn beside_home(ellipse: &str) -> String {
     let near = ellipse.replace("postflow_s = 5 ", "postflow_s = 0.2 ") + "\n[placement]\nmove_mm = [-500, -150, 0]\n";
     assert!(near.contains("postflow_s = 0.2"));
     near
+}
+
+/// A cell on the machine of a text, whose paths are relative to `folder`.
+pub(crate) fn cell_start(folder: &Path, machine: &str) -> CellStart {
+    let machine = MachineSource { name: "m.toml".to_owned(), text: machine.to_owned(), folder: folder.to_owned() };
+    CellStart { machine, values: Vec::new() }
 }
 
 /// A panel with its own cell.
@@ -83,9 +90,8 @@ impl Bench {
 
     fn planned_by(folder: TempDir, hosts: &[&str], machine: &str, planner: Planner) -> Self {
         std::fs::create_dir_all(folder.path().join("jobs")).unwrap();
-        let machine = Machine::read("m.toml", machine).unwrap();
         let shutdown = Shutdown::default();
-        let cell = Cell::start(&machine, folder.path(), &[], folder.path(), &shutdown).unwrap();
+        let cell = Cell::start(&cell_start(folder.path(), machine), folder.path(), None, &shutdown).unwrap();
         let accounts = Accounts::open(folder.path()).unwrap();
         let hosts = hosts.iter().map(|h| (*h).to_owned()).collect();
         let mut panel = Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts);

@@ -1,14 +1,14 @@
 //! Replacement of all data from a page.
 
 use super::lived::Served;
-use super::{Bench, Visitor};
+use super::{Bench, Visitor, cell_start};
 use crate::serve::{Settings, until};
 use crate::wire::Role;
 use axum::body::Body;
 use axum::http::{Request, StatusCode};
 use http_body_util::BodyExt as _;
 use seamwright_executive::realtime::{Shutdown, ShutdownCause};
-use seamwright_machine::{Machine, shipped};
+use seamwright_machine::shipped;
 use seamwright_record::library::AuditEntry;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -118,8 +118,7 @@ pub(super) fn settings(data: &Path) -> Settings {
         names: vec![],
         tls: None,
         data: data.to_owned(),
-        machine: Machine::read("m.toml", shipped("ellipse-xy").unwrap().text).unwrap(),
-        folder: data.to_owned(),
+        machine: cell_start(data, shipped("ellipse-xy").unwrap().text).machine,
         values: vec![],
         job: Some("mine.toml".to_owned()),
     }

@@ -1,19 +1,18 @@
 use crate::wire::{DeviceView, SignalView, Status, TrafficView};
 use seamwright_executive::devices::modbus::Traffic;
 use seamwright_machine::{Machine, ModbusDevice, Register, Role, Word};
-use seamwright_project::devices::Lines;
 
 /// Returns the devices with the last known values of their signals; `values` are the names of the program's process
 /// values.
 pub(crate) fn device_views(
     machine: &Machine,
-    lines: &Lines,
+    lines: &[(String, Traffic)],
     values: &[String],
     status: Option<&Status>,
 ) -> Vec<DeviceView> {
     let views = machine.devices.modbus.iter().map(|device| {
         let line = lines.iter().find(|(name, _)| *name == device.name);
-        device_view(machine, device, line.map(|(_, line)| traffic(&line.get())), values, status)
+        device_view(machine, device, line.map(|(_, line)| traffic(line)), values, status)
     });
     views.collect()
 }

@@ -194,7 +194,7 @@ fn finding(f: &Finding, standing: &mut Standing<'_>) -> FindingView {
     FindingView {
         axes,
         nearest,
-        kind: f.kind.to_owned(),
+        kind: f.kind.to_string(),
         message: (&f.message).into(),
         pass: f.pass as u32,
         from_mm: f.from_mm,

@@ -144,6 +144,9 @@ pub struct Stopped {
     pub mode: String,
     /// Age of the last status of the cycle, s; none before the first one. It grows if the cycle hangs or has ended.
     pub cycle_age_s: Option<f64>,
+    /// Number of the cycle in which the cell acted on the stop, counted from its start; none if no cycle has acted within
+    /// half a second.
+    pub cycle: Option<u64>,
 }
 
 /// `GET /api/session`, and the answer of `POST /api/login`.

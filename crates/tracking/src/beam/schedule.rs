@@ -1,6 +1,7 @@
 use super::error::Error;
 use crate::lead;
 use seamwright_message::Message;
+use serde::{Deserialize, Serialize};
 
 /// Allowed interruptions of a weld.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,7 +18,7 @@ impl Allowed {
 }
 
 /// Action of the beam in a cycle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Beam {
     /// Weld.
     Weld,

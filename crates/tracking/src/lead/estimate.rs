@@ -1,7 +1,8 @@
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 
 /// Quality of the seam estimate at a position, from best to worst.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Sight {
     /// Measured.
     Seen,

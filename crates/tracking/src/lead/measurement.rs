@@ -1,7 +1,8 @@
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 
 /// Measurement of a look-ahead sensor.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Measurement {
     /// Exposure time on the cell's clock, s.
     pub exposed_s: f64,

@@ -106,7 +106,7 @@ impl Place {
     pub(super) fn finding(&self, kind: &'static str, message: Message, cure: &'static str) -> Finding {
         let s = if self.s_mm.is_finite() { self.s_mm } else { 0.0 };
         Finding {
-            kind,
+            kind: kind.into(),
             message,
             pass: self.pass.max(1),
             from_mm: s,

@@ -1,11 +1,12 @@
 use crate::realtime::Latency;
 use seamwright_message::Message;
+use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use std::sync::{Arc, Mutex, PoisonError};
 use triple_buffer::{Input, Output, triple_buffer};
 
 /// Traffic with a device since the connection.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Traffic {
     /// Answered polls.
     pub polls: u64,

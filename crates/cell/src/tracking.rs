@@ -1,6 +1,6 @@
 //! Tracking of the loaded task: correction of its passes, and sensors of its joints.
 
-use super::task::Base;
+use crate::task::Base;
 use seamwright_executive::devices::Sensors;
 use seamwright_executive::tracking::Tracking;
 use seamwright_executive::{Guide, Guided, Place, Planned, SeamOrders, Seen, SensorReport, Tracked, Trouble};
@@ -16,7 +16,7 @@ type SensorsOf<'a> = SimulatedSensors<'a>;
 
 self_cell! {
     /// Corrects the passes of a task.
-    pub(super) struct Guiding {
+    pub(crate) struct Guiding {
         owner: Arc<Base>,
         #[not_covariant]
         dependent: TrackingOf,
@@ -24,7 +24,7 @@ self_cell! {
 }
 
 self_cell! {
-    pub(super) struct Sensing {
+    pub(crate) struct Sensing {
         owner: Arc<Base>,
         #[not_covariant]
         dependent: SensorsOf,
@@ -36,7 +36,7 @@ const NOTHING: &str = "there is nothing to track";
 
 impl Guiding {
     /// Creates the tracking of a task that starts at `start`.
-    pub(super) fn of(base: &Arc<Base>, start: Place) -> Result<Self, String> {
+    pub(crate) fn of(base: &Arc<Base>, start: Place) -> Result<Self, String> {
         Self::try_new(Arc::clone(base), |base| {
             base.with_dependent(|_, cell| {
                 let tracking = cell.as_ref().map(|cell| cell.tracking(start).map_err(|e| e.to_string()));
@@ -48,7 +48,7 @@ impl Guiding {
 
 impl Sensing {
     /// Creates the sensors of a task.
-    pub(super) fn of(base: &Arc<Base>) -> Result<Self, String> {
+    pub(crate) fn of(base: &Arc<Base>) -> Result<Self, String> {
         Self::try_new(Arc::clone(base), |base| {
             base.with_dependent(|_, cell| {
                 let cell = cell.as_ref().ok_or_else(|| NOTHING.to_owned())?;
@@ -69,7 +69,7 @@ impl Sensors for Sensing {
 }
 
 /// Slot for the guides of successive tasks of one executive.
-pub(super) struct Slot<'a>(pub(super) &'a RefCell<Option<Guiding>>);
+pub(crate) struct Slot<'a>(pub(crate) &'a RefCell<Option<Guiding>>);
 
 impl Slot<'_> {
     fn ask<T>(&self, ask: impl FnOnce(&mut Tracking<'_>) -> T) -> Option<T> {

@@ -1,7 +1,7 @@
 //! The devices of the cell, and the program and values they serve.
 
-use super::prepared_task::Prepared;
-use super::task::SEED;
+use crate::prepared_task::Prepared;
+use crate::task::SEED;
 use seamwright_executive::{Devices, Orders, Reports, Slack};
 use seamwright_message::Message;
 use seamwright_project::devices::{self, Lines};
@@ -18,8 +18,10 @@ pub(crate) struct CellDevices {
 /// Machine and process values that connected devices serve.
 #[derive(Debug, Clone)]
 pub(crate) struct Connection {
-    /// See [`super::Prepared::fingerprint`].
+    /// See [`crate::fingerprint`].
     fingerprint: String,
+    /// Number of the machine's axes.
+    pub(crate) axes: usize,
     /// Process values, by whose index real devices know them; `None`: all devices are simulated.
     values: Option<Vec<String>>,
     /// The lines to real devices.
@@ -66,12 +68,18 @@ impl CellDevices {
         let there = Arc::new(());
         let values = (!machine.devices.is_empty()).then(|| values.to_vec());
         let fingerprint = prepared.fingerprint().to_owned();
-        let to = Connection { fingerprint, values, lines: Arc::new(lines), there: Arc::downgrade(&there) };
+        let to = Connection {
+            fingerprint,
+            axes: machine.axes.len(),
+            values,
+            lines: Arc::new(lines),
+            there: Arc::downgrade(&there),
+        };
         Ok(Self { cell, to, _there: there })
     }
 
     /// Machine and process values that the devices serve.
-    pub(super) fn to(&self) -> &Connection {
+    pub(crate) fn to(&self) -> &Connection {
         &self.to
     }
 }

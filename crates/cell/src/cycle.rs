@@ -1,8 +1,8 @@
 //! The thread of the cycle: executives one after another, each with its programs.
 
-use super::connection::CellDevices;
-use super::guiding::{Sensing, Slot};
-use super::prepared_task::Prepared;
+use crate::devices::CellDevices;
+use crate::prepared_task::Prepared;
+use crate::tracking::{Sensing, Slot};
 use rtrb::{Consumer, Producer};
 use seamwright_executive::devices::WithSensors;
 use seamwright_executive::realtime::{LivePort, Paced, Pacer, RealtimeRights, Shutdown, guarded};
@@ -12,11 +12,11 @@ use std::cell::RefCell;
 use std::sync::{Arc, OnceLock};
 
 /// Tasks given to and returned by the cycle.
-pub(super) struct Swap {
+pub(crate) struct Swap {
     /// The next task; present when [`End::Load`] comes.
-    pub(super) next: Consumer<Box<Prepared>>,
+    pub(crate) next: Consumer<Box<Prepared>>,
     /// Finished tasks, to be dropped in another thread.
-    pub(super) done: Producer<Box<Prepared>>,
+    pub(crate) done: Producer<Box<Prepared>>,
 }
 
 impl Swap {
@@ -39,7 +39,7 @@ impl Swap {
 /// which is off.
 /// The real-time rights granted to the thread go to `footing`. A panic switches the devices off and requests
 /// `shutdown`.
-pub(super) fn run(
+pub(crate) fn run(
     mut task: Box<Prepared>,
     mut devices: CellDevices,
     mut port: LivePort,
@@ -53,13 +53,13 @@ pub(super) fn run(
         let pacer = Pacer::new(machine.servo_period_s);
         let mut paced = Paced { devices: WithSensors { devices, sensors: None }, pacer };
         let next = guarded(&mut paced, shutdown, |paced| on_machine(&machine, paced, &mut port, &mut task, &mut swap));
-        // The desk learns from the flag that the cycle has failed.
+        // The link learns from the flag that the cycle has failed.
         let Ok(Some(next)) = next else { return };
         task.devices = Some(paced.devices.devices);
         swap.done(Some(std::mem::replace(&mut task, next)));
         match task.devices.take() {
             Some(its) => devices = its,
-            // The desk ensures devices before it hands over the task.
+            // The link ensures devices before it hands over the task.
             None => return,
         }
     }

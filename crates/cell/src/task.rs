@@ -9,7 +9,7 @@ use seamwright_weld::WeldPath;
 use self_cell::self_cell;
 
 /// Random seed of a simulated cell.
-pub(super) const SEED: u64 = 1;
+pub(crate) const SEED: u64 = 1;
 
 pub(crate) struct Planned {
     pub(crate) loaded: Loaded,
@@ -34,13 +34,13 @@ impl Task {
 }
 
 /// Data that borrows from a task.
-pub(super) struct Ground<'a> {
-    pub(super) around: Surroundings<'a>,
+pub(crate) struct Ground<'a> {
+    pub(crate) around: Surroundings<'a>,
     paths: Vec<WeldPath<'a>>,
 }
 
 self_cell! {
-    pub(super) struct Stood {
+    pub(crate) struct Stood {
         owner: Task,
         #[not_covariant]
         dependent: Ground,
@@ -52,7 +52,7 @@ type CellOf<'a> = Option<SimulatedCell<'a>>;
 
 self_cell! {
     /// Owner of the data that everything in a task borrows from.
-    pub(super) struct Base {
+    pub(crate) struct Base {
         owner: Stood,
         #[not_covariant]
         dependent: CellOf,
@@ -60,7 +60,7 @@ self_cell! {
 }
 
 impl Base {
-    pub(super) fn of(task: Task) -> Result<Self, String> {
+    pub(crate) fn of(task: Task) -> Result<Self, String> {
         let stood = Stood::try_new(task, |task| {
             let nothing = Clamped::default();
             let (clamped, paths) = match task {
@@ -73,7 +73,7 @@ impl Base {
         Ok(Self::new(stood, |stood| stood.with_dependent(cell)))
     }
 
-    pub(super) fn machine(&self) -> &Machine {
+    pub(crate) fn machine(&self) -> &Machine {
         self.borrow_owner().borrow_owner().machine()
     }
 }

@@ -1,6 +1,6 @@
-use super::connection::CellDevices;
-use super::guiding::{Guiding, Sensing};
-use super::task::{Base, Planned, Task};
+use crate::devices::CellDevices;
+use crate::task::{Base, Planned, Task};
+use crate::tracking::{Guiding, Sensing};
 use seamwright_executive::{Place, Start, Work};
 use seamwright_machine::{Joints, Machine, MachineDevices, Surroundings};
 use seamwright_message::{Message, Unit};
@@ -25,8 +25,8 @@ self_cell! {
     }
 }
 
-/// Equal for machines that are identical: files of one name may differ.
-pub(crate) fn fingerprint(machine: &Machine) -> String {
+/// Returns a text that is equal for machines that are identical: files of one name may differ.
+pub fn fingerprint(machine: &Machine) -> String {
     sha256(format!("{machine:?}").as_bytes())
 }
 
@@ -34,9 +34,9 @@ pub(crate) fn fingerprint(machine: &Machine) -> String {
 pub(crate) struct Prepared {
     worked: Worked,
     /// Corrects its passes, if they are tracked.
-    pub(super) guide: Option<Guiding>,
+    pub(crate) guide: Option<Guiding>,
     /// Senses their joints.
-    pub(super) sensors: Option<Sensing>,
+    pub(crate) sensors: Option<Sensing>,
     /// Devices of a machine that the cell does not have yet.
     pub(crate) devices: Option<CellDevices>,
     fingerprint: String,
