@@ -89,7 +89,6 @@ server-no-dialect = es gibt keinen Dialekt „{ $name }“; erlaubt: { $allowed 
 # Loading.
 server-part-number = unzulässige Werkstücknummer; erlaubt: bis { $max } sichtbare Zeichen
 server-machine-moves = die Maschine bewegt sich oder ist angehalten: zuerst stoppen
-server-no-drawing = der Auftrag hat keine Zeichnung
 server-other-devices = die Maschinendatei des Auftrags nennt andere Geräte als die, mit der das Panel gestartet wurde; erlaubt: dieselben [devices] oder keine
 server-devices-held = die Geräte werden nicht freigegeben: das Panel neu starten
 server-devices-not-connected = die Geräte lassen sich nicht verbinden

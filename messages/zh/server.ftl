@@ -89,7 +89,6 @@ server-no-dialect = 没有方言“{ $name }”；允许：{ $allowed }
 # Loading.
 server-part-number = 工件编号无效；允许：最多 { $max } 个可见字符
 server-machine-moves = 机床正在运动或暂停：请先停止
-server-no-drawing = 任务没有图形
 server-other-devices = 任务的机床文件中的设备与面板启动时的机床文件不同；允许：相同的 [devices]，或没有
 server-devices-held = 设备未释放：请重新启动面板
 server-devices-not-connected = 设备无法连接

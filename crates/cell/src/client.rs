@@ -146,8 +146,8 @@ impl CellClient {
             drop(stream.shutdown(std::net::Shutdown::Both));
         };
         let named = |name: &str| std::thread::Builder::new().name(name.into());
-        named("cell-reports").spawn(reads).map_err(failed)?;
-        named("cell-requests").spawn(writes).map_err(failed)?;
+        named("from-cell").spawn(reads).map_err(failed)?;
+        named("to-cell").spawn(writes).map_err(failed)?;
         let pid = if let Home::Process(child) = &home { Some(child.id()) } else { None };
         let (reports, home) = (Mutex::new(reports), Mutex::new(home));
         let first = Mutex::new(None);
@@ -270,7 +270,7 @@ fn ready(mut from: BufReader<std::process::ChildStdout>) -> Result<(), Message> 
         // Later lines are not read: a cell prints nothing else.
         drop(to.send(count.map(|_| line)));
     };
-    std::thread::Builder::new().name("cell-ready".into()).spawn(read).map_err(|e| Message::outside(&e))?;
+    std::thread::Builder::new().name("start-of-cell".into()).spawn(read).map_err(|e| Message::outside(&e))?;
     let ended = || Message::new("cell-process-ended-early");
     match came.recv_timeout(READY) {
         Ok(Ok(line)) => serde_json::from_str::<Result<(), Message>>(&line).unwrap_or_else(|_| Err(ended())),

@@ -12,12 +12,12 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// A panel with a cell of its own on a Modbus source, and a session of its administrator.
-struct Panel {
-    child: Child,
-    address: String,
+pub(crate) struct Panel {
+    pub(crate) child: Child,
+    pub(crate) address: String,
     cookie: String,
     token: String,
-    data: String,
+    pub(crate) data: String,
 }
 
 impl Drop for Panel {
@@ -30,7 +30,7 @@ impl Drop for Panel {
 }
 
 impl Panel {
-    fn start(data: &Path, job: &str) -> Self {
+    pub(crate) fn start(data: &Path, job: &str) -> Self {
         let data = data.display().to_string();
         let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
             .args(["serve", "--bind", "127.0.0.1:0", "--data", &data, "--job", job])
@@ -51,30 +51,47 @@ impl Panel {
         panel
     }
 
+    /// The first lines of a request of the session.
+    pub(crate) fn head(&self, what: &str) -> String {
+        let Self { cookie, token, .. } = self;
+        format!("{what} HTTP/1.1\r\ncookie: {cookie}\r\nx-seamwright: {token}\r\n")
+    }
+
     fn says(&self, head: &str, body: &str) -> String {
-        let mut stream = TcpStream::connect(&self.address).unwrap();
+        Self::send(&self.address, head, body)
+    }
+
+    pub(crate) fn send(address: &str, head: &str, body: &str) -> String {
+        let mut stream = TcpStream::connect(address).unwrap();
         let length = body.len();
-        write!(stream, "{head}host: {}\r\nconnection: close\r\ncontent-length: {length}\r\n", self.address).unwrap();
+        write!(stream, "{head}host: {address}\r\nconnection: close\r\ncontent-length: {length}\r\n").unwrap();
         write!(stream, "content-type: application/json\r\n\r\n{body}").unwrap();
         let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
+        // A server that is killed meanwhile ends the connection.
+        let _ = stream.read_to_string(&mut answer);
         answer
     }
 
     /// The number of the cell's process.
-    fn cell(&self) -> Option<String> {
+    pub(crate) fn cell(&self) -> Option<String> {
         let found = Command::new("pgrep").args(["-f", &format!("cell --sockets {}", self.data)]).output().unwrap();
         String::from_utf8(found.stdout).unwrap().lines().last().map(str::to_owned)
     }
 
-    /// Opens a page's socket, takes control, and welds until the arc of `server` burns.
-    fn weld(&self, server: &TestServer) -> Page {
+    /// Opens a page's socket, takes control, and brings the cell to the mode `ready`.
+    pub(crate) fn ready(&self) -> Page {
         let mut page = Page::open(self);
         page.send(&json!({ "kind": "take_control", "over": false }));
         page.order("switch_on");
         page.until(|status| status["powered"] == true);
         page.order("home");
         page.until(|status| status["mode"] == "ready");
+        page
+    }
+
+    /// The same, and welds until the arc of `server` burns.
+    pub(crate) fn weld(&self, server: &TestServer) -> Page {
+        let mut page = self.ready();
         page.order("arm");
         page.send(&json!({ "kind": "command", "seq": page.seq + 1, "ask": { "do": "start_weld", "reweld": false } }));
         page.seq += 1;
@@ -87,14 +104,14 @@ impl Panel {
 }
 
 /// A WebSocket client for text messages, as small as a test needs.
-struct Page {
+pub(crate) struct Page {
     stream: TcpStream,
     buffer: std::cell::RefCell<Vec<u8>>,
     seq: u32,
 }
 
 impl Page {
-    fn open(panel: &Panel) -> Self {
+    pub(crate) fn open(panel: &Panel) -> Self {
         let mut stream = TcpStream::connect(&panel.address).unwrap();
         write!(
             stream,
@@ -126,7 +143,7 @@ impl Page {
         (&self.stream).write_all(&frame).unwrap();
     }
 
-    fn beat(&self) {
+    pub(crate) fn beat(&self) {
         self.send(&json!({ "kind": "beat" }));
         // What has come is read, so that the server does not take this page for a slow one.
         self.texts();
@@ -155,7 +172,7 @@ impl Page {
         texts
     }
 
-    fn order(&mut self, ask: &str) {
+    pub(crate) fn order(&mut self, ask: &str) {
         self.seq += 1;
         self.send(&json!({ "kind": "command", "seq": self.seq, "ask": { "do": ask } }));
         let seq = self.seq;
@@ -167,7 +184,7 @@ impl Page {
         });
     }
 
-    fn until(&self, done: impl Fn(&Value) -> bool) {
+    pub(crate) fn until(&self, done: impl Fn(&Value) -> bool) {
         self.wait("a status", |text| text["kind"] == "status" && done(text));
     }
 
@@ -183,11 +200,11 @@ impl Page {
     }
 }
 
-fn signal(name: &str, process: &str) {
+pub(crate) fn signal(name: &str, process: &str) {
     assert!(Command::new("kill").args([name, process]).status().unwrap().success());
 }
 
-fn started(folder: &Path, server: &TestServer, on_panel_lost: &str) -> Panel {
+pub(crate) fn started(folder: &Path, server: &TestServer, on_panel_lost: &str) -> Panel {
     let map = format!("timeout_s = 1\n{MAP}");
     let job = job(folder, &server.address.to_string(), &map);
     let machine = folder.join("cell.toml");
@@ -199,7 +216,7 @@ fn started(folder: &Path, server: &TestServer, on_panel_lost: &str) -> Panel {
     Panel::start(&folder.join("data"), &job)
 }
 
-fn is_off(server: &TestServer) -> bool {
+pub(crate) fn is_off(server: &TestServer) -> bool {
     let bank = server.bank();
     !bank.coils[0] && !bank.coils[1] && bank.holding[..2] == [0, 0]
 }

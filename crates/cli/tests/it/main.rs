@@ -8,6 +8,7 @@ mod certificate;
 mod commands;
 mod common;
 mod edit;
+mod fault_campaign;
 mod find_joint;
 mod follow;
 mod grouped_verbs;

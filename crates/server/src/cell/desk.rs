@@ -112,7 +112,8 @@ pub(super) struct Desk {
     readiness: Option<Readiness>,
     /// Real-time rights granted to the cycle.
     pub(super) footing: Option<RealtimeRights>,
-    /// The cell has ended.
+    /// The cell was asked to end, and has ended.
+    expects_end: bool,
     ended: bool,
     missed: u32,
     /// Maximum number of cycles missed at once.
@@ -171,6 +172,7 @@ impl Desk {
             stillness: Stillness::default(),
             readiness: None,
             footing: None,
+            expects_end: false,
             ended: false,
             longest: 0,
             missed: 0,
@@ -245,6 +247,7 @@ impl Desk {
 
     fn look(&mut self, shutdown: &Shutdown) {
         self.cell.beat();
+        self.expects_end |= self.quits || shutdown.is_requested();
         while !self.ended
             && let Some(news) = self.cell.news()
         {
@@ -302,7 +305,8 @@ impl Desk {
             Report::DevicesReleased => self.devices_released(),
             Report::Released { device, outcome } => self.released(device, outcome),
             Report::Ended { failed } => {
-                self.ended = true;
+                // A cell that ends by itself, by a signal for instance, is gone as soon as its connection is.
+                self.ended = self.expects_end;
                 if failed {
                     eprintln!("error: the cycle has failed");
                 }
@@ -389,7 +393,7 @@ impl Desk {
                 desk.unconfirmed.insert(device.name.clone(), why.clone());
             }
         };
-        if self.quits || shutdown.is_requested() {
+        if self.expects_end {
             of_devices(self, why);
             self.ended = true;
             return;
