@@ -97,9 +97,9 @@ fn bill(panel: &[PanelPackage]) -> Result<Value, Failure> {
     }
     if let Some(dependencies) = bill["dependencies"].as_array_mut() {
         dependencies.retain(|dependency| is_in(&dependency["ref"]));
-        for used in dependencies.iter_mut().filter_map(|dependency| dependency["dependsOn"].as_array_mut()) {
-            used.retain(is_in);
-        }
+        // An index would add the missing ones.
+        let used = dependencies.iter_mut().filter_map(|dependency| dependency.get_mut("dependsOn")?.as_array_mut());
+        used.for_each(|used| used.retain(is_in));
     }
     bill["metadata"]["timestamp"] = Moment::now().to_string().replace(" UTC", "Z").replace(' ', "T").into();
     Ok(bill)

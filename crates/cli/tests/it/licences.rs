@@ -79,7 +79,14 @@ fn bill_says_which_package_needs_which() {
     let uses: BTreeMap<&str, Vec<&str>> = dependencies
         .iter()
         .map(|of| {
-            (text(of, "ref"), of["dependsOn"].as_array().into_iter().flatten().map(|on| on.as_str().unwrap()).collect())
+            (
+                text(of, "ref"),
+                of.get("dependsOn")
+                    .into_iter()
+                    .flat_map(|used| used.as_array().unwrap())
+                    .map(|on| on.as_str().unwrap())
+                    .collect(),
+            )
         })
         .collect();
     assert_eq!(uses.len(), dependencies.len());
