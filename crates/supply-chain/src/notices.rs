@@ -6,6 +6,7 @@ use crate::licence_texts::{LicenceText, id_of, standard, texts};
 use crate::rules::{canonical, expression};
 use crate::{Error, Package, Rules, Tree};
 use serde::Serialize;
+use spdx::Expression;
 use std::collections::BTreeMap;
 
 /// Packages, and the texts of their licences.
@@ -81,7 +82,7 @@ fn of_package(package: &Package, source: &Source, rules: &Rules) -> Result<Vec<S
     // Without an allowed choice all texts are taken; the check of the rules reports the package.
     let terms = rules.chosen(&package.name, package.licence.as_deref()).unwrap_or_else(|_| {
         let expression = package.licence.as_deref().and_then(expression);
-        expression.iter().flat_map(|expression| expression.requirements()).map(|term| term.req.clone()).collect()
+        expression.iter().flat_map(Expression::requirements).map(|term| term.req.clone()).collect()
     });
     let found = texts(&source.folder, &terms)?;
     let names = terms.iter().filter_map(id_of).collect::<Vec<_>>().join(", ");

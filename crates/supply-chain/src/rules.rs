@@ -202,7 +202,7 @@ impl Rules {
         let is_hash = |sum: &str| sum.len() == 64 && sum.bytes().all(|byte| byte.is_ascii_hexdigit());
         let has_checksum = package.checksum.as_deref().is_some_and(is_hash);
         let why = "Cargo.lock has no SHA-256 of it".to_owned();
-        (!has_checksum).then(|| Violation { rule: Rule::Checksum, package: title, why })
+        (!has_checksum).then_some(Violation { rule: Rule::Checksum, package: title, why })
     }
 
     fn several_versions(&self, built: &Tree) -> Vec<Violation> {
