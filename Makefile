@@ -1,6 +1,6 @@
 # One place for every command. `make` alone lists them.
 
-.PHONY: help run generate test bench peers soak book dist fmt lint
+.PHONY: help run generate test bench peers soak book dist sbom fmt lint
 
 help:
 	@echo "make run      a simulated cell with its panel: open the address that it prints"
@@ -10,9 +10,10 @@ help:
 	@echo "make peers    compare with other programs (LinuxCNC); installs what is missing, needs root"
 	@echo "make soak     the property tests with a hundred times the cases; ten minutes of broken part programs, ten of many who watch the panel"
 	@echo "make book     the documentation as a book with offline search: target/book/index.html"
-	@echo "make dist     the program for packages, optimised across crates and stripped: target/dist/seamwright"
+	@echo "make dist     the program for packages, optimised across crates and stripped, with its licences and bill of materials: target/dist"
+	@echo "make sbom     the bill of materials alone, CycloneDX 1.6: target/seamwright.cdx.json"
 	@echo "make fmt      format the sources"
-	@echo "make lint     clippy with warnings as errors, spelling, words to avoid"
+	@echo "make lint     clippy with warnings as errors, spelling, words to avoid, rules for third-party packages"
 
 run:
 	cargo run --release
@@ -36,7 +37,11 @@ book:
 	scripts/book
 
 dist:
-	cargo build --profile dist
+	scripts/dist
+
+sbom:
+	mkdir -p target
+	cargo run --release -- licences --sbom >target/seamwright.cdx.json
 
 fmt:
 	cargo fmt --all
@@ -44,3 +49,4 @@ fmt:
 lint:
 	cargo clippy --workspace --all-targets -- -D warnings
 	scripts/language
+	scripts/supply-chain

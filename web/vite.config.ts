@@ -15,6 +15,8 @@ export default defineConfig({
   plugins: [svelte()],
   build: {
     target: 'es2022',
+    // Licences of the packages in the panel: `seamwright licences` prints them.
+    license: { fileName: 'third-party.json' },
     // The server allows only its own origin: nothing as a data: address.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },

@@ -14,6 +14,7 @@ cli-wrote = geschrieben: { $files }
 cli-no-such-axis = diese Achse gibt es nicht
 cli-cycle-ended-early = der Thread des Zyklus endete vorzeitig
 cli-jobs-unreadable = nicht jeder Auftrag war lesbar
+cli-no-notices = die Lizenzen der Pakete Dritter sind nicht in diesem Programm: { $why }
 cli-at-least-two = mindestens zwei
 cli-standard-input = Standardeingabe
 

@@ -28,6 +28,9 @@ cli-cycle-ended-early = the thread of the cycle ended early
 cli-jobs-unreadable = not every job could be read
     .cause = At least one of the jobs is invalid or missing; its error stands beside its name above.
     .cure = Correct that file and check it again alone.
+cli-no-notices = the licences of third-party packages are not in this program: { $why }
+    .cause = The build could not read the folders of the packages, for the stated reason.
+    .cure = Run `cargo fetch --locked` with a network, and build again.
 cli-at-least-two = at least two
 cli-standard-input = standard input
 

@@ -14,6 +14,7 @@ cli-wrote = записано { $files }
 cli-no-such-axis = такой оси нет
 cli-cycle-ended-early = поток цикла завершился преждевременно
 cli-jobs-unreadable = не все задания удалось прочитать
+cli-no-notices = лицензий сторонних пакетов в этой программе нет: { $why }
 cli-at-least-two = не меньше двух
 cli-standard-input = стандартный ввод
 

@@ -14,6 +14,7 @@ cli-wrote = записано { $files }
 cli-no-such-axis = такої осі немає
 cli-cycle-ended-early = потік циклу завершився передчасно
 cli-jobs-unreadable = не всі завдання вдалося прочитати
+cli-no-notices = ліцензій сторонніх пакетів у цій програмі немає: { $why }
 cli-at-least-two = щонайменше дві
 cli-standard-input = стандартний ввід
 

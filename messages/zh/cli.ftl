@@ -14,6 +14,7 @@ cli-wrote = 已写入 { $files }
 cli-no-such-axis = 没有该轴
 cli-cycle-ended-early = 循环线程提前结束
 cli-jobs-unreadable = 有任务无法读取
+cli-no-notices = 本程序不含第三方软件包的许可证：{ $why }
 cli-at-least-two = 至少两个
 cli-standard-input = 标准输入
 

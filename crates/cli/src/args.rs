@@ -6,6 +6,7 @@ pub(crate) mod find_joint;
 pub(crate) mod follow;
 mod former;
 pub(crate) mod io;
+pub(crate) mod licences;
 pub(crate) mod machine;
 pub(crate) mod move_to;
 pub(crate) mod part;
@@ -138,6 +139,9 @@ pub(crate) enum Verb {
     Examples(ExamplesArgs),
     /// Print the JSON Schema of a file format
     Schema(SchemaArgs),
+    /// Print the licences of Seamwright and of all third-party packages in it, or its bill of materials (SBOM)
+    #[command(alias = "licenses")]
+    Licences(licences::LicencesArgs),
     /// Print the completions of a shell
     #[command(hide = true)]
     Completions(shell::CompletionsArgs),

@@ -103,6 +103,7 @@ fn dispatch(verb: Verb) -> Result<(), Failure> {
         Verb::Examples(a) if a.procedures => verbs::lists::procedures(&a.list),
         Verb::Examples(a) => verbs::lists::examples(&a.list),
         Verb::Schema(a) => verbs::schema::run(&a),
+        Verb::Licences(a) => verbs::licences::run(&a),
         Verb::Completions(a) => verbs::shell::completions(&a),
         Verb::Man(a) => verbs::shell::man(&a),
     }

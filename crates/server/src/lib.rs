@@ -57,7 +57,7 @@ mod view;
 pub mod wire;
 
 pub use error::Error;
-pub use http::{openapi, typescript};
+pub use http::{openapi, panel_packages, typescript};
 pub use planner::answer_one_question;
 pub use serve::{Settings, serve};
 pub use tls::Tls;

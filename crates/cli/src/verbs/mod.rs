@@ -11,6 +11,7 @@ pub(crate) mod interpolate;
 pub(crate) mod io;
 pub(crate) mod kinematics;
 pub(crate) mod latency;
+pub(crate) mod licences;
 pub(crate) mod lists;
 pub(crate) mod machine;
 pub(crate) mod motion;

@@ -15,6 +15,7 @@ mod grouped_verbs;
 mod keys;
 mod killed;
 mod languages;
+mod licences;
 mod machine_check;
 mod machine_tune;
 mod mistakes;

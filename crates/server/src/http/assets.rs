@@ -18,6 +18,16 @@ struct File {
 /// The panel as built, sorted by name.
 static FILES: &[File] = include!(concat!(env!("OUT_DIR"), "/panel.rs"));
 
+/// File in the panel with the licences of its packages; Vite writes it.
+const PACKAGES: &str = "third-party.json";
+
+/// Returns the npm packages that the panel contains, with their licences: a JSON array of objects with `name`, `version`,
+/// `identifier` and `text`. None if the program was built without the panel.
+pub fn panel_packages() -> Option<&'static [u8]> {
+    let file = FILES.binary_search_by_key(&PACKAGES, |file| file.name);
+    file.ok().map(|at| FILES[at].plain)
+}
+
 /// Minimum size for compression, bytes; smaller files do not gain from it.
 const MIN_COMPRESSED: usize = 256;
 

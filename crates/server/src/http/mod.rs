@@ -34,6 +34,7 @@ mod work_limit;
 pub(crate) use answer::Refused;
 #[cfg(test)]
 pub(crate) use assets::panel_files;
+pub use assets::panel_packages;
 #[cfg(test)]
 pub(crate) use client::hears;
 pub(crate) use guard::cookie;
