@@ -1,7 +1,6 @@
 //! Fuzzes the targets of `seamwright_fuzzing` with libFuzzer. Each program in `src/bin/` is one line:
 //! `seamwright_fuzz::fuzz!(JOB);`.
 
-pub use libfuzzer_sys;
 pub use seamwright_fuzzing;
 
 use libfuzzer_sys::fuzzer_mutate;
@@ -32,11 +31,10 @@ pub fn mutated(target: &Target, data: &mut [u8], size: usize, max_size: usize, s
 #[macro_export]
 macro_rules! fuzz {
     ($target:ident) => {
-        use $crate::libfuzzer_sys;
         use $crate::seamwright_fuzzing::$target as TARGET;
 
-        $crate::libfuzzer_sys::fuzz_target!(|bytes: &[u8]| TARGET.run(bytes));
-        $crate::libfuzzer_sys::fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
+        ::libfuzzer_sys::fuzz_target!(|bytes: &[u8]| TARGET.run(bytes));
+        ::libfuzzer_sys::fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
             $crate::mutated(&TARGET, data, size, max_size, seed)
         });
     };
