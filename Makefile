@@ -8,7 +8,7 @@ help:
 	@echo "make test     format, lints, all tests; prints how many passed"
 	@echo "make bench    speed and memory of this build on this machine"
 	@echo "make peers    compare with other programs (LinuxCNC); installs what is missing, needs root"
-	@echo "make soak     the property tests with a hundred times the cases; ten minutes of broken part programs, ten of many who watch the panel"
+	@echo "make soak     the property tests with a hundred times the cases; ten minutes of many who watch the panel; every reader is fuzzed, SEAMWRIGHT_FUZZ_S seconds each (60)"
 	@echo "make book     the documentation as a book with offline search: target/book/index.html"
 	@echo "make dist     the program for packages, optimised across crates and stripped, with its licences and bill of materials: target/dist"
 	@echo "make sbom     the bill of materials alone, CycloneDX 1.6: target/seamwright.cdx.json"
@@ -31,7 +31,8 @@ peers:
 	peers/run
 
 soak:
-	SEAMWRIGHT_SOAK=100 PROPTEST_CASES=25600 SEAMWRIGHT_FUZZ_S=600 cargo test --release --workspace -- --include-ignored
+	SEAMWRIGHT_SOAK=100 PROPTEST_CASES=25600 cargo test --release --workspace -- --include-ignored
+	scripts/fuzz all $${SEAMWRIGHT_FUZZ_S:-60}
 
 book:
 	scripts/book

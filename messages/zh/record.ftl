@@ -74,6 +74,7 @@ record-no-trace = 不是轨迹记录：{ $why }
 record-own-parquet = 由 Seamwright 写入的 Parquet 文件
 record-own-trace = 由 Seamwright 写入的轨迹记录
 record-column-kind = 列 { $column } 的类型为 { $kind }
+record-trace-groups = 行组超过 { $max } 行，或各列长度不一
 record-no-column = { $path }：列 { $column } 不存在
 record-row-length = { $path }：一行有 { $n } 个值
 record-value-per-column = { $n } 个，每列一个

@@ -104,6 +104,11 @@ fn decode_png(bytes: &[u8]) -> Result<Samples, DecodeError> {
     // Fewer bits become 8, a palette its colours.
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(broken)?;
+    // The decoder takes whole colours for granted, and up to 256 of them.
+    let colours = reader.info().palette.as_ref().map_or(0, |palette| palette.len());
+    if colours % 3 != 0 || colours > 3 * 256 {
+        return Err(DecodeError::Kind);
+    }
     let mut values = vec![0; reader.output_buffer_size().unwrap_or(0)];
     reader.next_frame(&mut values).map_err(broken)?;
     let (colour, depth) = reader.output_color_type();

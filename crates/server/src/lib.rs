@@ -57,6 +57,8 @@ mod view;
 pub mod wire;
 
 pub use error::Error;
+#[doc(hidden)]
+pub use http::fuzzing;
 pub use http::{openapi, panel_packages, typescript};
 pub use planner::answer_one_question;
 pub use serve::{Settings, serve};

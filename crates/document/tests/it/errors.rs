@@ -194,13 +194,3 @@ fn later_checks_point_at_their_key() {
     assert_eq!(d.error_at("axis[0].name", "m", "a").value, "\"x\"");
     assert_eq!(d.error_at("nozzle.gone", "m", "a").line, 2);
 }
-
-proptest::proptest! {
-    #![proptest_config(proptest::prelude::ProptestConfig { failure_persistence: None, ..Default::default() })]
-    #[test]
-    fn any_text_is_read_or_refused(text in "(schema = 1\n)?(\\[nozzle\\]\n)?[\\PC\n]{0,60}") {
-        if let Err(e) = Document::<File>::read("job.toml", &text) {
-            let _ = e.to_string();
-        }
-    }
-}

@@ -7,7 +7,6 @@ mod polynomials;
 mod read;
 mod read_arcs;
 mod read_errors;
-mod read_mutations;
 mod read_random;
 mod reading;
 mod round_trip;

@@ -15,8 +15,8 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Rows of a row group, which is in memory at once.
-const ROW_GROUP: usize = 65_536;
+/// Maximum rows of a row group, which is in memory at once.
+pub(super) const ROW_GROUP: usize = 65_536;
 
 enum Values {
     F64(Vec<f64>),

@@ -221,6 +221,10 @@ impl RawReader {
             return Err(damaged());
         }
         let header: Header = serde_json::from_slice(&text).map_err(|_| damaged())?;
+        // Rows without values could be of any number.
+        if header.columns.is_empty() {
+            return Err(damaged());
+        }
         let (row_bytes, ahead) = (header.row_bytes(), length - 16 - u64::from(size));
         let path = path.to_owned();
         Ok(Some(Self { file, path, header, row_bytes, rows: Vec::new(), next: 0, left: 0, ahead }))

@@ -1,4 +1,5 @@
 use super::column::{Column, Kind};
+use super::parquet_file::ROW_GROUP;
 use crate::error::{Doing, Error};
 use parquet::basic::{LogicalType, Type as PhysicalType};
 use parquet::column::reader::ColumnReader;
@@ -78,8 +79,14 @@ impl Trace {
         let mut values = vec![0.0; names.len()];
         for group in 0..self.reader.num_row_groups() {
             let group = self.reader.get_row_group(group).map_err(failed)?;
+            if !(0..=ROW_GROUP as i64).contains(&group.metadata().num_rows()) {
+                return Err(self.unfit_groups());
+            }
             let columns = places.iter().map(|i| column(&*group, *i, self.columns[*i].kind));
             let columns = columns.collect::<Result<Vec<_>, _>>().map_err(failed)?;
+            if columns.iter().any(|values| values.len() != columns[0].len()) {
+                return Err(self.unfit_groups());
+            }
             for i in 0..columns.first().map_or(0, Vec::len) {
                 for (value, column) in values.iter_mut().zip(&columns) {
                     *value = column[i];
@@ -89,8 +96,15 @@ impl Trace {
         }
         Ok(())
     }
+
+    /// Error of row groups that [`super::TraceWriter`] does not write.
+    fn unfit_groups(&self) -> Error {
+        let why = Message::new("record-trace-groups").count("max", ROW_GROUP);
+        Error::damaged(&self.path, why, Message::new("record-own-trace"))
+    }
 }
 
+/// Reads a column of a group of [`ROW_GROUP`] rows at most.
 fn column(group: &dyn RowGroupReader, place: usize, kind: Kind) -> Result<Vec<f64>, ParquetError> {
     let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
     Ok(match group.get_column_reader(place)? {

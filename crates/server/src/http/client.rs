@@ -35,7 +35,7 @@ pub(super) struct Client {
 }
 
 /// Returns the number of an invalid message, if it is of a kind that is answered.
-fn number(text: &str) -> u32 {
+pub(super) fn number(text: &str) -> u32 {
     let message = serde_json::from_str::<serde_json::Value>(text).unwrap_or_default();
     let answered = matches!(message["kind"].as_str(), Some("command" | "teach"));
     message["seq"].as_u64().filter(|_| answered).and_then(|seq| u32::try_from(seq).ok()).unwrap_or(0)

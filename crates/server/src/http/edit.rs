@@ -29,7 +29,7 @@ pub(super) async fn edit(State(panel): Shared, Json(edit): Json<Edit>) -> Answer
 }
 
 /// Returns the text after all operations, or the reason why one of them fails.
-fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
+pub(super) fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
     if edit.operations.len() > MAX_OPERATIONS {
         return Err(Message::new("server-too-many-operations").count("max", MAX_OPERATIONS));
     }

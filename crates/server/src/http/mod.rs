@@ -8,6 +8,8 @@ mod choices;
 mod client;
 mod declarations;
 mod edit;
+#[doc(hidden)]
+pub mod fuzzing;
 mod guard;
 mod health;
 mod job_name;

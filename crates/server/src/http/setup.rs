@@ -186,19 +186,21 @@ fn head(machine: &Machine, head: u32) -> Result<usize, Refused> {
 }
 
 pub(super) async fn find_tool(State(panel): Shared, Json(asked): Json<ToolTouches>) -> Answer<ToolAnswer> {
-    let found = move |on: &Arc<Panel>| {
-        let machine = of_cell(on)?.machine;
-        let head = head(&machine, asked.head)?;
-        if asked.touches.len() > MAX_TOUCHES {
-            return Err(Message::new("server-too-many-touches")
-                .count("n", asked.touches.len())
-                .count("max", MAX_TOUCHES)
-                .into());
-        }
-        let frames: Result<Vec<DAffine3>, Refused> = asked.touches.iter().map(|t| frame(&machine, head, t)).collect();
-        tool(&machine, head, &frames?)
-    };
+    let found = move |on: &Arc<Panel>| touched_tool(&of_cell(on)?.machine, &asked);
     panel.run(|panel| &panel.drawing, found).await.map(Json)
+}
+
+/// Finds the position of a tip from touches of one point.
+pub(super) fn touched_tool(machine: &Machine, asked: &ToolTouches) -> Result<ToolAnswer, Refused> {
+    let head = head(machine, asked.head)?;
+    if asked.touches.len() > MAX_TOUCHES {
+        return Err(Message::new("server-too-many-touches")
+            .count("n", asked.touches.len())
+            .count("max", MAX_TOUCHES)
+            .into());
+    }
+    let frames: Result<Vec<DAffine3>, Refused> = asked.touches.iter().map(|t| frame(machine, head, t)).collect();
+    tool(machine, head, &frames?)
 }
 
 /// Returns the tool's frame at a touch; its origin is the assumed tip.

@@ -51,7 +51,7 @@ impl Question {
 
     /// Answers with the bytes of JSON or of an HTML page.
     /// Fails if the text is invalid, unless the answer contains the reason.
-    pub(super) fn answer(&self, jobs: &Path) -> Result<Vec<u8>, Refused> {
+    pub(crate) fn answer(&self, jobs: &Path) -> Result<Vec<u8>, Refused> {
         match self {
             Self::Draft { text } => json(&draft(text, jobs)),
             Self::Plan { text, number } => json(&plan(text, *number, jobs)),

@@ -6,61 +6,7 @@ use seamwright_machine::Machine;
 use seamwright_post::{Control, Dialect, Event, Move, PartProgram, ReadError, ReadOptions, Reading, What, read};
 
 /// Five axes, outputs for the process, and addresses that every dialect has its own way for.
-pub const MACHINE: &str = r#"
-schema = 1
-name = "test"
-title = "test"
-[[tool]]
-axis = "x"
-move = [1, 0, 0]
-range_mm = [-1000, 1000]
-max_speed_mm_s = 80
-max_acceleration_mm_s2 = 300
-[[tool]]
-axis = "y"
-move = [0, 1, 0]
-range_mm = [-1000, 1000]
-max_speed_mm_s = 80
-max_acceleration_mm_s2 = 300
-[[tool]]
-axis = "z"
-move = [0, 0, 1]
-range_mm = [-1000, 1000]
-max_speed_mm_s = 80
-max_acceleration_mm_s2 = 300
-[[tool]]
-axis = "b"
-turn = [0, 1, 0]
-range_deg = [-100, 100]
-max_speed_deg_s = 20
-max_acceleration_deg_s2 = 60
-[torch]
-direction = [0, 0, -1]
-[[work]]
-axis = "c"
-turn = [0, 0, 1]
-continuous = true
-max_speed_deg_s = 30
-max_acceleration_deg_s2 = 90
-[io]
-arc = 0
-gas = 1
-wire = 2
-analog = { current_a = 0, voltage_v = 1 }
-[controls.sinumerik]
-axes = { c = "C1" }
-process = { beam_ma = "CW" }
-codes = { M54 = "m54", G184 = "exact_stop", G164 = "continuous_path" }
-[controls.linuxcnc]
-kinematics_output = 3
-codes = { M101 = "gas_on" }
-[controls.grblhal]
-process = { power_w = "S" }
-codes = { M8 = "gas_on", M9 = "gas_off" }
-[controls.pmac]
-process = { focus_a = "M120" }
-codes = { M54 = "m54" }
-"#;
+pub const MACHINE: &str = include_str!("../../data/machine.toml");
 
 pub fn control(dialect: Dialect) -> Control {
     Control::new(&Machine::read("test.toml", MACHINE).unwrap_or_else(|e| panic!("{e}")), dialect).unwrap()
