@@ -110,6 +110,9 @@ record-nothing-restored = нічого не відновлено
 record-checked-archive = перевірений архів
 record-archive-foreign = він містить { $name }, стороннє для резервної копії
 record-archive-outside = { $name } веде за межі архіву
+record-archive-entries = понад { $max } файлів і тек
+record-archive-fewer = тека даних із меншою кількістю файлів
+record-archive-name = ім'я або доповнення до нього довше за { $max } КіБ
 record-archive-cut-off = бракує кінця архіву
 record-archive-no-library = в архіві немає бібліотеки
 

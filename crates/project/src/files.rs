@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::file_scope::FileRefusal;
-use seamwright_message::Message;
+use seamwright_message::{Message, Unit};
 use seamwright_record::{ClosedFile, WholeFile};
 use std::fs;
 use std::io::{BufWriter, Read as _, Write};
@@ -18,6 +18,20 @@ const MAX_NAMES: usize = 6;
 /// Reads a text file that the user named.
 pub fn read(path: &Path) -> Result<String, Failure> {
     fs::read_to_string(path).map_err(|e| unreadable(&path.display().to_string(), &e))
+}
+
+/// Reads a text file of at most `max` bytes: it may come from elsewhere, as in a restored archive.
+pub fn read_up_to(path: &Path, max: u64) -> Result<String, Failure> {
+    let failed = |e: &std::io::Error| unreadable(&path.display().to_string(), e);
+    let mut bytes = Vec::new();
+    let read = fs::File::open(path).and_then(|file| file.take(max + 1).read_to_end(&mut bytes));
+    read.map_err(|e| failed(&e))?;
+    if bytes.len() as u64 > max {
+        let why = Message::new("project-file-above").quantity("max", (max >> 20) as f64, Unit::MiB, 0);
+        let file = path.display().to_string();
+        return Err(Failure::Input(Message::new("project-unreadable").text("file", file).message("why", why)));
+    }
+    String::from_utf8(bytes).map_err(|e| failed(&std::io::Error::new(std::io::ErrorKind::InvalidData, e)))
 }
 
 /// Failure of reading the file called `source`.

@@ -142,7 +142,7 @@ async fn unfinished_requests_keep_nobody_from_stopping() {
     let head = fronted.head("POST", "/api/login", &format!("connection: close\r\n{login}{}\r\n", body.len()));
     let said = all(fronted.say(&(head + &body)).await).await;
     assert!(said.starts_with("HTTP/1.1 200") && said.contains("\"admin\""), "{said}");
-    assert!(fronted.front.places.count() <= connection_slots::MAX_STRANGERS);
+    assert!(fronted.front.places.count() <= crate::limits::MAX_STRANGERS);
     // The first were closed for newcomers; the last timed out.
     let last = all(stuck.pop().unwrap()).await;
     assert!(last.starts_with("HTTP/1.1 408"), "{last}");

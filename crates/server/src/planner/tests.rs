@@ -86,7 +86,7 @@ async fn one_user_does_not_take_all_places() {
         let (planner, jobs, question) = (Arc::clone(&planner), folder.path().to_owned(), report("long"));
         asked.push(tokio::spawn(async move { planner.ask(page, question, jobs).await }));
     }
-    while asked.iter().filter(|asked| asked.is_finished()).count() < 20 - MAX_OF_USER {
+    while asked.iter().filter(|asked| asked.is_finished()).count() < 20 - MAX_PLANS_OF_USER {
         tokio::time::sleep(Duration::from_millis(10)).await;
     }
     let (planner, jobs, question) = (Arc::clone(&planner), folder.path().to_owned(), report("short"));
