@@ -37,6 +37,9 @@ record-newer =
 record-busy =
     { $path }: ein anderes Programm benutzt die Datei
        erlaubt: erneut versuchen, wenn es beendet ist
+record-search-ended =
+    { $path }: Suche dauerte zu lange
+       erlaubt: erneut mit kürzerem Zeitraum oder ohne Text
 record-invalid =
     { $what }
        erlaubt: { $allowed }

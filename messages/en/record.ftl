@@ -65,6 +65,11 @@ record-busy =
        allowed: try again after that program has ended
     .cause = Another process holds the library, the journal or a trace; for the library the wait is 5 s.
     .cure = End the other `seamwright run`, panel or `sqlite3` on this data folder; for reading, wait for the weld's end.
+record-search-ended =
+    { $path }: the search took too long
+       allowed: try again with a shorter time range or without a text
+    .cause = The panel ends a search in the library after 20 s, and when the page that asked has gone.
+    .cure = Give a time range, a part or a procedure; the text is then compared with fewer entries.
 record-invalid =
     { $what }
        allowed: { $allowed }

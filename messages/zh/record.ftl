@@ -37,6 +37,9 @@ record-newer =
 record-busy =
     { $path }：正被其他程序使用
        允许：待该程序结束后重试
+record-search-ended =
+    { $path }：搜索时间过长
+       允许：缩短时间范围或不带文本后重试
 record-invalid =
     { $what }
        允许：{ $allowed }

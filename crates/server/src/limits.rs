@@ -204,6 +204,8 @@ pub(crate) const MAX_TRACE_COLUMNS: usize = 64;
 pub(crate) const MAX_TRACE_VALUES: usize = 400_000;
 /// Maximum number of entries of the audit log sent.
 pub(crate) const MAX_AUDIT_ENTRIES: u32 = 10_000;
+/// Maximum time for reading the library: a search compares its text with every entry.
+pub(crate) const SEARCH_TIME: Duration = Duration::from_secs(20);
 /// Maximum length of a text that is searched, characters: it is compared with the words of every entry.
 pub(crate) const MAX_SEARCH_CHARS: usize = 200;
 /// Maximum size of an archive that is restored from a page, bytes.

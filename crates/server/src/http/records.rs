@@ -2,7 +2,9 @@ use super::answer::{Answer, Refused, page_of};
 use super::panel::{Panel, Shared};
 use super::transfer_rate::Transfer;
 use crate::cell::Change;
-use crate::limits::{MAX_SEARCH_CHARS, MAX_TRACE_COLUMNS, MAX_TRACE_ROWS, MAX_TRACE_VALUES, MAX_WELDS, PIECE_TIME};
+use crate::limits::{
+    MAX_SEARCH_CHARS, MAX_TRACE_COLUMNS, MAX_TRACE_ROWS, MAX_TRACE_VALUES, MAX_WELDS, PIECE_TIME, SEARCH_TIME,
+};
 use crate::users::{Session, may};
 use crate::view::written;
 use crate::wire::{JudgedView, RecordRow, RecordView, RecordedAlarm, RecordedEvent, TraceView};
@@ -13,7 +15,7 @@ use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use seamwright_executive::Alarm;
 use seamwright_message::Message;
-use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
+use seamwright_record::library::{Interrupt, Query as Find, WeldRecord, WeldResult};
 use seamwright_record::trace::{Outline, Trace};
 use seamwright_record::{DataFolder, Moment};
 use seamwright_report::Language;
@@ -22,6 +24,7 @@ use std::sync::Arc;
 use std::task::Poll;
 use tokio::runtime::Handle;
 use tokio::sync::mpsc::Sender;
+use tokio::sync::oneshot;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -87,13 +90,38 @@ fn row(weld: &WeldRecord) -> RecordRow {
     }
 }
 
-/// Reads the library in its own thread.
+/// Ends a query when dropped; without effect on one that has ended.
+struct Ends(Interrupt);
+
+impl Drop for Ends {
+    fn drop(&mut self) {
+        self.0.now();
+    }
+}
+
+/// Reads the library in its own thread. A query that takes too long, or whose client has gone, is ended.
 pub(super) async fn reads<T: Send + 'static>(
     panel: &Arc<Panel>,
     read: impl FnOnce(&DataFolder) -> Result<T, Refused> + Send + 'static,
 ) -> Answer<T> {
     let path = panel.data.clone();
-    panel.reading.run(move || read(&DataFolder::open_to_read(&path)?)).await.map(Json)
+    let (to, begun) = oneshot::channel();
+    let answer = panel.reading.run(move || {
+        let data = DataFolder::open_to_read(&path)?;
+        // The caller may have gone.
+        drop(to.send(Ends(data.library().interrupt())));
+        read(&data)
+    });
+    let late = async {
+        let ends = begun.await;
+        tokio::time::sleep(SEARCH_TIME).await;
+        drop(ends);
+        std::future::pending().await
+    };
+    tokio::select! {
+        answer = answer => answer.map(Json),
+        never = late => never,
+    }
 }
 
 pub(super) async fn list(State(panel): Shared, Query(asked): Query<Asked>) -> Answer<Vec<RecordRow>> {

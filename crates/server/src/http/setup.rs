@@ -184,15 +184,13 @@ fn head(machine: &Machine, head: u32) -> Result<usize, Refused> {
 }
 
 pub(super) async fn find_tool(State(panel): Shared, Json(asked): Json<ToolTouches>) -> Answer<ToolAnswer> {
+    if asked.touches.len() > MAX_TOUCHES {
+        let message = Message::new("server-too-many-touches").count("n", asked.touches.len());
+        return Err(message.count("max", MAX_TOUCHES).into());
+    }
     let found = move |on: &Arc<Panel>| {
         let machine = of_cell(on)?.machine;
         let head = head(&machine, asked.head)?;
-        if asked.touches.len() > MAX_TOUCHES {
-            return Err(Message::new("server-too-many-touches")
-                .count("n", asked.touches.len())
-                .count("max", MAX_TOUCHES)
-                .into());
-        }
         let frames: Result<Vec<DAffine3>, Refused> = asked.touches.iter().map(|t| frame(&machine, head, t)).collect();
         tool(&machine, head, &frames?)
     };

@@ -103,6 +103,12 @@ impl Turns {
         }
     }
 
+    /// Returns true if every place is taken.
+    #[cfg(test)]
+    pub(crate) fn is_full(&self) -> bool {
+        self.places.available_permits() == 0
+    }
+
     /// Takes a turn if one is free.
     pub(crate) fn now(&self) -> Option<Turn> {
         let free = |of: &Arc<Semaphore>| Arc::clone(of).try_acquire_owned().ok();
@@ -208,37 +214,33 @@ mod tests {
     async fn places_are_kept_for_other_users_and_for_operators() {
         let turns = Arc::new(Turns::new(Queue { at_once: 2, waiting: 32 }));
         let (sessions, blocks) = (crate::users::Sessions::default(), Arc::new(Mutex::new(())));
-        let ask = async |user: &str, role: Role| {
+        let held = blocks.lock().unwrap();
+        let ask = |user: &str, role: Role| {
             let (turns, session) = (Arc::clone(&turns), sessions.begin(user, role).unwrap().1);
             let blocks = Arc::clone(&blocks);
-            let work = move || {
+            let work = move || -> Result<(), Refused> {
                 drop(blocks.lock());
                 Ok(())
             };
-            let asked = tokio::spawn(async move { asked_by(&session, turns.run(work)).await });
-            // Long enough to take a place; then the client goes or waits.
-            tokio::time::sleep(Duration::from_millis(20)).await;
-            asked
+            tokio::spawn(async move { asked_by(&session, turns.run(work)).await })
         };
-        let held = blocks.lock().unwrap();
-        let (mut viewing, mut operating) = (Vec::new(), Vec::new());
-        for i in 0..40 {
-            viewing.push(ask(&format!("viewer {i}"), Role::Viewer).await);
+        let viewing: Vec<_> = (0..40).map(|i| ask(&format!("viewer {i}"), Role::Viewer)).collect();
+        let operating: Vec<_> = (0..20).map(|_| ask("olga", Role::Operator)).collect();
+        // All but those with a place are refused at once.
+        let refused = || viewing.iter().chain(&operating).filter(|asked| asked.is_finished()).count();
+        while refused() < 60 - 34 {
+            tokio::time::sleep(Duration::from_millis(5)).await;
         }
-        for _ in 0..20 {
-            operating.push(ask("olga", Role::Operator).await);
-        }
-        let refused = |asked: &[tokio::task::JoinHandle<_>]| asked.iter().filter(|asked| asked.is_finished()).count();
-        assert_eq!((refused(&viewing), refused(&operating)), (40 - 17, 20 - 17));
         // One of the two threads works for operators.
         assert_eq!(turns.running_of_viewers.available_permits(), 0);
         drop(held);
-        let mut answered = 0;
-        for asked in viewing.into_iter().chain(operating) {
-            let answer: Result<(), Refused> = asked.await.unwrap();
-            answered += usize::from(answer.is_ok());
+        let mut answered = [0, 0];
+        for (count, asked) in answered.iter_mut().zip([viewing, operating]) {
+            for asked in asked {
+                *count += usize::from(asked.await.unwrap().is_ok());
+            }
         }
-        assert_eq!(answered, 34);
+        assert_eq!(answered, [17, 17]);
         assert!(turns.shares.table().is_empty());
         assert_eq!(turns.places.available_permits(), 34);
     }

@@ -189,6 +189,12 @@ impl Planner {
         self.program.is_some()
     }
 
+    /// Queues of plans, drafts and loads.
+    #[cfg(test)]
+    pub(crate) fn turns(&self) -> [&Turns; 3] {
+        [&self.plans, &self.drafts, &self.loads]
+    }
+
     fn begin(&self, page: Page, sort: Sort, name: &'static str) -> Result<Ticket, Refused> {
         let mut table = lock(&self.running);
         let older = table.running.values().filter(|running| running.page == page && running.name == name);
