@@ -18,6 +18,8 @@ document-suggestion = war `{ $name }` gemeint?
 document-suggestion-unit = war `{ $name }` gemeint? Dieser Wert wird in { $unit } angegeben
 document-own-name = ein eigener Name
 document-own-names = eigene Namen
+document-nested = Tabellen und Listen sind zu tief verschachtelt
+document-nesting = bis zu { $max } Ebenen
 document-no-such-entry = diesen Eintrag gibt es im Text nicht
 document-unfit-change = der Eintrag lässt sich so nicht ändern
 

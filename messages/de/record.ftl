@@ -37,6 +37,9 @@ record-newer =
 record-busy =
     { $path }: ein anderes Programm benutzt die Datei
        erlaubt: erneut versuchen, wenn es beendet ist
+record-search-ended =
+    { $path }: Suche dauerte zu lange
+       erlaubt: erneut mit kürzerem Zeitraum oder ohne Text
 record-invalid =
     { $what }
        erlaubt: { $allowed }
@@ -110,6 +113,9 @@ record-nothing-restored = nichts wurde wiederhergestellt
 record-checked-archive = ein geprüftes Archiv
 record-archive-foreign = es enthält { $name }; das gehört nicht in eine Sicherung
 record-archive-outside = { $name } führt aus dem Archiv hinaus
+record-archive-entries = mehr als { $max } Dateien und Ordner
+record-archive-fewer = ein Datenordner mit weniger Dateien
+record-archive-name = ein Name oder ein Zusatz dazu ist länger als { $max } KiB
 record-archive-cut-off = das Ende des Archivs fehlt
 record-archive-no-library = das Archiv hat keine Bibliothek
 

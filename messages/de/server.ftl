@@ -67,6 +67,7 @@ server-no-own-job = es gibt keinen eigenen Auftrag „{ $job }“
 server-jobs-unreadable = der Ordner der Aufträge ist nicht lesbar: { $why }
 server-template-name = „{ $job }“ heißt eine Vorlage: den Auftrag unter anderem Namen speichern
 server-other-text = unter „{ $job }“ ist ein anderer Text gespeichert
+server-search-too-long = Suchtext zu lang; erlaubt: bis zu { $max } Zeichen
 server-too-many-jobs = zu viele Aufträge; erlaubt: { $max }
 server-job-not-deleted = { $job } lässt sich nicht löschen: { $why }
 server-too-many-operations = zu viele Schritte; erlaubt: bis { $max } auf einmal

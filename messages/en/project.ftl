@@ -103,7 +103,7 @@ project-not-a-plain-file = it is not a plain file
     .cause = The name in the job or machine file is that of a folder, pipe or device.
     .cure = Name a regular file.
 project-file-above = it is larger than { $max }
-    .cause = Files that a job or machine file of the panel names, such as STL and CSV, have this maximum size.
+    .cause = Jobs and users of the panel, and files that a job or machine file of the panel names, such as STL and CSV, have this maximum size.
     .cure = Reduce the number of triangles or points, or plan with `seamwright plan` on the command line, without this limit.
 
 # Tables.

@@ -65,6 +65,11 @@ record-busy =
        allowed: try again after that program has ended
     .cause = Another process holds the library, the journal or a trace; for the library the wait is 5 s.
     .cure = End the other `seamwright run`, panel or `sqlite3` on this data folder; for reading, wait for the weld's end.
+record-search-ended =
+    { $path }: the search took too long
+       allowed: try again with a shorter time range or without a text
+    .cause = The panel ends a search in the library after 20 s, and when the page that asked has gone.
+    .cure = Give a time range, a part or a procedure; the text is then compared with fewer entries.
 record-invalid =
     { $what }
        allowed: { $allowed }
@@ -205,6 +210,13 @@ record-archive-foreign = it contains { $name }, which is foreign to a backup
     .cure = Use an archive of `seamwright records backup` or of the panel, not one made with `tar`.
 record-archive-outside = { $name } leads out of the archive
     .cause = The name of an entry has `..` or an absolute path; such an archive could overwrite other files.
+    .cure = Do not use this archive; find out its origin.
+record-archive-entries = more than { $max } files and folders
+    .cause = A backup is limited to half a million files, about a hundred thousand welds, so that a restore can check them in memory.
+    .cure = Move folders of old welds to another data folder; an archive that is not your own may be an attack.
+record-archive-fewer = a data folder with fewer files
+record-archive-name = a name or an addition to a name is longer than { $max } KiB
+    .cause = The headers of an entry are longer than in any backup; reading them could take all memory.
     .cure = Do not use this archive; find out its origin.
 record-archive-cut-off = the end of the archive is missing
     .cause = The 1024 zero bytes at the end of every tar archive are missing: a copy or download was interrupted.

@@ -18,6 +18,8 @@ document-suggestion = возможно, `{ $name }`?
 document-suggestion-unit = возможно, `{ $name }`? Это значение задают в { $unit }
 document-own-name = собственное имя
 document-own-names = собственные имена
+document-nested = слишком глубокая вложенность таблиц и списков
+document-nesting = до { $max } уровней
 document-no-such-entry = такой записи в тексте нет
 document-unfit-change = запись нельзя изменить таким образом
 

@@ -37,6 +37,9 @@ record-newer =
 record-busy =
     { $path }: используется другой программой
        разрешено: повторите, когда она завершится
+record-search-ended =
+    { $path }: поиск занял слишком много времени
+       разрешено: повторите с меньшим промежутком времени или без текста
 record-invalid =
     { $what }
        разрешено: { $allowed }
@@ -111,6 +114,9 @@ record-nothing-restored = ничего не восстановлено
 record-checked-archive = проверенный архив
 record-archive-foreign = он содержит { $name }, постороннее для резервной копии
 record-archive-outside = { $name } ведёт за пределы архива
+record-archive-entries = более { $max } файлов и папок
+record-archive-fewer = папка данных с меньшим числом файлов
+record-archive-name = имя или дополнение к нему длиннее { $max } КиБ
 record-archive-cut-off = нет конца архива
 record-archive-no-library = в архиве нет библиотеки
 

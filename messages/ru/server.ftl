@@ -67,6 +67,7 @@ server-no-own-job = своего задания «{ $job }» нет
 server-jobs-unreadable = папка заданий не читается: { $why }
 server-template-name = «{ $job }» – имя образца: сохраните задание под другим
 server-other-text = под именем «{ $job }» сохранён другой текст
+server-search-too-long = текст поиска слишком длинный; допустимо: до { $max } символов
 server-too-many-jobs = слишком много заданий; допустимо: { $max }
 server-job-not-deleted = { $job } не удаляется: { $why }
 server-too-many-operations = слишком много действий; допустимо: до { $max } за раз

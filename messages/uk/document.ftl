@@ -18,6 +18,8 @@ document-suggestion = можливо, `{ $name }`?
 document-suggestion-unit = можливо, `{ $name }`? Це значення задають у { $unit }
 document-own-name = власне ім’я
 document-own-names = власні імена
+document-nested = надто глибока вкладеність таблиць і списків
+document-nesting = до { $max } рівнів
 document-no-such-entry = такого запису в тексті немає
 document-unfit-change = запис не можна змінити в такий спосіб
 

@@ -37,6 +37,9 @@ record-newer =
 record-busy =
     { $path }: використовує інша програма
        дозволено: спробуйте знову, коли вона завершиться
+record-search-ended =
+    { $path }: пошук тривав надто довго
+       дозволено: спробуйте з меншим проміжком часу або без тексту
 record-invalid =
     { $what }
        дозволено: { $allowed }
@@ -111,6 +114,9 @@ record-nothing-restored = нічого не відновлено
 record-checked-archive = перевірений архів
 record-archive-foreign = він містить { $name }, стороннє для резервної копії
 record-archive-outside = { $name } веде за межі архіву
+record-archive-entries = понад { $max } файлів і тек
+record-archive-fewer = тека даних із меншою кількістю файлів
+record-archive-name = ім'я або доповнення до нього довше за { $max } КіБ
 record-archive-cut-off = бракує кінця архіву
 record-archive-no-library = в архіві немає бібліотеки
 

@@ -67,6 +67,7 @@ server-no-own-job = власного завдання «{ $job }» немає
 server-jobs-unreadable = тека завдань не читається: { $why }
 server-template-name = «{ $job }» – назва зразка: збережіть завдання під іншою
 server-other-text = під назвою «{ $job }» збережено інший текст
+server-search-too-long = текст пошуку задовгий; дозволено: до { $max } символів
 server-too-many-jobs = забагато завдань; дозволено: { $max }
 server-job-not-deleted = { $job } не видаляється: { $why }
 server-too-many-operations = забагато дій; дозволено: до { $max } за раз

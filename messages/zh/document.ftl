@@ -18,6 +18,8 @@ document-suggestion = 是否指 `{ $name }`？
 document-suggestion-unit = 是否指 `{ $name }`？该值的单位是 { $unit }
 document-own-name = 自己的名称
 document-own-names = 各自的名称
+document-nested = 表和列表嵌套过深
+document-nesting = 最多 { $max } 层
 document-no-such-entry = 文本中没有这个条目
 document-unfit-change = 不能以这种方式更改该条目
 

@@ -37,6 +37,9 @@ record-newer =
 record-busy =
     { $path }：正被其他程序使用
        允许：待该程序结束后重试
+record-search-ended =
+    { $path }：搜索时间过长
+       允许：缩短时间范围或不带文本后重试
 record-invalid =
     { $what }
        允许：{ $allowed }
@@ -101,6 +104,9 @@ record-nothing-restored = 未恢复任何内容
 record-checked-archive = 已检查的归档
 record-archive-foreign = 其中的 { $name } 不属于备份
 record-archive-outside = { $name } 指向归档之外
+record-archive-entries = 文件和文件夹多于 { $max } 个
+record-archive-fewer = 文件较少的数据文件夹
+record-archive-name = 名称或其附加信息长于 { $max } KiB
 record-archive-cut-off = 归档缺少末尾
 record-archive-no-library = 归档中没有记录库
 

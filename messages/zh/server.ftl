@@ -67,6 +67,7 @@ server-no-own-job = 没有您自己的任务“{ $job }”
 server-jobs-unreadable = 任务文件夹无法读取：{ $why }
 server-template-name = “{ $job }”是模板名：请用别的名称保存
 server-other-text = “{ $job }”下已保存另一文本
+server-search-too-long = 搜索文本过长；最多 { $max } 个字符
 server-too-many-jobs = 任务过多；允许：{ $max }
 server-job-not-deleted = { $job } 无法删除：{ $why }
 server-too-many-operations = 操作过多；允许：一次最多 { $max } 个

@@ -2,6 +2,7 @@ use crate::address::{contains, path_at, span_of};
 use crate::bounds;
 use crate::deserializer::Node;
 use crate::error::{DocumentError, place};
+use crate::nesting::check_nesting;
 use seamwright_message::Message;
 use serde::de::DeserializeOwned;
 use std::marker::PhantomData;
@@ -28,6 +29,7 @@ impl<T: DeserializeOwned> Document<T> {
     /// A [`DocumentError`] at the first thing that is wrong: syntax, a missing or unknown key, a wrong type, a value
     /// out of its range or beyond the bound of its unit.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
+        check_nesting(file, text)?;
         let root = DeTable::parse(text).map_err(|e| explain(file, text, e.span(), e.message()))?;
         let root = Spanned::new(root.span(), DeValue::Table(root.into_inner()));
         let value = Node(&root).read(PhantomData).map_err(|fault| explain(file, text, fault.span, &fault.message))?;
@@ -84,6 +86,17 @@ impl<T> Document<T> {
 pub(crate) fn error_at(file: &str, text: &str, path: &str, message: Message, allowed: Message) -> DocumentError {
     let allowed = Some(allowed).filter(|allowed| !allowed.is_empty());
     DocumentError { message, allowed, ..build(file, text, &span_of(text, path), path.to_owned()) }
+}
+
+/// An error at a place of a text that cannot be parsed: without a key.
+pub(crate) fn error_at_span(
+    file: &str,
+    text: &str,
+    span: &Range<usize>,
+    message: Message,
+    allowed: Message,
+) -> DocumentError {
+    DocumentError { message, allowed: Some(allowed), ..build(file, text, span, String::new()) }
 }
 
 fn build(file: &str, text: &str, span: &Range<usize>, key: String) -> DocumentError {

@@ -3,6 +3,7 @@
 use crate::document::explain;
 use crate::error::DocumentError;
 use crate::key_path::with_key;
+use crate::nesting::check_nesting;
 use std::ops::Range;
 use toml_edit::{Document, InlineTable, Item, Table, TableLike, TomlError, Value};
 
@@ -60,6 +61,7 @@ impl TomlText {
     /// # Errors
     /// Wrong syntax, with its line.
     pub fn parse(file: &str, text: &str) -> Result<Self, DocumentError> {
+        check_nesting(file, text)?;
         let document = Document::parse(text).map_err(|e: TomlError| explain(file, text, e.span(), e.message()))?;
         Ok(Self { text: text.to_owned(), root: document.into_table() })
     }

@@ -46,6 +46,7 @@ mod document;
 mod entries;
 mod error;
 mod key_path;
+mod nesting;
 mod number;
 mod vector;
 mod write;
@@ -71,6 +72,7 @@ pub const RESERVED_COLUMNS: [&str; 11] = [
 ];
 
 pub use key_path::{Step, path_of, steps};
+pub use nesting::check_nesting;
 pub use number::{Finite, NonNegative, Positive, SchemaVersion};
 pub use vector::{Direction, Point, Transform};
 pub use write::{to_table, to_toml};

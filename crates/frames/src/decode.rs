@@ -39,10 +39,19 @@ display_by_message!(DecodeError);
 /// Another format, a damaged file, a picture larger than [`MAX_SIDE`](seamwright_vision::MAX_SIDE) to a side or than
 /// 512 MiB.
 pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
+    decode_up_to(bytes, MAX_SIDE * MAX_SIDE)
+}
+
+/// Decodes the same, if the picture has at most `max_pixels`: one from elsewhere, in a program that has no memory to
+/// spare.
+///
+/// # Errors
+/// See [`decode`]; a larger picture.
+pub fn decode_up_to(bytes: &[u8], max_pixels: usize) -> Result<Image, DecodeError> {
     let samples = match bytes {
-        [0x89, b'P', b'N', b'G', ..] => decode_png(bytes),
-        [0xff, 0xd8, 0xff, ..] => decode_jpeg(bytes),
-        [b'P', b'1'..=b'7', ..] => pnm::decode(bytes),
+        [0x89, b'P', b'N', b'G', ..] => decode_png(bytes, max_pixels),
+        [0xff, 0xd8, 0xff, ..] => decode_jpeg(bytes, max_pixels),
+        [b'P', b'1'..=b'7', ..] => pnm::decode(bytes, max_pixels),
         _ => Err(DecodeError::Kind),
     }?;
     Ok(samples.grey())
@@ -78,10 +87,14 @@ impl Samples {
 }
 
 /// Refuses a picture before its pixels are read: a side of 0 or above [`MAX_SIDE`](seamwright_vision::MAX_SIDE), or
-/// values of more than [`MAX_BYTES`].
-pub(crate) fn checked_size(width: usize, height: usize, bytes_a_pixel: usize) -> Result<(), DecodeError> {
+/// values of more than [`MAX_BYTES`], or more than `max_pixels`.
+pub(crate) fn checked_size(
+    [width, height]: [usize; 2],
+    bytes_a_pixel: usize,
+    max_pixels: usize,
+) -> Result<(), DecodeError> {
     let sides = (1..=MAX_SIDE).contains(&width) && (1..=MAX_SIDE).contains(&height);
-    match sides && width * height * bytes_a_pixel <= MAX_BYTES {
+    match sides && width * height * bytes_a_pixel <= MAX_BYTES && width * height <= max_pixels {
         true => Ok(()),
         false => Err(DecodeError::Broken(FrameError::Size { width, height }.message())),
     }
@@ -91,7 +104,7 @@ fn broken(e: impl std::fmt::Display) -> DecodeError {
     DecodeError::Broken(Message::outside(&e))
 }
 
-fn decode_png(bytes: &[u8]) -> Result<Samples, DecodeError> {
+fn decode_png(bytes: &[u8], max_pixels: usize) -> Result<Samples, DecodeError> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     let info = decoder.read_header_info().map_err(broken)?;
     let (width, height) = (info.width as usize, info.height as usize);
@@ -100,7 +113,7 @@ fn decode_png(bytes: &[u8]) -> Result<Samples, DecodeError> {
         png::BitDepth::Sixteen => 2 * info.color_type.samples(),
         _ => 4,
     };
-    checked_size(width, height, bytes_a_pixel)?;
+    checked_size([width, height], bytes_a_pixel, max_pixels)?;
     // Fewer bits become 8, a palette its colours.
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(broken)?;
@@ -122,7 +135,7 @@ fn decode_png(bytes: &[u8]) -> Result<Samples, DecodeError> {
     })
 }
 
-fn decode_jpeg(bytes: &[u8]) -> Result<Samples, DecodeError> {
+fn decode_jpeg(bytes: &[u8], max_pixels: usize) -> Result<Samples, DecodeError> {
     if !is_whole_jpeg(bytes) {
         return Err(DecodeError::Broken(Message::new("cell-jpeg-truncated")));
     }
@@ -135,7 +148,7 @@ fn decode_jpeg(bytes: &[u8]) -> Result<Samples, DecodeError> {
         Some(grey @ (ColorSpace::Luma | ColorSpace::LumaA)) => grey,
         _ => ColorSpace::RGB,
     };
-    checked_size(width, height, colours.num_components())?;
+    checked_size([width, height], colours.num_components(), max_pixels)?;
     decoder.set_options(options.jpeg_set_out_colorspace(colours));
     let values = decoder.decode().map_err(broken)?;
     Ok(Samples::U8 { width, height, channels: colours.num_components(), values })

@@ -11,7 +11,7 @@ mod pnm;
 mod recorded;
 mod stream;
 
-pub use decode::{DecodeError, decode};
+pub use decode::{DecodeError, decode, decode_up_to};
 pub use error::{Field, FrameError, Part};
 pub use live::LiveFrames;
 pub use overlay::{COASTED, CROSS, Colour, MOTION, Overlay, ZONE, sureness};

@@ -4,14 +4,14 @@ use crate::decode::{DecodeError, Samples, checked_size};
 use seamwright_message::Message;
 
 /// Decodes a file that begins with `P1` to `P7`.
-pub(crate) fn decode(bytes: &[u8]) -> Result<Samples, DecodeError> {
+pub(crate) fn decode(bytes: &[u8], max_pixels: usize) -> Result<Samples, DecodeError> {
     let (kind, mut rest) = (bytes[1], Rest(&bytes[2..]));
     let header = if kind == b'7' { rest.pam_header() } else { rest.header(kind) }.ok_or(DecodeError::Kind)?;
     let Header { width, height, channels, maximum } = header;
     if !(1..=4).contains(&channels) || !(1..=65535).contains(&maximum) {
         return Err(DecodeError::Kind);
     }
-    checked_size(width, height, channels * size_of::<u16>())?;
+    checked_size([width, height], channels * size_of::<u16>(), max_pixels)?;
     let count = width * height * channels;
     let values: Vec<u16> = match kind {
         // Black is 1.

@@ -2,7 +2,7 @@
 
 use seamwright_frames::{
     Field, FrameError, FrameSource, FrameStream, HEADER_BYTES, LIST, Recorded, Recorder, TimedFrame, decode,
-    write_frame,
+    decode_up_to, write_frame,
 };
 use seamwright_vision::Image;
 use std::io::Write;
@@ -174,6 +174,21 @@ fn folders_that_are_none_are_refused() {
         assert!(source.next().unwrap().is_some());
         assert!(matches!(source.next().unwrap_err(), FrameError::Image { .. }));
         assert_eq!(source.next(), Ok(None));
+    }
+}
+
+/// A small file of a large picture is refused by its header.
+#[test]
+fn pictures_are_bounded_before_they_are_decoded() {
+    let pgm = b"P5 3 2 255\n\x00\x10\x20\x30\x40\xff";
+    assert!(decode_up_to(pgm, 6).is_ok() && decode_up_to(pgm, 5).is_err());
+    // 16384 x 16384 pixels of 2 bytes are 512 MiB, and of 4 bytes 1 GiB. Only the first gets as far as its pixels.
+    let why = |header: &[u8], max: usize| decode_up_to(header, max).unwrap_err().to_string();
+    let all = 16384 * 16384;
+    assert_ne!(why(b"P5 16384 16384 255\n\x00", all), why(b"P5 16384 16384 255\n\x00", all - 1));
+    for large in [&b"P6 16384 16384 255\n\x00"[..], b"P5 16385 1 255\n\x00"] {
+        let told = why(large, usize::MAX);
+        assert!(told.contains("16384") || told.contains("16385"), "{told}");
     }
 }
 

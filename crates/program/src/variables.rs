@@ -3,7 +3,7 @@
 //! Expressions are replaced in the text by their numbers before it is read as a program, each within its line. So later
 //! errors have their own line and key. Texts for people (`title`, `name`, `message`) are left alone.
 
-use seamwright_document::{Document, DocumentError, Finite};
+use seamwright_document::{Document, DocumentError, Finite, check_nesting};
 use seamwright_message::Message;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -30,6 +30,7 @@ pub(crate) fn substituted<'a>(file: &str, text: &'a str) -> Result<Cow<'a, str>,
     if !["\"=", "'=", "variables"].iter().any(|mark| text.contains(mark)) {
         return Ok(text.into());
     }
+    check_nesting(file, text)?;
     // Syntax errors are reported when the text is read as a program.
     let Ok(table) = DeTable::parse(text) else { return Ok(text.into()) };
     let document = Document::<toml::Table>::read(file, text)?;

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::file_scope::FileRefusal;
-use seamwright_message::Message;
+use seamwright_message::{Message, Unit};
 use seamwright_record::{ClosedFile, WholeFile};
 use std::fs;
 use std::io::{BufWriter, Read as _, Write};
@@ -18,6 +18,20 @@ const MAX_NAMES: usize = 6;
 /// Reads a text file that the user named.
 pub fn read(path: &Path) -> Result<String, Failure> {
     fs::read_to_string(path).map_err(|e| unreadable(&path.display().to_string(), &e))
+}
+
+/// Reads a text file of at most `max` bytes: it may come from elsewhere, as in a restored archive.
+pub fn read_up_to(path: &Path, max: u64) -> Result<String, Failure> {
+    let failed = |e: &std::io::Error| unreadable(&path.display().to_string(), e);
+    let mut bytes = Vec::new();
+    let read = fs::File::open(path).and_then(|file| file.take(max + 1).read_to_end(&mut bytes));
+    read.map_err(|e| failed(&e))?;
+    if bytes.len() as u64 > max {
+        let why = Message::new("project-file-above").quantity("max", (max >> 20) as f64, Unit::MiB, 0);
+        let file = path.display().to_string();
+        return Err(Failure::Input(Message::new("project-unreadable").text("file", file).message("why", why)));
+    }
+    String::from_utf8(bytes).map_err(|e| failed(&std::io::Error::new(std::io::ErrorKind::InvalidData, e)))
 }
 
 /// Failure of reading the file called `source`.
@@ -75,8 +89,21 @@ fn write_into(file: std::io::Result<WholeFile>, path: &Path, text: &str) -> Resu
 
 /// The same piece by piece: `fill` writes it.
 pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
+    fill_into(WholeFile::create(path), path, fill)
+}
+
+/// Writes one file whole that only its owner may read, piece by piece.
+pub fn write_secret_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
+    fill_into(WholeFile::create_private(path), path, fill)
+}
+
+fn fill_into(
+    file: std::io::Result<WholeFile>,
+    path: &Path,
+    fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
+) -> Result<(), Failure> {
     let failed = |e| not_writable(path, &e);
-    let mut file = WholeFile::create(path).map_err(failed)?;
+    let mut file = file.map_err(failed)?;
     let mut out = BufWriter::with_capacity(1 << 16, &mut file);
     fill(&mut out)?;
     out.flush().map_err(failed)?;
@@ -227,6 +254,36 @@ mod tests {
         assert_eq!(output.finish().unwrap().len(), 50);
         assert_eq!(fs::read_to_string(folder.join("pass-7.svg")).unwrap(), "x");
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 50);
+    }
+
+    #[test]
+    fn a_text_from_elsewhere_is_read_up_to_its_limit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("job.toml");
+        fs::write(&path, "x".repeat(1 << 20)).unwrap();
+        assert_eq!(read_up_to(&path, 1 << 20).unwrap().len(), 1 << 20);
+        fs::write(&path, "x".repeat((1 << 20) + 1)).unwrap();
+        let refused = read_up_to(&path, 1 << 20).unwrap_err().message().to_string();
+        assert!(refused.contains("job.toml") && refused.contains("larger than 1 MiB"), "{refused}");
+        // Of a larger file no more than the limit is read.
+        fs::File::create(&path).unwrap().set_len(1 << 44).unwrap();
+        assert!(read_up_to(&path, 1 << 20).is_err());
+        fs::write(&path, b"\xff").unwrap();
+        assert!(read_up_to(&path, 10).is_err());
+    }
+
+    /// Backups have the hashes of passwords: nobody else may read them, also where they replace a file of others.
+    #[cfg(unix)]
+    #[test]
+    fn secrets_written_in_pieces_are_readable_by_their_owner_only() {
+        use std::os::unix::fs::PermissionsExt as _;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cell.tar");
+        for _ in 0..2 {
+            write_secret_with(&path, |out| Ok(out.write_all(b"secret")?)).unwrap();
+            assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o077, 0);
+            fs::set_permissions(&path, fs::Permissions::from_mode(0o666)).unwrap();
+        }
     }
 
     #[test]

@@ -19,6 +19,10 @@ const MANIFEST: &str = "manifest.sha256";
 const AS_WRITTEN: &str = "record-archive-as-written";
 /// Maximum size of it: half a million files.
 const MAX_MANIFEST: u64 = 64 << 20;
+/// Maximum number of files and folders in an archive: a hundred thousand welds.
+const MAX_ENTRIES: usize = 500_000;
+/// Maximum size of a name or another addition to an entry, bytes: it is read into memory.
+const MAX_NAME_BYTES: u64 = 4 << 10;
 
 impl DataFolder {
     /// Writes all data into one tar archive: the library at this moment, all files of welds, jobs and users, and the
@@ -42,6 +46,11 @@ impl DataFolder {
     }
 
     fn back_up_files(&self, out: impl Write, with: &[&str]) -> Result<(), Error> {
+        // A larger archive could not be restored.
+        let entries: usize = with.iter().map(|name| count(&self.path().join(name), MAX_ENTRIES)).sum();
+        if entries + 2 > MAX_ENTRIES {
+            return Err(Error::wrong(too_many_entries(), Message::new("record-archive-fewer")));
+        }
         let scratch = tempfile::tempdir_in(self.path()).map_err(|e| Error::io(self.path(), Doing::Write, e))?;
         let copy = scratch.path().join(LIBRARY);
         self.library().copy_to(&copy)?;
@@ -54,6 +63,20 @@ impl DataFolder {
         }
         archive.finish().map_err(|e| failed(self.path(), e))
     }
+}
+
+fn too_many_entries() -> Message {
+    Message::new("record-archive-entries").number("max", MAX_ENTRIES as f64, 0)
+}
+
+/// Counts a file, or a folder with its contents, up to `most`.
+fn count(path: &Path, most: usize) -> usize {
+    let Ok(kind) = fs::symlink_metadata(path) else { return 0 };
+    let inner = if kind.is_dir() { fs::read_dir(path).ok() } else { None };
+    inner.into_iter().flatten().flatten().fold(1, |n, entry| match n < most {
+        true => n + count(&entry.path(), most - n),
+        false => n,
+    })
 }
 
 struct Archive<W: Write> {
@@ -211,10 +234,33 @@ fn lines(folder: &Path, name: &Path, found: &mut BTreeSet<String>) -> Result<(),
     Ok(())
 }
 
+/// Looks through the headers of an archive before its names are read into memory and its files are made: of these there
+/// may be no more, and those no longer, than any backup has.
+fn check_headers(file: &mut (impl Read + Seek), from: &Path, most: usize) -> Result<(), Error> {
+    let failed = |e| Error::io(from, Doing::Unpack, e);
+    let damaged = |why| Error::damaged(from, why, Message::new(AS_WRITTEN));
+    let mut entries = 0;
+    let mut archive = tar::Archive::new(&mut *file);
+    for entry in archive.entries_with_seek().map_err(failed)?.raw(true) {
+        let entry = entry.map_err(failed)?;
+        let kind = entry.header().entry_type();
+        entries += usize::from(kind.is_file() || kind.is_dir());
+        if !kind.is_file() && entry.size() > MAX_NAME_BYTES {
+            let max = (MAX_NAME_BYTES >> 10) as f64;
+            return Err(damaged(Message::new("record-archive-name").number("max", max, 0)));
+        }
+        if entries > most {
+            return Err(damaged(too_many_entries()));
+        }
+    }
+    file.rewind().map_err(failed)
+}
+
 /// Unpacks only plain files and folders of the kinds that an archive has, and only into `folder`.
 fn unpack(mut file: impl Read + Seek, from: &Path, folder: &Path) -> Result<(), Error> {
     let failed = |e| Error::io(from, Doing::Unpack, e);
     let damaged = |why| Error::damaged(from, why, Message::new(AS_WRITTEN));
+    check_headers(&mut file, from, MAX_ENTRIES)?;
     fs::create_dir(folder).map_err(failed)?;
     let mut end = 0;
     let mut archive = tar::Archive::new(&mut file);
@@ -392,6 +438,64 @@ mod tests {
         File::create(inside.join(MANIFEST)).unwrap().set_len(MAX_MANIFEST + 1).unwrap();
         let refused = check_manifest(Path::new("backup.tar"), &inside).unwrap_err().to_string();
         assert!(refused.contains("manifest.sha256: 65 MiB"), "{refused}");
+    }
+
+    /// An archive of `names`, each an empty file, and the path to which it would be restored.
+    fn archive_of(scratch: &Path, names: usize) -> std::path::PathBuf {
+        let archive = scratch.join("many.tar");
+        let mut builder = tar::Builder::new(std::io::BufWriter::new(File::create(&archive).unwrap()));
+        for i in 0..names {
+            let mut header = tar::Header::new_gnu();
+            header.set_size(0);
+            header.set_mode(0o644);
+            builder.append_data(&mut header, format!("jobs/{i}.toml"), &b""[..]).unwrap();
+        }
+        builder.into_inner().unwrap().flush().unwrap();
+        archive
+    }
+
+    /// Files are counted before the first one is made. An archive of 256 MB would make half a million.
+    #[test]
+    fn an_archive_of_too_many_files_makes_none() {
+        let scratch = tempfile::tempdir().unwrap();
+        let archive = archive_of(scratch.path(), 100);
+        let check = |most: usize| check_headers(&mut File::open(&archive).unwrap(), &archive, most);
+        assert!(check(100).is_ok());
+        assert!(check(99).unwrap_err().to_string().contains("more than 500000 files"), "{:?}", check(99));
+        let archive = archive_of(scratch.path(), MAX_ENTRIES + 1);
+        let refused = restore(&archive, &scratch.path().join("to")).unwrap_err().to_string();
+        assert!(refused.contains("more than 500000 files"), "{refused}");
+        assert_eq!(fs::read_dir(scratch.path()).unwrap().count(), 1);
+    }
+
+    /// Neither a long name nor an extended header of gigabytes is read into memory; sparse files, which are larger than
+    /// the archive, are refused.
+    #[test]
+    fn names_of_gigabytes_and_sparse_files_are_refused() {
+        let scratch = tempfile::tempdir().unwrap();
+        let refused = |kind: tar::EntryType, size: u64| {
+            let archive = scratch.path().join("bad.tar");
+            let mut header = tar::Header::new_gnu();
+            header.set_path(if kind.is_gnu_sparse() { "jobs/sparse.toml" } else { "././@LongLink" }).unwrap();
+            header.set_entry_type(kind);
+            header.set_mode(0o644);
+            header.set_size(size);
+            if kind.is_gnu_sparse() {
+                header.as_gnu_mut().unwrap().set_real_size(1 << 40);
+            }
+            header.set_cksum();
+            let mut file = File::create(&archive).unwrap();
+            file.write_all(header.as_bytes()).unwrap();
+            file.set_len(BLOCK + size.next_multiple_of(BLOCK) + 2 * BLOCK).unwrap();
+            restore(&archive, &scratch.path().join("to")).unwrap_err().to_string()
+        };
+        for kind in [tar::EntryType::GNULongName, tar::EntryType::GNULongLink, tar::EntryType::XHeader] {
+            let told = refused(kind, 8 << 30);
+            assert!(told.contains("longer than 4 KiB"), "{kind:?}: {told}");
+        }
+        let told = refused(tar::EntryType::GNUSparse, 0);
+        assert!(told.contains("foreign to a backup"), "{told}");
+        assert!(!scratch.path().join("to").exists());
     }
 
     /// A backup without users holds no password hashes; after a restore the users stay unchanged.

@@ -51,6 +51,11 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// A search was ended because it took too long: see [`Interrupt`](crate::library::Interrupt).
+    Interrupted {
+        /// The library.
+        path: PathBuf,
+    },
     /// The request is invalid: its object is missing, or it is not allowed.
     Wrong {
         /// Description of the fault.
@@ -101,6 +106,7 @@ impl Error {
                 at("record-newer", path).number("found", *found as f64, 0).number("known", *known as f64, 0)
             }
             Self::Busy { path } => at("record-busy", path),
+            Self::Interrupted { path } => at("record-search-ended", path),
             Self::Wrong { what, allowed } => {
                 Message::new("record-invalid").message("what", what.clone()).message("allowed", allowed.clone())
             }
@@ -143,14 +149,15 @@ impl Error {
 
     pub(crate) fn database(path: &Path, cause: rusqlite::Error) -> Self {
         use rusqlite::ErrorCode::{
-            CannotOpen, DatabaseBusy, DatabaseCorrupt, DatabaseLocked, DiskFull, NotADatabase, PermissionDenied,
-            ReadOnly,
+            CannotOpen, DatabaseBusy, DatabaseCorrupt, DatabaseLocked, DiskFull, NotADatabase, OperationInterrupted,
+            PermissionDenied, ReadOnly,
         };
         let known = path.to_owned();
         match cause.sqlite_error_code() {
             Some(DiskFull) => Self::full(path),
             Some(ReadOnly | PermissionDenied | CannotOpen) => Self::ReadOnly { path: known, why: cause.to_string() },
             Some(DatabaseBusy | DatabaseLocked) => Self::Busy { path: known },
+            Some(OperationInterrupted) => Self::Interrupted { path: known },
             Some(DatabaseCorrupt | NotADatabase) => Self::Damaged {
                 path: known,
                 why: Message::new("record-library-damaged").text("why", cause.to_string()),
@@ -170,7 +177,11 @@ impl Error {
                     io::ErrorKind::NotFound | io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists
                 )
             }
-            Self::Full { .. } | Self::Damaged { .. } | Self::Busy { .. } | Self::Database { .. } => false,
+            Self::Full { .. }
+            | Self::Damaged { .. }
+            | Self::Busy { .. }
+            | Self::Interrupted { .. }
+            | Self::Database { .. } => false,
         }
     }
 }

@@ -43,6 +43,7 @@ mod error;
 mod form;
 mod front;
 mod http;
+mod limits;
 mod log;
 mod planner;
 mod refusal;

@@ -2,3 +2,4 @@
 
 mod bounds_in_docs;
 mod errors;
+mod nesting;

@@ -36,6 +36,16 @@ pub struct Library {
     db: Connection,
 }
 
+/// Ends queries of a library from another thread.
+pub struct Interrupt(rusqlite::InterruptHandle);
+
+impl Interrupt {
+    /// Ends the query that is running, if any: it fails with [`Error::Interrupted`].
+    pub fn now(&self) {
+        self.0.interrupt();
+    }
+}
+
 impl Library {
     /// Opens the library at `path` to read and write; created if missing, migrated to this version's schema if older.
     ///
@@ -133,6 +143,11 @@ impl Library {
     /// True for a library of a version whose archives have a manifest.
     pub(crate) fn has_manifests(&self) -> Result<bool, Error> {
         Ok(self.version()? >= schema::MANIFEST_VERSION)
+    }
+
+    /// Returns a handle that ends its queries.
+    pub fn interrupt(&self) -> Interrupt {
+        Interrupt(self.db.get_interrupt_handle())
     }
 
     /// Path of the library.

@@ -168,6 +168,34 @@ fn words_are_found_among_many_alarms() {
     assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
 }
 
+/// A search among very many different words is ended from another thread, and the library goes on.
+#[test]
+fn a_search_that_takes_too_long_is_ended() {
+    let (_folder, mut data) = empty();
+    data.begin(&plan("P-1")).unwrap().finish(&mut data, &outcome(WeldResult::Good)).unwrap();
+    let db = rusqlite::Connection::open(data.library().path()).unwrap();
+    let sql = r#"WITH RECURSIVE n (i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i + 1 < 100000)
+        INSERT INTO alarm (weld, name, cause, raised, first_out)
+        SELECT 1, 'feed slip', '{"code":"quantity","arguments":[["value",{"type":"text","value":"axis ' || i || '"}]]}',
+            i, 0 FROM n"#;
+    db.execute(sql, ()).unwrap();
+    let (library, ended) = (data.library(), std::sync::atomic::AtomicBool::new(false));
+    let interrupt = library.interrupt();
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while !ended.load(std::sync::atomic::Ordering::Relaxed) {
+                std::thread::sleep(std::time::Duration::from_millis(1));
+                interrupt.now();
+            }
+        });
+        let found = library.find(&Query { text: Some("no such words".to_owned()), ..Query::default() });
+        ended.store(true, std::sync::atomic::Ordering::Relaxed);
+        let told = found.unwrap_err();
+        assert!(matches!(told, Error::Interrupted { .. }) && told.to_string().contains("took too long"), "{told}");
+    });
+    assert_eq!(library.find(&Query::default()).unwrap().len(), 1);
+}
+
 #[test]
 fn texts_have_versions_and_are_kept() {
     let (_folder, data) = empty();

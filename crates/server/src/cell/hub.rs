@@ -1,5 +1,8 @@
 use super::display_distances::Around;
 use super::event::Happening;
+use crate::limits::{
+    MAX_PAGES, MAX_PAGES_OF_USER, MAX_VIEWER_PAGES, MAX_WAITING_MESSAGES, PAGES_KEPT_FOR_OPERATORS, RECENT_EVENTS,
+};
 use crate::view::written;
 use crate::wire::{AlarmView, EventView, FromCell, NearView, RefusedView, Role, Status, TeachView, WorkView};
 use seamwright_executive::devices::modbus::Traffic;
@@ -10,19 +13,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, watch};
 
-/// Number of recent events sent to a new client.
-const RECENT: usize = 100;
-/// Maximum number of messages that wait for a client. A slower client is disconnected and must connect anew.
-const WAITING: usize = 1024;
 /// The control token is lost after this time without a heartbeat.
 const BEAT: Duration = Duration::from_secs(1);
-
-/// Maximum number of pages: in total, of viewers, and per user.
-const MAX_PAGES: usize = 64;
-const MAX_WATCHING: usize = 32;
-const MAX_OF_USER: usize = 24;
-/// Places reserved for the first page of an operator.
-const KEPT: usize = 8;
 
 /// A client: its station, its messages in order, the newest status.
 pub(crate) type Connected = (u32, mpsc::Receiver<Text>, watch::Receiver<Option<Text>>);
@@ -108,7 +100,7 @@ impl Hub {
         }
         told.stations += 1;
         let station = told.stations;
-        let (to, from) = mpsc::channel(WAITING);
+        let (to, from) = mpsc::channel(MAX_WAITING_MESSAGES);
         let hello = FromCell::Hello { station, version: env!("CARGO_PKG_VERSION").to_owned() };
         let mut first = vec![text(&hello), text(&FromCell::Machine), text(&told.control(station))];
         // Reuses the serialised text: the program may be long.
@@ -174,7 +166,7 @@ impl Hub {
         told.numbers += 1;
         let event = happened.view(told.numbers, t, written(Moment::now()));
         told.events.push_back(event.clone());
-        if told.events.len() > RECENT {
+        if told.events.len() > RECENT_EVENTS {
             told.events.pop_front();
         }
         told.all(&FromCell::Event(event));
@@ -328,9 +320,11 @@ impl Told {
         let own = self.clients.values().filter(|c| c.user == user).count();
         let watching = self.clients.values().filter(|c| c.watches).count();
         match (watches, own) {
-            (true, _) => all < MAX_PAGES - KEPT && watching < MAX_WATCHING && own < MAX_OF_USER,
+            (true, _) => {
+                all < MAX_PAGES - PAGES_KEPT_FOR_OPERATORS && watching < MAX_VIEWER_PAGES && own < MAX_PAGES_OF_USER
+            }
             (false, 0) => all < MAX_PAGES,
-            (false, _) => all < MAX_PAGES - KEPT && own < MAX_OF_USER,
+            (false, _) => all < MAX_PAGES - PAGES_KEPT_FOR_OPERATORS && own < MAX_PAGES_OF_USER,
         }
     }
 
@@ -389,10 +383,10 @@ mod tests {
             std::iter::from_fn(|| hub.connect(user, role)).take(2 * MAX_PAGES).collect()
         };
         let watching: Vec<Connected> = (0..8).flat_map(|i| open(&format!("viewer {i}"), Role::Viewer)).collect();
-        assert_eq!(watching.len(), MAX_WATCHING);
+        assert_eq!(watching.len(), MAX_VIEWER_PAGES);
         let operating: Vec<Connected> = (0..1).flat_map(|i| open(&format!("service {i}"), Role::Service)).collect();
-        assert_eq!(operating.len(), MAX_PAGES - KEPT - MAX_WATCHING);
-        for i in 0..KEPT {
+        assert_eq!(operating.len(), MAX_PAGES - PAGES_KEPT_FOR_OPERATORS - MAX_VIEWER_PAGES);
+        for i in 0..PAGES_KEPT_FOR_OPERATORS {
             assert_eq!(open(&format!("operator {i}"), Role::Operator).len(), 1, "{i}");
         }
         assert!(hub.connect("one more", Role::Operator).is_none());
@@ -407,7 +401,7 @@ mod tests {
             (0..8).map(|i| hub.connect(&format!("user {i}"), Role::Operator).unwrap()).collect();
         // The token is lost with the disconnected client.
         hub.take_control(others[0].0, false).unwrap();
-        (0..2 * WAITING)
+        (0..2 * MAX_WAITING_MESSAGES)
             .for_each(|i| hub.event(0.0, happening(Message::new("server-event-order").text("order", format!("{i}")))));
         assert!(hub.clients() == 0 && hub.holder().is_none());
     }

@@ -4,6 +4,7 @@ mod points;
 mod schema;
 
 use crate::document_kind::{Kind, kind_of};
+use crate::limits::MAX_FORM_TABLES;
 use crate::planner::{JOB, wrong_view};
 use crate::wire::{FormAnswer, FormChange, FormEntry, FormTable, FormText, FormValue, FormView};
 use schema::{Place, Schema};
@@ -17,10 +18,6 @@ use std::sync::LazyLock;
 
 /// Longest list that a form shows element by element.
 const MAX_ITEMS: usize = 6;
-
-/// Maximum number of tables of passes in a form, and of other tables; those beyond are changed in the text. Counted apart,
-/// many passes hide no fixture or offset behind them.
-const MAX_TABLES: usize = 2000;
 
 /// A format of files: its schema, and the reader that judges a text.
 struct Format {
@@ -83,7 +80,7 @@ fn answered(form: FormText, format_of: FormatOf) -> Result<FormAnswer, DocumentE
     let shown = |view: &FormTable| {
         let count = &mut counts[usize::from(view.path.starts_with("passes["))];
         *count += 1;
-        *count <= MAX_TABLES
+        *count <= MAX_FORM_TABLES
     };
     let form = FormView { tables: views.filter(shown).collect(), passes: points::passes(&tables) };
     let wrong = (format.fault)(text.text()).map(|error| wrong_view(&error));

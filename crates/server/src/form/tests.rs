@@ -164,9 +164,9 @@ fn solids_of_every_shape_are_added_and_go_without_a_trace() {
 
 #[test]
 fn a_form_has_a_bounded_number_of_tables() {
-    let many = |header: fn(usize) -> String| -> String { (0..=MAX_TABLES).map(header).collect() };
+    let many = |header: fn(usize) -> String| -> String { (0..=MAX_FORM_TABLES).map(header).collect() };
     let (passes, offsets) = (many(|_| "[[passes]]\n".into()), many(|i| format!("[offsets.o{i}]\n")));
     let tables = |text: &str| ask(text, json!([])).form.unwrap().tables.len();
-    assert_eq!((tables(&passes), tables(&offsets)), (MAX_TABLES + 1, MAX_TABLES));
-    assert_eq!(tables(&(passes + "[offsets.last]\n")), MAX_TABLES + 2);
+    assert_eq!((tables(&passes), tables(&offsets)), (MAX_FORM_TABLES + 1, MAX_FORM_TABLES));
+    assert_eq!(tables(&(passes + "[offsets.last]\n")), MAX_FORM_TABLES + 2);
 }

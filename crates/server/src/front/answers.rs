@@ -2,6 +2,7 @@
 
 use super::memory_limit::{Room, Taken};
 use crate::http::Refused;
+use crate::limits::{ANSWER_ROOM_BYTES, ANSWER_ROOM_OF_USER_BYTES, SMALL_BYTES};
 use axum::body::{Body, Bytes};
 use axum::http::{Response, StatusCode};
 use axum::response::IntoResponse as _;
@@ -11,11 +12,6 @@ use std::pin::Pin;
 use std::sync::Arc;
 use std::task::{Context, Poll, ready};
 
-/// Maximum size of all large answers held until sent, bytes, and of those of one user: enough for the largest answer.
-const ROOM: usize = 256 << 20;
-const SHARE: usize = 128 << 20;
-/// Answers up to this size, bytes, need no room: the number of connections bounds them.
-const SMALL: usize = 64 << 10;
 /// Maximum size of a piece, bytes: a connection that copies pieces copies little.
 const CHUNK: usize = 64 << 10;
 
@@ -23,7 +19,7 @@ pub(super) struct Answers(Arc<Room>);
 
 impl Default for Answers {
     fn default() -> Self {
-        Self::with_room(ROOM, SHARE)
+        Self::with_room(ANSWER_ROOM_BYTES, ANSWER_ROOM_OF_USER_BYTES)
     }
 }
 
@@ -35,7 +31,7 @@ impl Answers {
     /// Returns the answer to `user`, which holds its room until its last byte is sent, or a refusal if there is no
     /// room. Streamed answers hold only their pieces.
     pub(super) fn hold(&self, user: &str, response: Response<Body>) -> Response<Body> {
-        let Some(size) = size(response.body()).filter(|size| *size > SMALL) else { return response };
+        let Some(size) = size(response.body()).filter(|size| *size > SMALL_BYTES) else { return response };
         let Some(taken) = self.0.try_take(user, size) else {
             let message = Message::new("server-slow-down");
             return Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", message).into_response();

@@ -1,19 +1,13 @@
 //! Connection slots, by the user or address behind them.
 
+use crate::limits::{
+    CONNECTIONS_KEPT_FOR_OPERATORS, MAX_CONNECTIONS, MAX_CONNECTIONS_OF_USER, MAX_STRANGERS, MAX_STRANGERS_OF_ADDRESS,
+};
 use std::collections::HashMap;
 use std::net::IpAddr;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::Notify;
-
-/// Maximum number of connections without a session. A new one closes the oldest: a newcomer, who may want to stop the
-/// machine, always gets in.
-pub(super) const MAX_STRANGERS: usize = 128;
-/// The same from one address. Not applied on this computer: behind a tunnel everybody has its address.
-pub(super) const MAX_STRANGERS_OF_ADDRESS: usize = 64;
-/// Maximum number of connections with a session, in total and per user; further ones count as without a session.
-pub(super) const MAX_KNOWN: usize = 400;
-pub(super) const MAX_OF_USER: usize = 64;
 
 #[derive(Clone, Default)]
 pub(super) struct Places(Arc<Mutex<Table>>);
@@ -31,19 +25,27 @@ struct Seat {
     number: u64,
     address: IpAddr,
     /// User of the session that the connection has sent.
-    user: Mutex<Option<String>>,
+    user: Mutex<Option<Known>>,
     /// A complete request is being answered.
     is_answering: AtomicBool,
     ends: Notify,
 }
 
+/// A user with a session.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Known {
+    pub(super) user: String,
+    /// Its role may only watch and stop.
+    pub(super) watches: bool,
+}
+
 impl Seat {
-    fn is_stranger(&self) -> bool {
-        self.user.lock().unwrap_or_else(PoisonError::into_inner).is_none()
+    fn known(&self) -> Option<Known> {
+        self.user.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    fn is_of(&self, user: &str) -> bool {
-        self.user.lock().unwrap_or_else(PoisonError::into_inner).as_deref() == Some(user)
+    fn is_stranger(&self) -> bool {
+        self.user.lock().unwrap_or_else(PoisonError::into_inner).is_none()
     }
 }
 
@@ -121,16 +123,18 @@ impl Place {
         self.0.seat.is_answering.store(is_answering, Ordering::Relaxed);
     }
 
-    /// Counts the connection as one of `user`, as long as the limits allow.
-    pub(super) fn known_as(&self, user: &str) {
+    /// Counts the connection as one of `known`, as long as the limits allow. Viewers do not get the last places.
+    pub(super) fn known_as(&self, known: &Known) {
         let table = self.0.of.table();
-        if self.0.seat.is_of(user) {
+        if self.0.seat.known().as_ref() == Some(known) {
             return;
         }
-        let known = table.seats.values().filter(|seat| !seat.is_stranger());
-        let (all, own) = known.fold((0, 0), |(all, own), seat| (all + 1, own + usize::from(seat.is_of(user))));
-        let fits = all < MAX_KNOWN && own < MAX_OF_USER && table.seats.contains_key(&self.0.seat.number);
-        *self.0.seat.user.lock().unwrap_or_else(PoisonError::into_inner) = fits.then(|| user.to_owned());
+        let others: Vec<Known> = table.seats.values().filter_map(|seat| seat.known()).collect();
+        let own = others.iter().filter(|other| other.user == known.user).count();
+        let most = if known.watches { MAX_CONNECTIONS - CONNECTIONS_KEPT_FOR_OPERATORS } else { MAX_CONNECTIONS };
+        let fits = others.len() < most && own < MAX_CONNECTIONS_OF_USER;
+        let fits = fits && table.seats.contains_key(&self.0.seat.number);
+        *self.0.seat.user.lock().unwrap_or_else(PoisonError::into_inner) = fits.then(|| known.clone());
     }
 }
 
@@ -151,12 +155,33 @@ mod tests {
         waiting.poll(&mut Context::from_waker(Waker::noop())).is_ready()
     }
 
+    fn of(user: &str, watches: bool) -> Known {
+        Known { user: user.to_owned(), watches }
+    }
+
+    /// Viewers do not take the last places of those who operate.
+    #[test]
+    fn places_of_connections_are_kept_for_operators() {
+        let (places, here) = (Places::default(), IpAddr::from([127, 0, 0, 1]));
+        let enter = |user: &str, watches: bool| {
+            let place = places.enter(here);
+            place.known_as(&of(user, watches));
+            place
+        };
+        let viewers: Vec<Place> = (0..MAX_CONNECTIONS).map(|i| enter(&format!("viewer {}", i % 20), true)).collect();
+        let known = |places: &[Place]| places.iter().filter(|place| place.0.seat.known().is_some()).count();
+        assert_eq!(known(&viewers), MAX_CONNECTIONS - CONNECTIONS_KEPT_FOR_OPERATORS);
+        let operators: Vec<Place> =
+            (0..MAX_CONNECTIONS).map(|i| enter(&format!("operator {}", i % 20), false)).collect();
+        assert_eq!(known(&operators), CONNECTIONS_KEPT_FOR_OPERATORS);
+    }
+
     /// A newcomer gets in and known users stay, however many connections have no session.
     #[test]
     fn newcomers_get_in_and_known_users_stay() {
         let (places, here) = (Places::default(), IpAddr::from([127, 0, 0, 1]));
-        let known: Vec<Place> = (0..MAX_OF_USER).map(|_| places.enter(here)).collect();
-        known.iter().for_each(|place| place.known_as("olga"));
+        let known: Vec<Place> = (0..MAX_CONNECTIONS_OF_USER).map(|_| places.enter(here)).collect();
+        known.iter().for_each(|place| place.known_as(&of("olga", false)));
         let answering = places.enter(here);
         answering.answers(true);
         let idle: Vec<Place> = (0..3 * MAX_STRANGERS).map(|_| places.enter(here)).collect();
@@ -166,7 +191,7 @@ mod tests {
         assert!(!has_ended(&idle[idle.len() - 1]));
         // A connection beyond a user's share counts as without a session and is closed for newcomers.
         let late = places.enter(here);
-        late.known_as("olga");
+        late.known_as(&of("olga", false));
         let newer: Vec<Place> = (0..MAX_STRANGERS).map(|_| places.enter(here)).collect();
         assert!(has_ended(&late) && !has_ended(&newer[newer.len() - 1]));
         drop((known, answering, idle, late, newer));

@@ -12,8 +12,12 @@ mod rate_limits;
 mod stream;
 
 use crate::http::{Panel, Refused, URGENT, app, cookie, urgent_app};
+use crate::limits::{
+    BODY_TIME, HEAD_TIME, MAX_HEAD_BYTES, MAX_HEADERS, READ_RATE_BYTES_PER_S, READ_TIME, STRANGER_BODY_TIME,
+};
 use crate::tls::Encryption;
 use crate::users::Session;
+use crate::wire::Role;
 use answers::Answers;
 use axum::Router;
 use axum::body::Body;
@@ -21,7 +25,7 @@ use axum::extract::ConnectInfo;
 use axum::http::{HeaderValue, Request, Response, StatusCode, header};
 use axum::response::IntoResponse as _;
 use bodies::Bodies;
-use connection_slots::{Place, Places};
+use connection_slots::{Known, Place, Places};
 use hyper::body::Incoming;
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
@@ -64,11 +68,11 @@ impl Patience {
 }
 
 const PATIENCE: Patience = Patience {
-    head: Duration::from_secs(10),
-    stranger: Duration::from_secs(5),
-    body: Duration::from_secs(60),
-    read: Duration::from_secs(20),
-    rate: 64 << 10,
+    head: HEAD_TIME,
+    stranger: STRANGER_BODY_TIME,
+    body: BODY_TIME,
+    read: READ_TIME,
+    rate: READ_RATE_BYTES_PER_S,
 };
 
 /// Route that stops the machine.
@@ -163,6 +167,8 @@ impl Front {
     async fn speak(self: Arc<Self>, stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static, of: Connection) {
         let mut builder = http1::Builder::new();
         builder.timer(TokioTimer::new()).header_read_timeout(self.patience.head);
+        // A head is refused with status 431 once it exceeds the buffer, before it has arrived whole.
+        builder.max_headers(MAX_HEADERS).max_header_size(MAX_HEAD_BYTES).max_buf_size(MAX_HEAD_BYTES);
         let service = service_fn(move |request| {
             let (front, of) = (Arc::clone(&self), of.clone());
             async move { Ok::<_, Infallible>(front.answer(request, &of).await) }
@@ -188,7 +194,7 @@ impl Front {
         let (is_urgent, is_streamed) = (URGENT.contains(&path), path == STREAMED);
         let session = cookie(request.headers(), self.panel.tls).and_then(|cookie| self.panel.sessions.known(cookie));
         if let Some(session) = &session {
-            of.place.known_as(&session.user);
+            of.place.known_as(&Known { user: session.user.clone(), watches: session.role < Role::Operator });
         }
         if path == STOP {
             // Handled without a rate limit and before the body has arrived.

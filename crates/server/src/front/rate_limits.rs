@@ -1,16 +1,11 @@
 //! Rate limits of requests, by session or address.
 
+use crate::limits::{MAX_RATES, REQUEST_BURST, REQUEST_RATE_PER_S};
 use crate::users::house;
 use std::collections::HashMap;
 use std::net::IpAddr;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
-
-/// Requests per second of one session or address, and maximum burst: opening the panel takes some dozens.
-const RATE: f64 = 50.0;
-const BURST: f64 = 400.0;
-/// Maximum number of remembered sessions and addresses.
-const MAX_KEYS: usize = 2000;
 
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub(super) enum Asker {
@@ -43,16 +38,16 @@ impl Rates {
             return true;
         }
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if known.len() >= MAX_KEYS && !known.contains_key(&asker) {
+        if known.len() >= MAX_RATES && !known.contains_key(&asker) {
             // Senders with a full allowance need no entry.
-            let filled = Duration::from_secs_f64(BURST / RATE);
+            let filled = Duration::from_secs_f64(REQUEST_BURST / REQUEST_RATE_PER_S);
             known.retain(|_, (_, since)| now.saturating_duration_since(*since) < filled);
-            if known.len() >= MAX_KEYS {
+            if known.len() >= MAX_RATES {
                 return false;
             }
         }
-        let (left, since) = known.entry(asker).or_insert((BURST, now));
-        *left = (*left + RATE * now.saturating_duration_since(*since).as_secs_f64()).min(BURST);
+        let (left, since) = known.entry(asker).or_insert((REQUEST_BURST, now));
+        *left = (*left + REQUEST_RATE_PER_S * now.saturating_duration_since(*since).as_secs_f64()).min(REQUEST_BURST);
         *since = now;
         let allowed = *left >= 1.0;
         if allowed {
@@ -71,20 +66,20 @@ mod tests {
         let (rates, now) = (Rates::default(), Instant::now());
         let of = |name: &str| Asker::Session(name.to_owned());
         let allowed = (0..2000).filter(|_| rates.allows(of("eve"), now)).count();
-        assert_eq!(allowed, BURST as usize);
+        assert_eq!(allowed, REQUEST_BURST as usize);
         assert!(rates.allows(of("ada"), now));
         let later = now + Duration::from_secs(2);
         let allowed = (0..2000).filter(|_| rates.allows(of("eve"), later)).count();
-        assert_eq!(allowed, (2.0 * RATE) as usize);
+        assert_eq!(allowed, (2.0 * REQUEST_RATE_PER_S) as usize);
     }
 
     #[test]
     fn made_up_addresses_take_bounded_memory() {
         let (rates, now) = (Rates::default(), Instant::now());
-        for i in 0..3 * MAX_KEYS as u32 {
+        for i in 0..3 * MAX_RATES as u32 {
             let _ = rates.allows(Asker::stranger(IpAddr::from(i.to_be_bytes())), now);
         }
-        assert!(rates.0.lock().unwrap().len() <= MAX_KEYS);
+        assert!(rates.0.lock().unwrap().len() <= MAX_RATES);
         let later = now + Duration::from_secs(60);
         assert!(rates.allows(Asker::stranger(IpAddr::from([9, 9, 9, 9])), later));
     }

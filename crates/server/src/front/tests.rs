@@ -142,11 +142,52 @@ async fn unfinished_requests_keep_nobody_from_stopping() {
     let head = fronted.head("POST", "/api/login", &format!("connection: close\r\n{login}{}\r\n", body.len()));
     let said = all(fronted.say(&(head + &body)).await).await;
     assert!(said.starts_with("HTTP/1.1 200") && said.contains("\"admin\""), "{said}");
-    assert!(fronted.front.places.count() <= connection_slots::MAX_STRANGERS);
+    assert!(fronted.front.places.count() <= crate::limits::MAX_STRANGERS);
     // The first were closed for newcomers; the last timed out.
     let last = all(stuck.pop().unwrap()).await;
     assert!(last.starts_with("HTTP/1.1 408"), "{last}");
     assert_eq!(all(stuck.swap_remove(0)).await, "");
+}
+
+/// Heads that are too long or have too many lines are refused before they have arrived whole.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn heads_that_are_too_large_are_refused() {
+    use crate::limits::{MAX_HEAD_BYTES, MAX_HEADERS};
+    let fronted = Fronted::new(PATIENCE, here);
+    let lines = |count: usize| (0..count).map(|i| format!("x-{i}: x\r\n")).collect::<String>();
+    // Those of `head`: host and content type.
+    let fits = fronted.head("GET", "/", &(lines(MAX_HEADERS - 3) + "connection: close\r\n"));
+    let said = all(fronted.say(&fits).await).await;
+    assert!(said.starts_with("HTTP/1.1 200"), "{said}");
+    // The last is refused before it has arrived whole.
+    let begin = "GET / HTTP/1.1\r\nx: ";
+    let unfinished = format!("{begin}{}", "x".repeat(MAX_HEAD_BYTES - begin.len()));
+    for large in [fronted.head("GET", "/", &lines(MAX_HEADERS)), unfinished] {
+        let said = all(fronted.say(&large).await).await;
+        assert!(said.starts_with("HTTP/1.1 431"), "{said}");
+        assert!(fronted.stop().await.starts_with("HTTP/1.1 200"));
+    }
+    // The rest of these is not read; their refusal may be lost with it.
+    for larger in [
+        fronted.head("GET", "/", &format!("x: {}\r\n", "x".repeat(2 * MAX_HEAD_BYTES))),
+        format!("GET /{} HTTP/1.1\r\n", "x".repeat(2 * MAX_HEAD_BYTES)),
+    ] {
+        let said = all(fronted.say(&larger).await).await;
+        assert!(said.is_empty() || said.starts_with("HTTP/1.1 4"), "{said}");
+    }
+}
+
+/// The body of a user has a time limit too.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn who_sends_a_body_too_slowly_is_cut_off() {
+    let fronted = Fronted::new(Patience { body: Duration::from_millis(300), ..PATIENCE }, app);
+    let owner = fronted.bench.owner().await;
+    let by = format!("cookie: {}\r\nx-seamwright: {}\r\n", owner.cookie, owner.token);
+    for length in [100, 4_000_000] {
+        let head = fronted.head("POST", "/api/plan", &format!("{by}content-length: {length}\r\n"));
+        let said = all(fronted.say(&(head + "{")).await).await;
+        assert!(said.starts_with("HTTP/1.1 408"), "{said}");
+    }
 }
 
 /// A client that requests much and reads nothing is disconnected.
@@ -210,6 +251,8 @@ async fn answers_that_nobody_reads_take_bounded_memory() {
     for (user, fits) in [(1, true), (1, true), (1, true), (1, false), (2, true), (2, true), (2, true), (3, false)] {
         assert_eq!(taken(user, "/api/much").await, fits, "{user}");
     }
+    assert!(fronted.stop().await.starts_with("HTTP/1.1 200"));
+    crate::tests::page(&fronted.address, &users[2].1).await.order("stop").await;
     // The panel's files are still served.
     assert!(taken(3, "/panel.js").await);
     held.clear();

@@ -65,6 +65,9 @@ impl From<Failure> for Refused {
 
 impl From<seamwright_record::Error> for Refused {
     fn from(e: seamwright_record::Error) -> Self {
+        if matches!(e, seamwright_record::Error::Interrupted { .. }) {
+            return Self::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", e.message());
+        }
         if e.is_input() { Self::not_found(e.message()) } else { Self::server(e.message()) }
     }
 }

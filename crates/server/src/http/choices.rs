@@ -4,6 +4,7 @@ use super::answer::Answer;
 use super::jobs::{head, own, title};
 use super::panel::{Panel, Shared};
 use crate::document_kind::{Kind, kind_of_head};
+use crate::limits::MAX_JOB_BYTES;
 use crate::wire::{Choice, ChoicesView};
 use axum::Json;
 use axum::extract::State;
@@ -28,7 +29,7 @@ pub(super) async fn choices(State(panel): Shared) -> Answer<ChoicesView> {
             match kind_of_head(&head) {
                 Kind::Job | Kind::Program => {}
                 Kind::Machine => machines.push(machine(named, true)),
-                Kind::Procedure => procedures.push(procedure(named, true, files::read(&path)?)),
+                Kind::Procedure => procedures.push(procedure(named, true, files::read_up_to(&path, MAX_JOB_BYTES)?)),
             }
         }
         Ok(ChoicesView { machines, procedures })

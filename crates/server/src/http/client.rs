@@ -3,6 +3,7 @@
 use super::guard::role_refused;
 use super::panel::Panel;
 use crate::cell::{Change, Refusal, ToDesk, WHY, executive_command, happening};
+use crate::limits::{MESSAGE_BURST, MESSAGE_RATE_PER_S};
 use crate::refusal::{Lack, action_word, lack, panel_word};
 use crate::users::{Session, may};
 use crate::wire::{AskView, FromCell, TeachOrder, ToCell};
@@ -11,10 +12,6 @@ use seamwright_machine::Joints;
 use seamwright_message::Message;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-
-/// Maximum messages per second of a page, and maximum burst.
-const RATE: f64 = 100.0;
-const BURST: f64 = 200.0;
 
 /// Maximum age of the last status for which the cycle counts as alive.
 const FRESH: Duration = Duration::from_millis(500);
@@ -51,7 +48,7 @@ impl Client {
             jogs: 0,
             held: None,
             stopped: None,
-            allowance: BURST,
+            allowance: MESSAGE_BURST,
             spoke: Instant::now(),
         }
     }
@@ -60,7 +57,7 @@ impl Client {
     pub(super) fn may_speak(&mut self) -> bool {
         let since = self.spoke.elapsed().as_secs_f64();
         self.spoke = Instant::now();
-        self.allowance = (self.allowance + RATE * since).min(BURST) - 1.0;
+        self.allowance = (self.allowance + MESSAGE_RATE_PER_S * since).min(MESSAGE_BURST) - 1.0;
         self.allowance >= 0.0
     }
 

@@ -2,18 +2,13 @@ use super::answer::{Answer, Refused};
 use super::loading::document_message;
 use super::panel::Shared;
 use crate::form;
+use crate::limits::{MAX_FORM_CHANGES, MAX_OPERATIONS};
 use crate::wire::{EditAnswer, FormAnswer, FormText};
 use axum::Json;
 use axum::extract::State;
 use seamwright_message::Message;
 use seamwright_program::edit::{Editor, Operation};
 use serde::Deserialize;
-
-/// Maximum number of operations in a request.
-const MAX_OPERATIONS: usize = 1000;
-
-/// Maximum number of changes of a form in a request; each reads the whole text.
-const MAX_CHANGES: usize = 50;
 
 /// A text and operations on it, in the format of `seamwright edit --script`.
 #[derive(Deserialize)]
@@ -44,8 +39,8 @@ pub(super) fn edited(edit: &Edit) -> Result<EditAnswer, Message> {
 }
 
 pub(super) async fn form(State(panel): Shared, Json(asked): Json<FormText>) -> Answer<FormAnswer> {
-    if asked.changes.len() > MAX_CHANGES {
-        return Err(Message::new("server-too-many-operations").count("max", MAX_CHANGES).into());
+    if asked.changes.len() > MAX_FORM_CHANGES {
+        return Err(Message::new("server-too-many-operations").count("max", MAX_FORM_CHANGES).into());
     }
     let answer = move || form::answer(asked).map_err(|e| Refused::input(document_message(&e)));
     panel.reading.run(answer).await.map(Json)

@@ -1,6 +1,7 @@
 use super::answer::Refused;
 use super::login::same;
 use super::panel::{Panel, Shared};
+use super::work_limit::asked_by;
 use crate::refusal::{action_word, panel_word};
 use crate::users::{Session, may};
 use crate::wire::Role;
@@ -101,8 +102,8 @@ pub(super) async fn need(State(need): State<Need>, mut request: Request, next: N
     };
     match allowed(&need, action, request.method(), request.headers()) {
         Ok(session) => {
-            request.extensions_mut().insert(session);
-            next.run(request).await
+            request.extensions_mut().insert(session.clone());
+            asked_by(&session, next.run(request)).await
         }
         Err(refused) => refused.into_response(),
     }

@@ -3,6 +3,7 @@ use super::job_name::checked;
 use super::panel::{Panel, Shared};
 use crate::cell::Change;
 use crate::document_kind::{Kind, kind_of_head};
+use crate::limits::{MAX_JOB_BYTES, MAX_JOBS};
 use crate::users::Session;
 use crate::wire::{DistortionRow, JobKept, JobRow, JobText};
 use axum::Json;
@@ -14,9 +15,6 @@ use seamwright_project::examples::{DISTORTIONS, EXAMPLES, Example};
 use seamwright_project::{Failure, files};
 use std::io::Read as _;
 use std::sync::Arc;
-
-/// Maximum number of own jobs.
-const MAX_JOBS: usize = 2000;
 
 fn example(name: &str) -> Option<&'static str> {
     EXAMPLES.iter().find(|e| name.strip_suffix(".toml") == Some(e.name)).map(|e| e.text)
@@ -33,7 +31,7 @@ pub(crate) fn text(panel: &Panel, name: &str) -> Result<String, Refused> {
     let name = checked(name)?;
     let path = panel.jobs().join(name);
     if path.is_file() {
-        return Ok(files::read(&path)?);
+        return Ok(files::read_up_to(&path, MAX_JOB_BYTES)?);
     }
     example(name).map(str::to_owned).ok_or_else(|| Refused::not_found(Message::new("server-no-job").text("job", name)))
 }
@@ -109,7 +107,7 @@ fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<J
         Procedure::read(name, &job.text).map_err(Failure::from)?;
     }
     let path = panel.jobs().join(name);
-    let old = if path.is_file() { files::read(&path)? } else { String::new() };
+    let old = if path.is_file() { files::read_up_to(&path, MAX_JOB_BYTES)? } else { String::new() };
     if job.over.as_ref().is_some_and(|over| *over != old) {
         return Err(Refused::new(StatusCode::CONFLICT, "other", Message::new("server-other-text").text("job", name)));
     }
@@ -139,7 +137,8 @@ fn remove(panel: &Panel, session: &Session, name: &str) -> Result<(), Refused> {
     if !path.is_file() {
         return Err(Refused::not_found(Message::new("server-no-own-job").text("job", name)));
     }
-    let old = seamwright_record::sha256(files::read(&path)?.as_bytes());
+    // Of any size: a job that is too large to be read can be removed.
+    let (old, _) = seamwright_record::sha256_of_file(&path)?;
     std::fs::remove_file(&path).map_err(|e| {
         Refused::server(Message::new("server-job-not-deleted").text("job", name).text("why", e.to_string()))
     })?;

@@ -2,6 +2,7 @@ use super::answer::{Answer, Refused};
 use super::guard::{TOKEN, cookie, cookie_name, device_name, named_cookie};
 use super::panel::{Panel, Shared};
 use crate::cell::Change;
+use crate::limits::MAX_LOGIN_BYTES;
 use crate::log;
 use crate::users::{NEEDS, OWNER, Origin, Session, may};
 use crate::wire::{Login, Role, SessionView};
@@ -13,9 +14,6 @@ use seamwright_message::{Message, Unit};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-
-/// Maximum length of a name or password, bytes.
-const MAX_LOGIN_BYTES: usize = 512;
 
 pub(super) fn session_view(panel: &Panel, session: &Session) -> SessionView {
     SessionView {

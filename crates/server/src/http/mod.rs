@@ -29,6 +29,7 @@ mod setup;
 mod socket;
 mod stop;
 mod teach;
+mod transfer_rate;
 mod typescript;
 mod users;
 mod work_limit;
@@ -48,6 +49,6 @@ pub(crate) use placement::found_place;
 pub(crate) use plan::begin_with;
 #[cfg(test)]
 pub(crate) use routes::all_routes;
-pub(crate) use routes::{MAX_BYTES, MAX_UNKNOWN, URGENT, app, urgent_app};
+pub(crate) use routes::{URGENT, app, urgent_app};
 pub use typescript::typescript;
 pub(crate) use work_limit::{Turn, Turns};

@@ -1,9 +1,10 @@
 use super::answer::Refused;
 use super::work_limit::{Turn, Turns};
 use crate::cell::{Cell, Change};
+use crate::limits::{BACKING_UP, CHECKING, DRAWING, LOADING, MAX_ARCHIVE_BYTES, READING, SAVING};
 use crate::planner::Planner;
 use crate::teaching::{Cameras, Teaching};
-use crate::users::{Accounts, Checks, Devices, MAX_USERS, OWNER, Session, Sessions, Tries};
+use crate::users::{Accounts, Checks, Devices, OWNER, Session, Sessions, Tries};
 use axum::extract::State;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
@@ -12,9 +13,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 use tokio::sync::watch;
-
-/// Maximum size of an archive that is restored from a page, bytes.
-const MAX_ARCHIVE_BYTES: u64 = 16 << 30;
 
 /// The user who restores all data, and the turn that excludes others.
 pub(crate) type Restores = Option<Arc<(String, Turn)>>;
@@ -97,15 +95,15 @@ impl Panel {
             data,
             hosts,
             tls: false,
-            planning: Turns::new(1, 8),
+            planning: Turns::new(LOADING),
             loads: Loads::default(),
             planner: Planner::new(None),
-            drawing: Turns::new(1, 8),
-            reading: Turns::new(2, 32),
-            checking: Turns::new(1, 8 * MAX_USERS),
-            backing_up: Turns::new(1, 0),
+            drawing: Turns::new(DRAWING),
+            reading: Turns::new(READING),
+            checking: Turns::new(CHECKING),
+            backing_up: Turns::new(BACKING_UP),
             stopped: Mutex::new(None),
-            saving: Turns::new(1, 16),
+            saving: Turns::new(SAVING),
             restores: watch::Sender::new(None),
             most_archive: MAX_ARCHIVE_BYTES,
             teaching: Teaching::default(),

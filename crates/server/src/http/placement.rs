@@ -1,4 +1,5 @@
 use super::answer::Refused;
+use crate::limits::MAX_PLACE_POINTS;
 use crate::wire::{PlaceAnswer, PlaceMethod, PlaceText, TouchedPoint};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::{Touch, best_fit, chuck, outliers, plane_line_point, rms, three_points};
@@ -11,8 +12,6 @@ use std::path::Path;
 
 /// Name of the offset.
 const NAME: &str = "touched";
-/// Maximum number of points: touching by hand needs fewer.
-const MAX_POINTS: usize = 1000;
 /// Maximum ball radius, mm, and maximum coordinate of a point.
 const LARGEST_MM: f64 = 1000.0;
 const FARTHEST_MM: f64 = 1e7;
@@ -59,10 +58,10 @@ fn check(asked: &PlaceText) -> Result<(), Refused> {
             .value("max", LARGEST_MM, Unit::Mm)
             .into());
     }
-    if asked.points.len() > MAX_POINTS {
+    if asked.points.len() > MAX_PLACE_POINTS {
         return Err(Message::new("server-too-many-points")
             .count("n", asked.points.len())
-            .count("max", MAX_POINTS)
+            .count("max", MAX_PLACE_POINTS)
             .into());
     }
     for (i, point) in asked.points.iter().enumerate() {

@@ -5,6 +5,7 @@ use super::loading::loading;
 use super::panel::{Panel, Shared};
 use super::records::{reads, spoken};
 use crate::cell::{Change, Loading, NotLoaded, ToDesk};
+use crate::limits::{MAX_PAGE_CHARS, MAX_PART_CHARS};
 use crate::planner::{Asked, Page, Question};
 use crate::users::Session;
 use crate::view::tuning_view;
@@ -32,8 +33,6 @@ pub(super) async fn alone<T: Send + 'static>(
 
 /// Header with the identifier of a page within its session.
 const PAGE: &str = "x-seamwright-page";
-/// Maximum length of the identifier, characters.
-const MAX_PAGE: usize = 64;
 
 impl<S: Send + Sync> FromRequestParts<S> for Page {
     type Rejection = ExtensionRejection;
@@ -41,7 +40,7 @@ impl<S: Send + Sync> FromRequestParts<S> for Page {
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, ExtensionRejection> {
         let session = Session::from_request_parts(parts, state).await?;
         let page = parts.headers.get(PAGE).and_then(|value| value.to_str().ok()).unwrap_or_default();
-        Ok(Self { user: session.user, session: session.id, page: page.chars().take(MAX_PAGE).collect() })
+        Ok(Self { user: session.user, session: session.id, page: page.chars().take(MAX_PAGE_CHARS).collect() })
     }
 }
 
@@ -74,9 +73,6 @@ pub(super) async fn cancel(State(panel): Shared, page: Page) -> StatusCode {
     panel.planner.cancel(&page);
     StatusCode::NO_CONTENT
 }
-
-/// Maximum length of a part number, characters.
-const MAX_PART_CHARS: usize = 120;
 
 /// Checks a part number for records.
 fn part(number: &str) -> Result<(), Refused> {

@@ -1,6 +1,10 @@
 use super::answer::{Answer, Refused, page_of};
 use super::panel::{Panel, Shared};
+use super::transfer_rate::Transfer;
 use crate::cell::Change;
+use crate::limits::{
+    MAX_SEARCH_CHARS, MAX_TRACE_COLUMNS, MAX_TRACE_ROWS, MAX_TRACE_VALUES, MAX_WELDS, PIECE_TIME, SEARCH_TIME,
+};
 use crate::users::{Session, may};
 use crate::view::written;
 use crate::wire::{JudgedView, RecordRow, RecordView, RecordedAlarm, RecordedEvent, TraceView};
@@ -11,23 +15,16 @@ use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use seamwright_executive::Alarm;
 use seamwright_message::Message;
-use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
+use seamwright_record::library::{Interrupt, Query as Find, WeldRecord, WeldResult};
 use seamwright_record::trace::{Outline, Trace};
 use seamwright_record::{DataFolder, Moment};
 use seamwright_report::Language;
 use serde::Deserialize;
 use std::sync::Arc;
 use std::task::Poll;
-use std::time::Duration;
 use tokio::runtime::Handle;
 use tokio::sync::mpsc::Sender;
-
-/// Maximum number of trace rows sent, of columns, and of values in all.
-const MAX_ROWS: usize = 20_000;
-const MAX_COLUMNS: usize = 64;
-const MAX_VALUES: usize = 400_000;
-/// Maximum number of welds listed, the newest.
-const MAX_WELDS: u32 = 5000;
+use tokio::sync::oneshot;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -44,8 +41,17 @@ fn wrong_query(name: &str, why: String) -> Refused {
     Refused::input(Message::new("server-query").text("name", name).text("why", why))
 }
 
+/// Refuses a text that is too long to be searched.
+pub(super) fn searchable(text: Option<&str>) -> Result<(), Refused> {
+    if text.is_some_and(|text| text.chars().count() > MAX_SEARCH_CHARS) {
+        return Err(Message::new("server-search-too-long").count("max", MAX_SEARCH_CHARS).into());
+    }
+    Ok(())
+}
+
 impl Asked {
     fn query(self) -> Result<Find, Refused> {
+        searchable(self.text.as_deref())?;
         let some = |text: Option<String>| text.filter(|t| !t.is_empty());
         let moment = |name: &str, text: Option<String>| {
             some(text).map(|t| t.parse::<Moment>().map_err(|e| wrong_query(name, e.to_string()))).transpose()
@@ -84,13 +90,38 @@ fn row(weld: &WeldRecord) -> RecordRow {
     }
 }
 
-/// Reads the library in its own thread.
+/// Ends a query when dropped; without effect on one that has ended.
+struct Ends(Interrupt);
+
+impl Drop for Ends {
+    fn drop(&mut self) {
+        self.0.now();
+    }
+}
+
+/// Reads the library in its own thread. A query that takes too long, or whose client has gone, is ended.
 pub(super) async fn reads<T: Send + 'static>(
     panel: &Arc<Panel>,
     read: impl FnOnce(&DataFolder) -> Result<T, Refused> + Send + 'static,
 ) -> Answer<T> {
     let path = panel.data.clone();
-    panel.reading.run(move || read(&DataFolder::open_to_read(&path)?)).await.map(Json)
+    let (to, begun) = oneshot::channel();
+    let answer = panel.reading.run(move || {
+        let data = DataFolder::open_to_read(&path)?;
+        // The caller may have gone.
+        drop(to.send(Ends(data.library().interrupt())));
+        read(&data)
+    });
+    let late = async {
+        let ends = begun.await;
+        tokio::time::sleep(SEARCH_TIME).await;
+        drop(ends);
+        std::future::pending().await
+    };
+    tokio::select! {
+        answer = answer => answer.map(Json),
+        never = late => never,
+    }
 }
 
 pub(super) async fn list(State(panel): Shared, Query(asked): Query<Asked>) -> Answer<Vec<RecordRow>> {
@@ -180,16 +211,16 @@ pub(super) async fn trace(
 ) -> Answer<TraceView> {
     let most = wanted.most.unwrap_or(2000);
     let columns: Vec<String> = wanted.columns.split(',').map(|c| c.trim().to_owned()).collect();
-    if columns.len() > MAX_COLUMNS || columns.len() * most > MAX_VALUES {
+    if columns.len() > MAX_TRACE_COLUMNS || columns.len() * most > MAX_TRACE_VALUES {
         let message = Message::new("server-too-many-values").count("columns", columns.len()).count("rows", most);
-        return Err(message.count("max-columns", MAX_COLUMNS).count("max-values", MAX_VALUES).into());
+        return Err(message.count("max-columns", MAX_TRACE_COLUMNS).count("max-values", MAX_TRACE_VALUES).into());
     }
     let least = Outline::least(columns.len());
-    if !(least..=MAX_ROWS).contains(&most) {
+    if !(least..=MAX_TRACE_ROWS).contains(&most) {
         return Err(Message::new("server-row-count")
             .count("value", most)
             .count("min", least)
-            .count("max", MAX_ROWS)
+            .count("max", MAX_TRACE_ROWS)
             .into());
     }
     reads(&panel, move |data| {
@@ -250,20 +281,22 @@ pub(super) async fn report(
 /// Size of a piece of an archive sent to a client, bytes, and maximum number of queued pieces.
 const PIECE: usize = 64 << 10;
 const PIECES: usize = 8;
-/// Maximum time that a client may take for a piece.
-const PATIENCE: Duration = Duration::from_secs(30);
 
 /// Writer to the client, limited by the client's speed.
 struct ToClient {
     to: Sender<std::io::Result<Vec<u8>>>,
     runtime: Handle,
+    transfer: Transfer,
 }
 
 impl std::io::Write for ToClient {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        let sent = self.runtime.block_on(async { self.to.send_timeout(Ok(bytes.to_vec()), PATIENCE).await });
-        let gone = |_| std::io::Error::new(std::io::ErrorKind::BrokenPipe, "the client has gone");
-        sent.map(|()| bytes.len()).map_err(gone)
+        let left = self.transfer.left();
+        let sent = self.runtime.block_on(async { self.to.send_timeout(Ok(bytes.to_vec()), left).await });
+        let gone = |_| std::io::Error::new(std::io::ErrorKind::BrokenPipe, "the client has gone or is too slow");
+        sent.map_err(gone)?;
+        self.transfer.moved(bytes.len());
+        Ok(bytes.len())
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
@@ -284,7 +317,10 @@ pub(super) async fn backup(State(panel): Shared, session: Session) -> Result<Res
         let written = asked.backing_up.run({
             let path = asked.data.clone();
             move || {
-                let out = std::io::BufWriter::with_capacity(PIECE, ToClient { to, runtime });
+                let out = std::io::BufWriter::with_capacity(
+                    PIECE,
+                    ToClient { to, runtime, transfer: Transfer::begin(PIECE_TIME) },
+                );
                 let data = DataFolder::open_to_read(&path)?;
                 if with_users {
                     data.back_up(out)?;
@@ -296,7 +332,7 @@ pub(super) async fn backup(State(panel): Shared, session: Session) -> Result<Res
         });
         if let Err(e) = written.await {
             // The client receives a truncated archive.
-            drop(failed.send_timeout(Err(std::io::Error::other(e.message.to_string())), PATIENCE).await);
+            drop(failed.send_timeout(Err(std::io::Error::other(e.message.to_string())), PIECE_TIME).await);
         }
     });
     // A failure before the first piece becomes a normal refusal.

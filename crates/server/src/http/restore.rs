@@ -1,8 +1,10 @@
 use super::answer::{Answer, Refused};
 use super::login::From;
 use super::panel::{Panel, Shared};
+use super::transfer_rate::Transfer;
 use super::users::again;
 use crate::cell::Change;
+use crate::limits::PIECE_TIME;
 use crate::users::{Accounts, Session};
 use crate::view::written;
 use crate::wire::{ArchiveView, OwnPassword};
@@ -18,13 +20,10 @@ use std::fs::File;
 use std::io::Write as _;
 use std::path::Path;
 use std::sync::Arc;
-use std::time::Duration;
 use tokio::sync::mpsc::{Receiver, Sender, channel};
 
 /// Maximum number of queued pieces of an archive.
 const PIECES: usize = 8;
-/// Maximum time that a client may take to send a piece.
-const PATIENCE: Duration = Duration::from_secs(30);
 /// File name of an archive while it is received, in the data folder.
 const UPLOAD: &str = "restore-upload.tar";
 
@@ -84,12 +83,16 @@ pub(super) async fn take(
     checked.map(Json)
 }
 
-/// Forwards received pieces, then the end.
+/// Forwards received pieces, then the end. A sender that is too slow is given up.
 async fn feed(body: Body, to: Sender<Piece>) {
     let mut pieces = body.into_data_stream();
+    let mut transfer = Transfer::begin(PIECE_TIME);
     loop {
-        let piece = match tokio::time::timeout(PATIENCE, pieces.next()).await {
-            Ok(Some(Ok(piece))) => Some(piece),
+        let piece = match tokio::time::timeout(transfer.left(), pieces.next()).await {
+            Ok(Some(Ok(piece))) => {
+                transfer.moved(piece.len());
+                Some(piece)
+            }
             Ok(None) => None,
             // Aborted: the reader sees no end.
             Ok(Some(Err(_))) | Err(_) => return,

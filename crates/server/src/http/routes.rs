@@ -6,6 +6,7 @@ use super::{
     assets, audit, cell_views, choices, edit, health, jobs, login, openapi, plan, records, restore, sensors, setup,
     socket, stop, teach, users,
 };
+use crate::limits::{MAX_BODY_BYTES, MAX_STRANGER_BODY_BYTES};
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, FormAnswer,
     FormText, JobKept, JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView,
@@ -19,12 +20,6 @@ use axum::{Router, middleware};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use std::sync::Arc;
 use ts_rs::{TS, TypeVisitor};
-
-/// Maximum size of a request, bytes.
-pub(crate) const MAX_BYTES: usize = 4 << 20;
-
-/// Maximum size of a request without a session, bytes.
-pub(crate) const MAX_UNKNOWN: usize = 8 << 10;
 
 /// Content types of bodies.
 const TAR: &str = "application/x-tar";
@@ -161,7 +156,7 @@ fn router(panel: &Arc<Panel>, routes: Vec<Route>) -> Router {
     let mut router = Router::new();
     for route in routes {
         let need_of = Need { panel: Arc::clone(panel), action: route.action, takes: route.takes };
-        let most = if route.action.is_some() { MAX_BYTES } else { MAX_UNKNOWN };
+        let most = if route.action.is_some() { MAX_BODY_BYTES } else { MAX_STRANGER_BODY_BYTES };
         let handler = route.handler.layer(DefaultBodyLimit::max(most));
         router = router.route(route.path, handler.layer(middleware::from_fn_with_state(need_of, need)));
     }

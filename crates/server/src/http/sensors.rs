@@ -4,6 +4,7 @@ use super::answer::{Answer, Refused};
 use super::panel::{Panel, Shared};
 use super::setup::{Changed, ChangedPart, OfCell, of_cell, tell};
 use crate::cell::Change;
+use crate::limits::MAX_PICTURE_PX;
 use crate::users::Session;
 use crate::view::{SENSOR_KEYS, height_view, sensors_view, steps};
 use crate::wire::{HeightView, SensorAnswer, SensorChange, SensorsView};
@@ -12,7 +13,7 @@ use axum::body::Bytes;
 use axum::extract::{Query, State};
 use axum::http::header;
 use axum::response::{IntoResponse as _, Response};
-use seamwright_frames::{Overlay, decode};
+use seamwright_frames::{Overlay, decode_up_to};
 use seamwright_geometry::{HeightTable, MapParameters};
 use seamwright_machine::{Machine, Sensor, Sight};
 use seamwright_message::{Message, Unit};
@@ -29,8 +30,6 @@ const LIMIT_PX: f64 = 0.3;
 const FAR: f64 = 0.1;
 /// Maximum number of planes of a camera.
 const MAX_HEIGHTS: usize = 100;
-/// Maximum number of pixels of a simulated picture.
-const MAX_PX: usize = 1 << 23;
 
 /// Parameters of a picture of a grid.
 #[derive(Deserialize)]
@@ -87,8 +86,8 @@ pub(super) async fn picture(State(panel): Shared, Query(asked): Query<Plate>) ->
         let machine = of_cell(on)?.machine;
         let (sensor, believed) = camera(&machine, &asked)?;
         let count: usize = sensor.size_px.iter().product();
-        if !machine.devices.is_empty() || count > MAX_PX {
-            return Err(Message::new("server-not-simulated").count("max", MAX_PX).into());
+        if !machine.devices.is_empty() || count > MAX_PICTURE_PX {
+            return Err(Message::new("server-not-simulated").count("max", MAX_PICTURE_PX).into());
         }
         let (image, _) = plate(&believed, asked.pitch_mm, asked.seed).map_err(|e| Refused::input(e.message()))?;
         let frame = image.frame().map_err(|e| Refused::server(e.message()))?;
@@ -102,7 +101,8 @@ pub(super) async fn find(State(panel): Shared, Query(asked): Query<Plate>, png: 
     let found = move |on: &Arc<Panel>| {
         let machine = of_cell(on)?.machine;
         let (sensor, believed) = camera(&machine, &asked)?;
-        Ok(match decode(&png) {
+        let most = MAX_PICTURE_PX.max(sensor.size_px.iter().product());
+        Ok(match decode_up_to(&png, most) {
             Ok(image) => seen(&image, sensor, &believed, &asked),
             Err(e) => none("picture", vec![], e.message()),
         })

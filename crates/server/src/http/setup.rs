@@ -3,6 +3,7 @@
 use super::answer::{Answer, Refused};
 use super::panel::{Panel, Shared};
 use crate::cell::{Change, ToDesk, happening};
+use crate::limits::MAX_TOUCHES;
 use crate::users::Session;
 use crate::view::{PARAMETERS, parameters_view};
 use crate::wire::{ParameterChange, ParametersView, Shelving, ToolAnswer, ToolTip, ToolTouches};
@@ -19,8 +20,6 @@ use seamwright_project::own_machine::{OwnMachine, Setting, Step};
 use std::sync::Arc;
 use tokio::sync::oneshot;
 
-/// Maximum number of touches: touching by hand needs fewer.
-const MAX_TOUCHES: usize = 1000;
 /// Maximum residual of consistent touches, mm; they determine the tip within half of it.
 const AGREE_MM: f64 = 0.5;
 /// Maximum tip displacement, mm. Beyond it the tool is a different one, or the touches were of several points.

@@ -2,6 +2,7 @@ use super::answer::Refused;
 use super::client::Client;
 use super::panel::{Panel, Shared};
 use crate::cell::{Connected, Text, ToDesk};
+use crate::limits::{MAX_MESSAGE_BYTES, MESSAGE_READ_BYTES, MESSAGE_TIME};
 use crate::users::Session;
 use axum::extract::State;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
@@ -15,10 +16,6 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 
-/// Maximum size of a message from a page, bytes.
-const MAX_MESSAGE_BYTES: usize = 16 << 10;
-/// Maximum time that a page may take for a message.
-const PATIENCE: Duration = Duration::from_secs(20);
 /// Period of checking the session.
 const CHECK: Duration = Duration::from_secs(2);
 
@@ -29,7 +26,8 @@ pub(super) async fn live(State(panel): Shared, session: Session, upgrade: WebSoc
         return Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", message).into_response();
     };
     let leaves = Leaves { panel: Arc::clone(&panel), station: connected.0 };
-    upgrade.max_message_size(MAX_MESSAGE_BYTES).max_frame_size(MAX_MESSAGE_BYTES).on_upgrade(move |socket| async move {
+    let upgrade = upgrade.max_message_size(MAX_MESSAGE_BYTES).max_frame_size(MAX_MESSAGE_BYTES);
+    upgrade.read_buffer_size(MESSAGE_READ_BYTES).on_upgrade(move |socket| async move {
         talk(&panel, &session, connected, socket).await;
         drop(leaves);
     })
@@ -94,7 +92,7 @@ async fn tell(
         };
         // `None`: the page was too slow for its queue.
         let Some(text) = text else { break };
-        let sent = tokio::time::timeout(PATIENCE, to.send(Message::Text((*text).into()))).await;
+        let sent = tokio::time::timeout(MESSAGE_TIME, to.send(Message::Text((*text).into()))).await;
         if !matches!(sent, Ok(Ok(()))) {
             break;
         }

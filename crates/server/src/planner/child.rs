@@ -1,8 +1,9 @@
 //! A question answered by a separate process.
 
 use super::question::Question;
-use super::{Header, MAX_ANSWER, MEMORY_BYTES, Token};
+use super::{Header, Token};
 use crate::http::Refused;
+use crate::limits::{MAX_PLAN_BYTES, PLAN_MEMORY_BYTES};
 use seamwright_message::{Message, Unit};
 use std::io::{BufRead as _, BufReader, Read, Write as _};
 use std::path::Path;
@@ -73,7 +74,7 @@ fn talk(mut to: ChildStdin, text: &[u8], out: ChildStdout, err: ChildStderr) -> 
 }
 
 fn heard(out: ChildStdout) -> Option<Said> {
-    let mut out = BufReader::new(out.take(MAX_ANSWER as u64));
+    let mut out = BufReader::new(out.take(MAX_PLAN_BYTES as u64));
     let mut line = String::new();
     out.read_line(&mut line).ok()?;
     match serde_json::from_str(&line).ok()? {
@@ -81,8 +82,9 @@ fn heard(out: ChildStdout) -> Option<Said> {
             let mut body = Vec::new();
             out.read_to_end(&mut body).ok()?;
             if body.len() != bytes {
-                let message = Message::new("server-plan-too-large").value("max", (MAX_ANSWER >> 20) as f64, Unit::MiB);
-                return (bytes >= MAX_ANSWER - line.len()).then(|| Err(message.into()));
+                let message =
+                    Message::new("server-plan-too-large").value("max", (MAX_PLAN_BYTES >> 20) as f64, Unit::MiB);
+                return (bytes >= MAX_PLAN_BYTES - line.len()).then(|| Err(message.into()));
             }
             Some(Ok(body))
         }
@@ -96,7 +98,11 @@ fn why(err: ChildStderr) -> Refused {
     drop(err.take(MAX_SAID).read_to_end(&mut said));
     let said = String::from_utf8_lossy(&said);
     if said.contains("memory allocation of") || said.contains("cannot allocate memory") {
-        return Refused::input(Message::new("server-planning-memory").number("max", (MEMORY_BYTES >> 30) as f64, 0));
+        return Refused::input(Message::new("server-planning-memory").number(
+            "max",
+            (PLAN_MEMORY_BYTES >> 30) as f64,
+            0,
+        ));
     }
     Refused::server(Message::new("server-planning-failed").text("why", said.lines().next().unwrap_or("–")))
 }

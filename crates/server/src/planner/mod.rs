@@ -13,6 +13,7 @@ pub(crate) use question::{JOB, Question, wrong_view};
 pub use worker::answer_one_question;
 
 use crate::http::{Refused, Turns};
+use crate::limits::{DRAFT_TIME, MAX_PLANS_OF_USER, PLAN_TIME, PLANNING};
 use axum::http::StatusCode;
 use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
@@ -22,15 +23,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::Notify;
-
-/// Maximum memory and processor time of a process that answers.
-const MEMORY_BYTES: u64 = 2 << 30;
-const TIME: Duration = Duration::from_secs(600);
-/// Maximum time for a draft, which the user waits for while typing, and for all other questions.
-const DRAFT_TIME: Duration = Duration::from_secs(20);
-const PLAN_TIME: Duration = Duration::from_secs(300);
-/// Maximum size of an answer, bytes.
-const MAX_ANSWER: usize = 128 << 20;
 
 /// First line of an answer, as JSON.
 #[derive(Debug, Serialize, Deserialize)]
@@ -79,9 +71,6 @@ fn superseded() -> Refused {
 fn too_long(patience: Duration) -> Refused {
     Refused::input(Message::new("server-planning-time").value("max", patience.as_secs_f64(), Unit::S))
 }
-
-/// Maximum number of questions of one user and sort at a time, over all its pages.
-const MAX_OF_USER: usize = 2;
 
 /// Origin of a question: user, session and page.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Hash)]
@@ -165,9 +154,9 @@ impl Planner {
     pub(crate) fn new(program: Option<PathBuf>) -> Self {
         Self {
             program,
-            plans: Turns::new(1, 8),
-            drafts: Turns::new(1, 8),
-            loads: Turns::new(1, 8),
+            plans: Turns::new(PLANNING),
+            drafts: Turns::new(PLANNING),
+            loads: Turns::new(PLANNING),
             running: Arc::default(),
         }
     }
@@ -195,12 +184,19 @@ impl Planner {
         }
     }
 
+    /// Queues of plans, drafts and loads.
+    #[cfg(test)]
+    pub(crate) fn turns(&self) -> [&Turns; 3] {
+        [&self.plans, &self.drafts, &self.loads]
+    }
+
     fn begin(&self, page: Page, sort: Sort, name: &'static str) -> Result<Ticket, Refused> {
         let mut table = lock(&self.running);
         let older = table.running.values().filter(|running| running.page == page && running.name == name);
         older.for_each(|running| running.token.cancel());
         let wanted = table.running.values().filter(|running| !running.token.is_cancelled());
-        if wanted.filter(|running| running.sort == sort && running.page.user == page.user).count() >= MAX_OF_USER {
+        if wanted.filter(|running| running.sort == sort && running.page.user == page.user).count() >= MAX_PLANS_OF_USER
+        {
             return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", Message::new("server-slow-down")));
         }
         table.next += 1;

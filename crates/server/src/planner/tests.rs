@@ -23,6 +23,7 @@ case "$(cat)" in
 *memory*) echo 'memory allocation of 13 bytes failed' >&2; kill -ABRT $$;;
 *panic*) echo 'thread main panicked at x.rs:1' >&2; exit 101;;
 *refused*) echo '{"refused":{"status":422,"key":"input","message":{"code":"text","arguments":[["text",{"type":"text","value":"no"}]]}}}';;
+*large*) printf '{"answer":{"bytes":134217728}}\n'; head -c 134217728 /dev/zero;;
 *cut*) printf '{"answer":{"bytes":5}}\n{';;
 *) printf '{"answer":{"bytes":2}}\n{}';;
 esac
@@ -86,7 +87,7 @@ async fn one_user_does_not_take_all_places() {
         let (planner, jobs, question) = (Arc::clone(&planner), folder.path().to_owned(), report("long"));
         asked.push(tokio::spawn(async move { planner.ask(page, question, jobs).await }));
     }
-    while asked.iter().filter(|asked| asked.is_finished()).count() < 20 - MAX_OF_USER {
+    while asked.iter().filter(|asked| asked.is_finished()).count() < 20 - MAX_PLANS_OF_USER {
         tokio::time::sleep(Duration::from_millis(10)).await;
     }
     let (planner, jobs, question) = (Arc::clone(&planner), folder.path().to_owned(), report("short"));
@@ -125,6 +126,14 @@ fn failures_of_the_process_are_answers() {
     assert!(late.message.to_string().contains("longer than"), "{}", late.message);
     let refused = ask("refused", long).unwrap_err();
     assert_eq!((refused.status.as_u16(), refused.key, refused.message.to_string()), (422, "input", "no".to_owned()));
+    // An answer larger than its limit is not read to its end.
+    assert_eq!(crate::limits::MAX_PLAN_BYTES, 134_217_728);
+    let large = ask("large", long).unwrap_err();
+    assert!(
+        large.status == StatusCode::UNPROCESSABLE_ENTITY && large.message.to_string().contains("128 MiB"),
+        "{}",
+        large.message
+    );
     // A truncated answer is an error.
     assert!(ask("cut", long).is_err());
 }

@@ -1,8 +1,9 @@
 //! The process that answers one question and ends. Limits of memory, time and priority protect the cell.
 
+use super::Header;
 use super::question::Question;
-use super::{Header, MEMORY_BYTES, TIME};
 use crate::http::Refused;
+use crate::limits::{PLAN_MEMORY_BYTES, PLAN_PROCESSOR_TIME};
 use std::io::{self, BufWriter, Read as _, Write};
 use std::path::Path;
 
@@ -35,8 +36,8 @@ fn limit() -> io::Result<()> {
     /// Priority reduction (`nice`): below the panel's own work.
     const NICE: i32 = 15;
     let most = |value: u64| Rlimit { current: Some(value), maximum: Some(value) };
-    setrlimit(Resource::As, most(MEMORY_BYTES))?;
-    setrlimit(Resource::Cpu, most(TIME.as_secs()))?;
+    setrlimit(Resource::As, most(PLAN_MEMORY_BYTES))?;
+    setrlimit(Resource::Cpu, most(PLAN_PROCESSOR_TIME.as_secs()))?;
     setrlimit(Resource::Core, most(0))?;
     setpriority_process(None, NICE)?;
     set_parent_process_death_signal(Some(Signal::KILL))?;

@@ -105,6 +105,11 @@ impl Page {
         self.socket.send(Message::text(message.to_string())).await.unwrap();
     }
 
+    /// Sends a text. Returns false if the connection is closed.
+    pub(super) async fn tries_to_say(&mut self, text: &str) -> bool {
+        self.socket.send(Message::text(text.to_owned())).await.is_ok()
+    }
+
     async fn next(&mut self) -> Option<Value> {
         if self.beat.elapsed() > Duration::from_millis(200) {
             self.beat = Instant::now();

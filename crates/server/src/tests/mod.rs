@@ -8,6 +8,8 @@ mod crowded;
 mod devices;
 mod drawn;
 mod guarded;
+mod limits;
+mod limits_page;
 mod lived;
 mod recorded;
 mod restored;

@@ -1,18 +1,14 @@
 use super::passwords::Passwords;
+use crate::limits::{MAX_NAME_CHARS, MAX_USERS, MAX_USERS_FILE_BYTES, MIN_PASSWORD_CHARS};
 use crate::wire::{Role, UserRow};
 use seamwright_message::Message;
+use seamwright_project::files;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Minimum number of characters of a password.
-const MIN_PASSWORD_CHARS: usize = 10;
-/// Maximum number of characters of a name or password.
-const MAX_CHARS: usize = 128;
 /// Name of the client that has the printed address while there is no administrator; reserved.
 pub(crate) const OWNER: &str = "owner";
-/// Maximum number of users.
-pub(crate) const MAX_USERS: usize = 200;
 
 /// Error of a user or password.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,6 +20,16 @@ fn trouble<T>(message: Message) -> Result<T, Trouble> {
 
 fn unreadable(path: &Path, why: &dyn std::fmt::Display) -> Message {
     Message::new("server-file-unreadable").text("file", path.display().to_string()).text("why", why.to_string())
+}
+
+/// Reads the users of a file, which may be of a restored archive.
+fn read(path: &Path) -> Result<Vec<User>, Trouble> {
+    let text = files::read_up_to(path, MAX_USERS_FILE_BYTES).map_err(|e| Trouble(e.message()))?;
+    let users: Vec<User> = serde_json::from_str(&text).map_err(|e| Trouble(unreadable(path, &e)))?;
+    if users.len() > MAX_USERS {
+        return trouble(Message::new("server-too-many-users").count("max", MAX_USERS));
+    }
+    Ok(users)
 }
 
 /// The users of a data folder, in `users.json`.
@@ -56,11 +62,7 @@ impl Accounts {
     /// Fails if the file cannot be read or parsed: access is denied rather than granted by mistake.
     pub(crate) fn open(folder: &Path) -> Result<Self, Trouble> {
         let path = folder.join("users.json");
-        let users = match std::fs::read_to_string(&path) {
-            Ok(text) => serde_json::from_str(&text).map_err(|e| Trouble(unreadable(&path, &e)))?,
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => Vec::new(),
-            Err(e) => return trouble(unreadable(&path, &e)),
-        };
+        let users = if path.try_exists().unwrap_or(true) { read(&path)? } else { Vec::new() };
         Ok(Self { path, users: Mutex::new(users), changes: Mutex::new(()), passwords: Passwords::default() })
     }
 
@@ -94,7 +96,7 @@ impl Accounts {
     /// caller hides the difference if not.
     pub(crate) fn check(&self, name: &str, password: &str) -> Option<(Role, String)> {
         let user = self.users().iter().find(|u| u.name == name && u.enabled).cloned()?;
-        let fits = password.len() <= 4 * MAX_CHARS && self.passwords.fits(password, &user.hash);
+        let fits = password.len() <= 4 * MAX_NAME_CHARS && self.passwords.fits(password, &user.hash);
         fits.then_some((user.role, user.hash))
     }
 
@@ -115,16 +117,16 @@ impl Accounts {
         password: Option<&str>,
     ) -> Result<UserRow, Trouble> {
         let good = |c: char| c.is_alphanumeric() || "-_. ".contains(c);
-        if name.trim() != name || name.is_empty() || name.chars().count() > MAX_CHARS || !name.chars().all(good) {
-            return trouble(Message::new("server-user-name").count("max", MAX_CHARS));
+        if name.trim() != name || name.is_empty() || name.chars().count() > MAX_NAME_CHARS || !name.chars().all(good) {
+            return trouble(Message::new("server-user-name").count("max", MAX_NAME_CHARS));
         }
         if name.eq_ignore_ascii_case(OWNER) {
             return trouble(Message::new("server-user-owner").text("user", name));
         }
         let hash = match password {
-            Some(p) if !(MIN_PASSWORD_CHARS..=MAX_CHARS).contains(&p.chars().count()) => {
+            Some(p) if !(MIN_PASSWORD_CHARS..=MAX_NAME_CHARS).contains(&p.chars().count()) => {
                 let message = Message::new("server-password-length");
-                return trouble(message.count("min", MIN_PASSWORD_CHARS).count("max", MAX_CHARS));
+                return trouble(message.count("min", MIN_PASSWORD_CHARS).count("max", MAX_NAME_CHARS));
             }
             Some(p) => Some(self.passwords.hash(p)?),
             None => None,
@@ -170,7 +172,7 @@ impl Accounts {
             return trouble(Message::new("server-last-admin"));
         }
         let text = serde_json::to_string_pretty(&changed).map_err(|e| Trouble(e.to_string().into()))?;
-        seamwright_project::files::write_secret(&self.path, &(text + "\n")).map_err(|e| Trouble(e.text().into()))?;
+        files::write_secret(&self.path, &(text + "\n")).map_err(|e| Trouble(e.text().into()))?;
         *self.users() = changed;
         Ok(())
     }
@@ -179,6 +181,23 @@ impl Accounts {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A restored file of users is neither larger nor has more users than the panel itself would write.
+    #[test]
+    fn a_file_of_too_many_users_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("users.json");
+        let user = |i: usize| User { name: format!("user {i}"), role: Role::Admin, enabled: true, hash: String::new() };
+        let write = |count: usize| {
+            let users: Vec<User> = (0..count).map(user).collect();
+            std::fs::write(&file, serde_json::to_string(&users).unwrap()).unwrap();
+            Accounts::open(folder.path()).map(|accounts| accounts.list().len()).map_err(|e| e.0.code.to_string())
+        };
+        assert_eq!(write(MAX_USERS), Ok(MAX_USERS));
+        assert_eq!(write(MAX_USERS + 1), Err("server-too-many-users".to_owned()));
+        std::fs::File::create(&file).unwrap().set_len(MAX_USERS_FILE_BYTES + 1).unwrap();
+        assert!(Accounts::open(folder.path()).is_err_and(|e| e.0.to_string().contains("larger than 1 MiB")));
+    }
 
     #[test]
     fn users_are_looked_up_while_a_change_waits_for_the_disk() {

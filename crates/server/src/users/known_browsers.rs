@@ -1,6 +1,7 @@
 //! Browsers in which a user has logged in before. Wrong passwords from elsewhere do not lock them out.
 
 use super::sessions::secret;
+use crate::limits::{MAX_BROWSERS, MAX_BROWSERS_OF_USER};
 use crate::log;
 use seamwright_message::Message;
 use seamwright_project::files;
@@ -11,12 +12,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Maximum number of remembered browsers, in total and per user. The least recently used one is forgotten.
-const MAX_DEVICES: usize = 1000;
-const MAX_OF_USER: usize = 20;
 /// File name in the data folder.
 const FILE: &str = "devices.json";
-/// Maximum size of the file, bytes; larger than [`MAX_DEVICES`] entries.
+/// Maximum size of the file, bytes; larger than [`MAX_BROWSERS`] entries.
 const MAX_FILE: u64 = 1 << 20;
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -47,7 +45,7 @@ impl Devices {
             log::warning(&format!("{}: {why}: browsers are remembered anew", file.display()));
             Vec::new()
         });
-        let known = known.into_iter().take(MAX_DEVICES).map(|device| (device.id.clone(), device)).collect();
+        let known = known.into_iter().take(MAX_BROWSERS).map(|device| (device.id.clone(), device)).collect();
         Self { file, known: Mutex::new(known), writing: Mutex::default(), is_due: AtomicBool::new(false) }
     }
 
@@ -69,8 +67,8 @@ impl Devices {
         let cookie = secret()?;
         let mut known = self.known();
         let own = known.values().filter(|device| device.user == user).count();
-        if own >= MAX_OF_USER || known.len() >= MAX_DEVICES {
-            let candidates = known.iter().filter(|(_, device)| own < MAX_OF_USER || device.user == user);
+        if own >= MAX_BROWSERS_OF_USER || known.len() >= MAX_BROWSERS {
+            let candidates = known.iter().filter(|(_, device)| own < MAX_BROWSERS_OF_USER || device.user == user);
             let oldest = candidates.min_by_key(|(_, device)| device.used).map(|(id, _)| id.clone());
             oldest.map(|id| known.remove(&id));
         }
@@ -123,8 +121,8 @@ mod tests {
         let ada = devices.remember("ada").unwrap();
         assert!(devices.of(&ada, "ada").is_some() && devices.of(&ada, "eve").is_none());
         assert!(devices.of("guess", "ada").is_none());
-        (0..3 * MAX_OF_USER).for_each(|_| drop(devices.remember("eve").unwrap()));
-        assert_eq!(devices.known().len(), MAX_OF_USER + 1);
+        (0..3 * MAX_BROWSERS_OF_USER).for_each(|_| drop(devices.remember("eve").unwrap()));
+        assert_eq!(devices.known().len(), MAX_BROWSERS_OF_USER + 1);
         assert!(devices.of(&ada, "ada").is_some());
         devices.forget("ada");
         assert!(devices.of(&ada, "ada").is_none());

@@ -1,21 +1,14 @@
+use crate::limits::{
+    MAX_CHECKS_OF_NAME, MAX_WRONG_KEYS, MAX_WRONG_OF_ADDRESS, MAX_WRONG_OF_NAME, WRONG_DOUBLINGS, WRONG_DOUBLINGS_HERE,
+    WRONG_WAIT,
+};
 use std::collections::HashMap;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Wrong passwords allowed for one name from one address before a wait.
-const OF_NAME: u32 = 5;
-/// The same for all names from one address. Not counted on this computer: behind a tunnel everybody has its address.
-const OF_ADDRESS: u32 = 20;
-/// First wait. Each further wrong password doubles it, up to 2^8 times; on this computer up to 2^4, since behind a
-/// tunnel everybody has its address.
-const WAIT: Duration = Duration::from_secs(2);
-const DOUBLINGS: u32 = 8;
-const DOUBLINGS_HERE: u32 = 4;
 /// Wrong passwords are forgotten after this time without another one.
 const FORGET: Duration = Duration::from_secs(3600);
-/// Maximum number of keys that are remembered.
-const MAX_KEYS: usize = 2000;
 
 /// Key by which wrong passwords are counted.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -51,14 +44,14 @@ pub(crate) fn house(address: IpAddr) -> IpAddr {
 /// attempts count.
 fn keys(origin: &Origin, user: &str) -> Vec<(Key, u32, u32)> {
     if let Some(device) = &origin.device {
-        return vec![(Key::Device(device.clone()), OF_NAME, DOUBLINGS)];
+        return vec![(Key::Device(device.clone()), MAX_WRONG_OF_NAME, WRONG_DOUBLINGS)];
     }
     let house = house(origin.address);
     let name = Key::Name(house, user.to_owned());
     if house.is_loopback() {
-        return vec![(name, OF_NAME, DOUBLINGS_HERE)];
+        return vec![(name, MAX_WRONG_OF_NAME, WRONG_DOUBLINGS_HERE)];
     }
-    vec![(name, OF_NAME, DOUBLINGS), (Key::Address(house), OF_ADDRESS, DOUBLINGS)]
+    vec![(name, MAX_WRONG_OF_NAME, WRONG_DOUBLINGS), (Key::Address(house), MAX_WRONG_OF_ADDRESS, WRONG_DOUBLINGS)]
 }
 
 impl Tries {
@@ -83,7 +76,7 @@ impl Tries {
         }
         known.retain(|_, (_, until)| *until + FORGET > now);
         for (key, allowed, doublings) in keys(origin, user) {
-            if known.len() >= MAX_KEYS && !known.contains_key(&key) {
+            if known.len() >= MAX_WRONG_KEYS && !known.contains_key(&key) {
                 // A flood of invented names does not displace names that are tried repeatedly.
                 if let Some(least) = known.iter().min_by_key(|(_, counted)| **counted).map(|(key, _)| key.clone()) {
                     known.remove(&least);
@@ -92,14 +85,11 @@ impl Tries {
             let (tries, until) = known.entry(key).or_insert((0, now));
             *tries += 1;
             if *tries >= allowed {
-                *until = now + WAIT * 2u32.pow((*tries - allowed).min(doublings));
+                *until = now + WRONG_WAIT * 2u32.pow((*tries - allowed).min(doublings));
             }
         }
     }
 }
-
-/// Maximum number of passwords of one name that wait for a check: no name blocks another.
-const MAX_OF_NAME: usize = 8;
 
 /// Number of passwords of each name that are being checked.
 #[derive(Default, Clone)]
@@ -116,7 +106,7 @@ impl Checks {
     pub(crate) fn begin(&self, user: &str) -> Option<Check> {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let own = known.entry(user.to_owned()).or_default();
-        if *own >= MAX_OF_NAME {
+        if *own >= MAX_CHECKS_OF_NAME {
             return None;
         }
         *own += 1;
@@ -156,9 +146,11 @@ mod tests {
         let tries = Tries::default();
         let own = Origin { device: Some("her browser".to_owned()), ..at("127.0.0.1") };
         wrong(&tries, "127.0.0.1", "ada", 100);
-        assert!(waits(&tries, "127.0.0.1", "ada").is_some_and(|wait| wait <= WAIT * 2u32.pow(DOUBLINGS_HERE)));
+        assert!(
+            waits(&tries, "127.0.0.1", "ada").is_some_and(|wait| wait <= WRONG_WAIT * 2u32.pow(WRONG_DOUBLINGS_HERE))
+        );
         assert!(tries.waits(&own, "ada").is_none());
-        (0..OF_NAME).for_each(|_| tries.tried(&own, "ada", false));
+        (0..MAX_WRONG_OF_NAME).for_each(|_| tries.tried(&own, "ada", false));
         assert!(tries.waits(&own, "ada").is_some());
     }
 
@@ -166,7 +158,7 @@ mod tests {
     fn no_name_takes_the_places_of_another() {
         let checks = Checks::default();
         let held: Vec<Option<Check>> = (0..100).map(|_| checks.begin("ada")).collect();
-        assert_eq!(held.iter().flatten().count(), MAX_OF_NAME);
+        assert_eq!(held.iter().flatten().count(), MAX_CHECKS_OF_NAME);
         assert!(checks.begin("eve").is_some());
         drop(held);
         assert!(checks.0.lock().unwrap().is_empty());
@@ -175,7 +167,7 @@ mod tests {
     #[test]
     fn who_guesses_waits_and_others_do_not() {
         let tries = Tries::default();
-        wrong(&tries, "10.0.0.1", "ada", OF_NAME - 1);
+        wrong(&tries, "10.0.0.1", "ada", MAX_WRONG_OF_NAME - 1);
         assert!(waits(&tries, "10.0.0.1", "ada").is_none());
         wrong(&tries, "10.0.0.1", "ada", 1);
         let first = waits(&tries, "10.0.0.1", "ada").unwrap();
@@ -187,14 +179,14 @@ mod tests {
         assert!(waits(&tries, "10.0.0.1", "ada").is_none());
         // Neither a new name each time nor a right password in between resets the count; on this computer only names
         // count.
-        for i in 0..OF_ADDRESS {
+        for i in 0..MAX_WRONG_OF_ADDRESS {
             wrong(&tries, "10.0.0.3", &format!("name {i}"), 1);
             tries.tried(&at("10.0.0.3"), "eve", true);
             wrong(&tries, "127.0.0.1", &format!("name {i}"), 1);
         }
         assert!(waits(&tries, "10.0.0.3", "ada").is_some() && waits(&tries, "127.0.0.1", "ada").is_none());
         // All IPv6 addresses of a network count as one; an IPv4 address equals its IPv6 form.
-        (0..OF_ADDRESS).for_each(|i| wrong(&tries, &format!("2001:db8:0:1::{i:x}"), &format!("name {i}"), 1));
+        (0..MAX_WRONG_OF_ADDRESS).for_each(|i| wrong(&tries, &format!("2001:db8:0:1::{i:x}"), &format!("name {i}"), 1));
         assert!(waits(&tries, "2001:db8:0:1:ffff::1", "ada").is_some());
         assert!(waits(&tries, "2001:db8:0:2::1", "ada").is_none());
         assert!(waits(&tries, "::ffff:10.0.0.3", "ada").is_some());
@@ -203,11 +195,11 @@ mod tests {
     #[test]
     fn it_never_grows_without_end_and_forgets_the_least() {
         let tries = Tries::default();
-        wrong(&tries, "127.0.0.1", "ada", OF_NAME);
-        for i in 0..3 * MAX_KEYS {
+        wrong(&tries, "127.0.0.1", "ada", MAX_WRONG_OF_NAME);
+        for i in 0..3 * MAX_WRONG_KEYS {
             wrong(&tries, "127.0.0.1", &format!("name {i}"), 1);
         }
-        assert!(tries.0.lock().unwrap().len() <= MAX_KEYS);
+        assert!(tries.0.lock().unwrap().len() <= MAX_WRONG_KEYS);
         assert!(waits(&tries, "127.0.0.1", "ada").is_some());
     }
 }

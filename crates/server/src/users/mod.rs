@@ -7,7 +7,7 @@ mod passwords;
 mod permissions;
 mod sessions;
 
-pub(crate) use accounts::{Accounts, MAX_USERS, OWNER, Trouble};
+pub(crate) use accounts::{Accounts, OWNER, Trouble};
 pub(crate) use known_browsers::Devices;
 pub(crate) use login_attempts::{Checks, Origin, Tries, house};
 pub(crate) use permissions::{NEEDS, least, may};

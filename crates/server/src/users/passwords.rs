@@ -1,14 +1,11 @@
 //! Password hashes: Argon2id, as PHC strings.
 
 use super::accounts::Trouble;
+use crate::limits::{MAX_HASH_MEMORY_KIB, MAX_HASH_PASSES};
 use argon2::password_hash::phc::{Output, ParamsString, PasswordHash, Salt};
 use argon2::{ARGON2ID_IDENT, Algorithm, Argon2, Block, Params, Version};
 use seamwright_message::Message;
 use std::sync::{Mutex, PoisonError};
-
-/// Maximum cost of a hash that is checked, memory in KiB and passes: a restored archive may contain any value.
-const MAX_MEMORY_KIB: u32 = 64 << 10;
-const MAX_PASSES: u32 = 16;
 
 /// Hashes one password at a time in shared memory: hundreds of logins need no more than one.
 #[derive(Default)]
@@ -46,7 +43,7 @@ impl Passwords {
         let hash = PasswordHash::new(hash).ok()?;
         let (salt, expected) = (hash.salt?, hash.hash?);
         let params = Params::try_from(&hash).ok()?;
-        if params.m_cost() > MAX_MEMORY_KIB || params.t_cost() > MAX_PASSES {
+        if params.m_cost() > MAX_HASH_MEMORY_KIB || params.t_cost() > MAX_HASH_PASSES {
             return None;
         }
         let algorithm = Algorithm::try_from(hash.algorithm.as_str()).ok()?;

@@ -1,18 +1,11 @@
+use crate::limits::{MAX_SESSIONS, MAX_SESSIONS_OF_USER, SESSION_IDLE, SESSION_TIME};
 use crate::wire::Role;
 use seamwright_message::Message;
 use seamwright_record::sha256;
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-/// A session ends after this time without use.
-const IDLE: Duration = Duration::from_secs(8 * 3600);
-/// Maximum duration of a session.
-const LONGEST: Duration = Duration::from_secs(24 * 3600);
-/// Maximum number of sessions, in total and per user. Beyond it the least recently seen session ends: of this user, or
-/// else of the user with the most sessions.
-const MAX_SESSIONS: usize = 500;
-const MAX_OF_USER: usize = 20;
 /// Returns 256 random bits as hexadecimal text.
 pub(crate) fn secret() -> Result<String, Message> {
     let mut bytes = [0u8; 32];
@@ -99,7 +92,7 @@ impl Sessions {
 fn superfluous(table: &HashMap<String, Session>, user: &str) -> Option<String> {
     let mut counts: HashMap<&str, usize> = HashMap::new();
     table.values().for_each(|session| *counts.entry(&session.user).or_default() += 1);
-    let of = if counts.get(user).is_some_and(|own| *own >= MAX_OF_USER) {
+    let of = if counts.get(user).is_some_and(|own| *own >= MAX_SESSIONS_OF_USER) {
         user
     } else if table.len() >= MAX_SESSIONS {
         counts.iter().max_by_key(|(_, count)| **count).map(|(user, _)| *user)?
@@ -112,13 +105,14 @@ fn superfluous(table: &HashMap<String, Session>, user: &str) -> Option<String> {
 
 impl Session {
     fn is_alive(&self, now: Instant) -> bool {
-        now - self.used < IDLE && now - self.made < LONGEST
+        now - self.used < SESSION_IDLE && now - self.made < SESSION_TIME
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::time::Duration;
 
     #[test]
     fn sessions_end() {
@@ -147,7 +141,7 @@ mod tests {
             assert!(sessions.lives(&watches, false));
         }
         assert!(sessions.of(&cookie).is_some());
-        assert_eq!(sessions.table().len(), MAX_OF_USER + 1);
+        assert_eq!(sessions.table().len(), MAX_SESSIONS_OF_USER + 1);
     }
 
     /// A session in use stays alive, up to its maximum duration.
@@ -161,14 +155,14 @@ mod tests {
             (known.made, known.used) = (known.made - by, known.used - by);
         };
         for _ in 0..3 {
-            older(IDLE - Duration::from_secs(60));
+            older(SESSION_IDLE - Duration::from_secs(60));
             assert!(sessions.lives(&session, true));
         }
         assert!(sessions.of(&cookie).is_some());
         older(Duration::from_secs(600));
         assert!(sessions.of(&cookie).is_none() && !sessions.lives(&session, true));
         let (cookie, session) = sessions.begin("ada", Role::Admin).unwrap();
-        sessions.table().get_mut(&session.id).unwrap().used -= IDLE;
+        sessions.table().get_mut(&session.id).unwrap().used -= SESSION_IDLE;
         assert!(!sessions.lives(&session, true) && sessions.of(&cookie).is_none());
     }
 }

@@ -8,7 +8,8 @@ use serde_json::json;
 
 pub(super) fn backup(args: &BackupArgs) -> Result<(), Failure> {
     let data = open(args.data.data.as_deref())?;
-    files::write_with(&args.output, |out| Ok(data.back_up(out)?))?;
+    // It has the users with their password hashes.
+    files::write_secret_with(&args.output, |out| Ok(data.back_up(out)?))?;
     let bytes = std::fs::metadata(&args.output).map_or(0, |m| m.len());
     let written = Message::new("cli-record-backup").text("file", args.output.display().to_string());
     let written = written.number("size", bytes as f64 / 1e6, 1);
