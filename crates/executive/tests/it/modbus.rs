@@ -4,7 +4,7 @@ use crate::modbus_cell::{MAP, PERIOD_S, VALUES, device, parts, welder};
 use crate::modbus_server::{Bank, TestServer};
 use seamwright_executive::devices::modbus::{ModbusInputs, ModbusParts, ModbusSource, RegisterInspector, connect};
 use seamwright_executive::devices::{InputBits, Inputs as _, Source as _};
-use seamwright_executive::{ProcessOrders, SourceReport};
+use seamwright_executive::{ProcessOrders, SourceReport, Watchdog};
 use std::time::{Duration, Instant};
 
 /// A cycle over connected devices.
@@ -14,7 +14,7 @@ struct Cell {
     orders: ProcessOrders,
     report: SourceReport,
     bits: InputBits,
-    watchdog: bool,
+    watchdog: Watchdog,
 }
 
 impl Cell {
@@ -25,7 +25,7 @@ impl Cell {
             orders: ProcessOrders { values: [f64::NAN; 16], ..ProcessOrders::default() },
             report: SourceReport { age_s: f64::INFINITY, ..SourceReport::default() },
             bits: InputBits::default(),
-            watchdog: false,
+            watchdog: Watchdog::default(),
         }
     }
 
@@ -35,8 +35,8 @@ impl Cell {
     }
 
     fn cycle(&mut self) {
-        self.watchdog = !self.watchdog;
-        self.source.exchange(&self.orders, &mut self.report);
+        self.watchdog = self.watchdog.next(self.watchdog.late);
+        self.source.exchange(&self.orders, self.watchdog, &mut self.report);
         self.inputs.exchange(self.watchdog, &mut self.bits);
     }
 

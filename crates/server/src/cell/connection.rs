@@ -2,7 +2,7 @@
 
 use super::prepared_task::Prepared;
 use super::task::SEED;
-use seamwright_executive::{Devices, Orders, Reports, Slack};
+use seamwright_executive::{CutOff, Devices, Orders, Reports, Slack};
 use seamwright_message::Message;
 use seamwright_project::devices::{self, Lines};
 use std::path::Path;
@@ -87,5 +87,9 @@ impl Devices for CellDevices {
 
     fn drives_late_s(&self) -> f64 {
         self.cell.drives_late_s()
+    }
+
+    fn cut_offs(&self) -> Vec<Box<dyn CutOff>> {
+        self.cell.cut_offs()
     }
 }

@@ -56,7 +56,7 @@ impl<S: Source, I: Inputs> Bench<S, I> {
     /// Runs up to `most` cycles until `done`.
     fn cycles(&mut self, most: usize, done: impl Fn(&Self) -> bool) -> bool {
         for _ in 0..most {
-            self.orders.watchdog = !self.orders.watchdog;
+            self.orders.watchdog = self.orders.watchdog.next(false);
             self.set.exchange(&self.orders, &mut self.reports);
             if self.real {
                 std::thread::sleep(Duration::from_secs_f64(PERIOD_S));
