@@ -101,7 +101,7 @@ impl Thread {
         self.cut_offs.iter().for_each(|device| device.order());
         SystemTime.sleep_until(SystemTime.now().later_by(CONFIRMED.as_nanos() as u64));
         for device in &self.cut_offs {
-            // A cycle that came back has taken over: its orders count again.
+            // A cycle that came back has taken over.
             let stands = self.shared.cut_off.load(Ordering::Acquire) && !self.shared.ended.load(Ordering::Acquire);
             if stands && !device.is_confirmed() {
                 // If that fails, the device's own watchdog remains, and its thread goes on trying.

@@ -2,7 +2,7 @@ use super::clock::{SteadyTime, SystemTime, TimeSource};
 use super::cycle_supervisor::CycleSupervisor;
 use super::{Latency, Shutdown};
 use crate::executive::{CutOff, Devices, Orders, ProcessOrders, Reports, Slack, Watchdog};
-use seamwright_machine::Machine;
+use seamwright_machine::{Machine, Role};
 use seamwright_tracking::beam::Picture;
 
 /// Starts of cycles at whole multiples of a period, by a steady clock.
@@ -66,7 +66,7 @@ pub struct Paced<D, T = SystemTime> {
     pub pacer: Pacer<T>,
     /// Maximum gap of the machine file, s.
     longest_gap_s: Option<f64>,
-    /// Time without a cycle after which a device sets its outputs safe by itself, s.
+    /// Time without a cycle after which the process source sets its outputs safe by itself, s.
     outputs_safe_s: f64,
 }
 
@@ -85,16 +85,17 @@ impl<D: Devices> Paced<D> {
 impl<D: Devices, T: TimeSource> Paced<D, T> {
     /// Creates the devices of `machine` without a supervisor.
     pub fn new(devices: D, machine: &Machine, pacer: Pacer<T>) -> Self {
-        let outputs_safe_s =
-            machine.devices.modbus.iter().map(|device| device.watchdog_s).fold(f64::INFINITY, f64::min);
+        let modbus = machine.devices.modbus.iter();
+        let sources = modbus.filter(|device| device.registers.iter().any(|register| register.role == Role::On));
+        let outputs_safe_s = sources.map(|device| device.watchdog_s).fold(f64::INFINITY, f64::min);
         Self { supervisor: None, devices, pacer, longest_gap_s: machine.longest_gap_s, outputs_safe_s }
     }
 
-    /// Returns true if the process must not go on after a gap of `missed` cycles. A device that has set its outputs
-    /// safe meanwhile has taken the process off.
+    /// Returns true if the process must not go on after a gap of `missed` cycles. A source whose outputs went safe
+    /// meanwhile has taken the process off.
     fn is_late(&self, missed: u32, orders: &Orders) -> bool {
         let gap_s = f64::from(missed) * self.pacer.period_s();
-        missed > self.rides_out().cycles || (orders.process.on && gap_s > self.outputs_safe_s)
+        missed > self.rides_out().cycles || (orders.process.on && gap_s > self.outputs_safe_s + 1e-9)
     }
 }
 
@@ -130,5 +131,95 @@ impl<D: Devices, T: TimeSource> Devices for Paced<D, T> {
 
     fn cut_offs(&self) -> Vec<Box<dyn CutOff>> {
         self.devices.cut_offs()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::ManualTime;
+    use super::*;
+    use seamwright_machine::shipped;
+    use std::time::Duration;
+
+    /// Cycles keep to the grid of the clock, whatever the duration of the work between them; the time of all cycles and
+    /// missed cycles is that of the clock.
+    #[test]
+    fn cycles_keep_to_the_grid() {
+        let time = ManualTime::default();
+        let (begin, period) = (time.now(), Duration::from_millis(2));
+        let mut pacer = Pacer::by(time.clone(), 2e-3);
+        let (mut cycles, mut state) = (0u64, 3u64);
+        for _ in 0..5000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            // Mostly shorter than a period, sometimes up to a quarter of an hour.
+            let work_us = (state >> 33) % 10u64.pow(1 + (state >> 20) as u32 % 9);
+            time.advance(Duration::from_micros(work_us));
+            cycles += 1 + u64::from(pacer.wait());
+            let now = time.now().since(begin);
+            let grid = Duration::from_millis(2 * cycles);
+            assert!(now >= grid && now < grid + period, "cycle {cycles} at {now:?}");
+        }
+        assert_eq!(pacer.latency().count() + pacer.latency().missed(), cycles);
+    }
+
+    /// Keeps the last orders; its reports never come.
+    #[derive(Default)]
+    struct Mute {
+        orders: Orders,
+        slack: u32,
+    }
+
+    impl Devices for Mute {
+        fn exchange(&mut self, orders: &Orders, _reports: &mut Reports) {
+            self.orders = *orders;
+        }
+
+        fn rides_out(&self) -> Slack {
+            Slack::stored(self.slack)
+        }
+
+        fn drives_late_s(&self) -> f64 {
+            0.0
+        }
+    }
+
+    /// The ages of all devices grow by the true length of every gap. A gap that is too long takes the process off: for
+    /// the drives, for the machine file, or for the process source.
+    #[test]
+    fn reports_age_and_the_process_goes_off_over_a_gap() {
+        let text = shipped("ellipse-xy").unwrap().text;
+        let key = "servo_period_ms = 1\n";
+        assert!(text.contains(key));
+        let limited = text.replace(key, &format!("{key}longest_gap_ms = 40\n"));
+        let source = "[devices.io.modbus]\naddress = \"a:1\"\nwatchdog_s = 0.03\noutputs.on = { coil = 1 }\n\
+                      reports.burning = { discrete = 1 }\n";
+        let with_source = format!("{text}\n{source}");
+        for (text, slack, limit_ms) in
+            [(text, 10, 10), (&limited, 10, 10), (&limited, 250, 40), (&with_source, 250, 30)]
+        {
+            let machine = Machine::read("m.toml", text).unwrap_or_else(|e| panic!("{e}"));
+            for gap_ms in [0, limit_ms, limit_ms + 1, 300, 2000, 10_000, 3_600_000] {
+                let time = ManualTime::default();
+                let pacer = Pacer::by(time.clone(), machine.servo_period_s);
+                let mut paced = Paced::new(Mute { slack, ..Mute::default() }, &machine, pacer);
+                let mut orders = Orders::default();
+                orders.process.on = true;
+                let mut reports = Reports::default();
+                (reports.drives.age_s, reports.source.age_s, reports.inputs_age_s) = (0.5, 0.25, 0.125);
+                paced.exchange(&orders, &mut reports);
+                assert!(paced.devices.orders == orders && reports.missed == 0 && !reports.late);
+                time.advance(Duration::from_millis(1 + gap_ms));
+                paced.exchange(&orders, &mut reports);
+                let late = gap_ms > limit_ms;
+                assert_eq!((u64::from(reports.missed), reports.late), (gap_ms, late), "{gap_ms} ms");
+                let given = paced.devices.orders;
+                assert_eq!((given.process.on, given.watchdog.late), (!late, late), "{gap_ms} ms");
+                let gap_s = 1e-3 * gap_ms as f64;
+                let ages = [reports.drives.age_s, reports.source.age_s, reports.inputs_age_s, reports.sensors.age_s];
+                for (age_s, before_s) in ages.into_iter().zip([0.5, 0.25, 0.125, 0.0]) {
+                    assert!((age_s - before_s - gap_s).abs() < 1e-6, "{age_s}");
+                }
+            }
+        }
     }
 }

@@ -30,7 +30,7 @@ enum Punctuality {
     OnTime,
     /// A cycle was late: the watchdog output stands still until the cell is reset.
     Late,
-    /// The supervisor has found the cycle stopped: all outputs are safe until the next cycle.
+    /// The supervisor has found the cycle stopped: all outputs are safe until the cycle knows that it was late.
     CutOff,
 }
 
@@ -38,14 +38,20 @@ impl Life {
     /// Counts a cycle.
     pub(super) fn count_cycle(&self, watchdog: Watchdog) {
         self.cycles.fetch_add(1, Ordering::Release);
-        self.set(if watchdog.late { Punctuality::Late } else { Punctuality::OnTime });
+        if watchdog.late {
+            self.set(Punctuality::Late);
+        } else {
+            // It fails if the cycle is on time already, or is cut off: its orders then date from before the gap.
+            let [late, on_time] = [Punctuality::Late, Punctuality::OnTime].map(|state| state as u8);
+            let _ = self.punctuality.compare_exchange(late, on_time, Ordering::AcqRel, Ordering::Relaxed);
+        }
     }
 
     fn set(&self, punctuality: Punctuality) {
         self.punctuality.store(punctuality as u8, Ordering::Release);
     }
 
-    /// Takes the process off until the next cycle.
+    /// Takes the process off until the cycle knows that it was late.
     pub(super) fn cut_off(&self) {
         self.safe.store(false, Ordering::Release);
         self.set(Punctuality::CutOff);
