@@ -73,6 +73,7 @@ alarm-18-consequence = der Draht verbiegt sich, wenn der Brenner wegfährt
 alarm-18-action = Draht abschneiden
 alarm-19-title = Zyklen verpasst
 alarm-19-cause = dieser Rechner ist für die Zykluszeit zu langsam oder zu ausgelastet
+alarm-19-cause-gap = { $gap } lang kein Zyklus: dieser Rechner ist zu langsam oder zu ausgelastet, oder das Programm war eingefroren
 alarm-19-consequence = Sollwerte kommen zu spät
 alarm-19-action = andere Programme beenden, siehe `seamwright machine latency`
 alarm-20-title = Bewegung klemmt

@@ -87,6 +87,7 @@ cell-note-nothing-welded = nichts wurde geschweißt
 cell-shutdown-signal = Signal { $signal }
 cell-shutdown-panic = ein Programmfehler (panic)
 cell-shutdown-end = das Ende des Programms
+cell-shutdown-cycle-stopped = der Zyklus ist stehen geblieben und kommt nicht wieder
 
 # Real-time rights.
 cell-realtime-granted = Echtzeitpriorität, Speicher gesperrt

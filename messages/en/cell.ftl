@@ -133,6 +133,9 @@ cell-shutdown-panic = a fault of the program (panic)
     .cause = A thread of the program failed. The cell stopped and switched off in order.
     .cure = Keep standard error and the record for a report. Then start again and continue the weld from the reported position.
 cell-shutdown-end = the end of the program
+cell-shutdown-cycle-stopped = the cycle stopped and does not come back
+    .cause = For 1 s no cycle has run, while the rest of the program went on: a device's driver hangs, or the computer is overloaded.
+    .cure = Check that arc, gas and drives are off. Keep standard error and the record for a report; then start again.
 
 # Real-time rights.
 cell-realtime-granted = real-time priority, memory locked

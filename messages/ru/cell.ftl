@@ -83,6 +83,7 @@ cell-note-nothing-welded = ничего не сварено
 cell-shutdown-signal = сигнал { $signal }
 cell-shutdown-panic = ошибка программы (panic)
 cell-shutdown-end = завершение программы
+cell-shutdown-cycle-stopped = цикл остановился и не возобновляется
 
 # Real-time rights.
 cell-realtime-granted = приоритет реального времени, память заблокирована

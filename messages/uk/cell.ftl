@@ -83,6 +83,7 @@ cell-note-nothing-welded = нічого не зварено
 cell-shutdown-signal = сигнал { $signal }
 cell-shutdown-panic = помилка програми (panic)
 cell-shutdown-end = завершення програми
+cell-shutdown-cycle-stopped = цикл зупинився й не відновлюється
 
 # Real-time rights.
 cell-realtime-granted = пріоритет реального часу, пам’ять заблоковано

@@ -73,6 +73,7 @@ alarm-18-consequence = 焊枪离开时焊丝会弯曲
 alarm-18-action = 剪断焊丝
 alarm-19-title = 错过周期
 alarm-19-cause = 计算机对于该周期太慢或太忙
+alarm-19-cause-gap = { $gap } 内没有周期：计算机太慢或太忙，或程序被冻结
 alarm-19-consequence = 设定值到达过迟
 alarm-19-action = 停止其他程序，见 `seamwright machine latency`
 alarm-20-title = 运动受阻

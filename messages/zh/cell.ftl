@@ -83,6 +83,7 @@ cell-note-nothing-welded = 什么都没有焊
 cell-shutdown-signal = 信号 { $signal }
 cell-shutdown-panic = 程序缺陷（panic）
 cell-shutdown-end = 程序结束
+cell-shutdown-cycle-stopped = 周期停止且未恢复
 
 # Real-time rights.
 cell-realtime-granted = 实时优先级，内存已锁定

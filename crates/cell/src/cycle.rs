@@ -5,7 +5,7 @@ use crate::prepared_task::Prepared;
 use crate::tracking::{Sensing, Slot};
 use rtrb::{Consumer, Producer};
 use seamwright_executive::devices::WithSensors;
-use seamwright_executive::realtime::{LivePort, Paced, Pacer, RealtimeRights, Shutdown, guarded};
+use seamwright_executive::realtime::{LivePort, Paced, RealtimeRights, Shutdown, guarded};
 use seamwright_executive::{End, Executive};
 use seamwright_machine::Machine;
 use std::cell::RefCell;
@@ -50,8 +50,7 @@ pub(crate) fn run(
     footing.get_or_init(|| RealtimeRights::ask(None));
     loop {
         let machine = task.machine().clone();
-        let pacer = Pacer::new(machine.servo_period_s);
-        let mut paced = Paced { devices: WithSensors { devices, sensors: None }, pacer };
+        let mut paced = Paced::supervised(WithSensors { devices, sensors: None }, &machine, shutdown);
         let next = guarded(&mut paced, shutdown, |paced| on_machine(&machine, paced, &mut port, &mut task, &mut swap));
         // The link learns from the flag that the cycle has failed.
         let Ok(Some(next)) = next else { return };

@@ -2,7 +2,7 @@
 
 use crate::prepared_task::Prepared;
 use crate::task::SEED;
-use seamwright_executive::{Devices, Orders, Reports, Slack};
+use seamwright_executive::{CutOff, Devices, Orders, Reports, Slack};
 use seamwright_message::Message;
 use seamwright_project::devices::{self, Lines};
 use std::path::Path;
@@ -95,5 +95,9 @@ impl Devices for CellDevices {
 
     fn drives_late_s(&self) -> f64 {
         self.cell.drives_late_s()
+    }
+
+    fn cut_offs(&self) -> Vec<Box<dyn CutOff>> {
+        self.cell.cut_offs()
     }
 }

@@ -9,7 +9,7 @@ use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use modbus_cell::{PERIOD_S, parts, welder};
 use modbus_server::TestServer;
 use seamwright_executive::devices::{InputBits, Inputs as _, Source as _};
-use seamwright_executive::{ProcessOrders, SourceReport};
+use seamwright_executive::{ProcessOrders, SourceReport, Watchdog};
 use std::time::Duration;
 
 #[global_allocator]
@@ -30,9 +30,10 @@ fn an_exchange_costs_no_allocation() {
         }
         let mut orders = ProcessOrders { gas: true, on: k % 50 > 10, ..ProcessOrders::default() };
         orders.values[0] = f64::from(k % 70);
+        let watchdog = Watchdog { toggle: k % 2 == 0, late: k % 100 > 80 };
         assert_no_alloc(|| {
-            source.exchange(&orders, &mut report);
-            inputs.exchange(k % 2 == 0, &mut bits);
+            source.exchange(&orders, watchdog, &mut report);
+            inputs.exchange(watchdog, &mut bits);
             if bits.age_s < 0.05 { fresh += 1 } else { old += 1 }
         });
         std::thread::sleep(Duration::from_secs_f64(PERIOD_S));

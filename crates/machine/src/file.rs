@@ -32,6 +32,9 @@ pub struct MachineFile {
     pub title: String,
     /// Period of the position loops and of the set-points, ms; 1 if missing.
     pub servo_period_ms: Option<Positive>,
+    /// Longest time without a cycle while the cell runs, ms, 1 to 1000, but not longer than the drives tolerate; as long as these
+    /// if missing. A longer gap stops the cell.
+    pub longest_gap_ms: Option<Positive>,
     /// Axes that go to their home positions, one after another, once all references are found; none if missing.
     #[serde(default)]
     pub home_order: Vec<String>,

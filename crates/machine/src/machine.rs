@@ -40,6 +40,8 @@ pub struct Machine {
     pub on_panel_lost: PanelLost,
     /// Period of position loops and set-points, s.
     pub servo_period_s: f64,
+    /// Maximum time without a cycle of the running cell, s, if the file limits it.
+    pub longest_gap_s: Option<f64>,
     /// Outputs of the process.
     pub io: Io,
     /// Interlocks of the running cell.

@@ -17,7 +17,7 @@ fn main() -> std::process::ExitCode {
 #[cfg(target_os = "linux")]
 mod linux {
     use seamwright_executive::devices::{DeviceSet, Drives, LinuxCncDrives, LinuxCncError, Taken};
-    use seamwright_executive::realtime::{Paced, Pacer, RealtimeRights};
+    use seamwright_executive::realtime::{Paced, Pacer, RealtimeRights, SteadyTime};
     use seamwright_executive::{
         Alarm, Command, Cycle, DriveReport, Executive, Mode, Note, Orders, Port, Slack, Start, Work,
     };
@@ -46,7 +46,7 @@ mod linux {
         cycles: u64,
         by: f64,
         /// Time of each correction, and the resulting axis position.
-        steps: Vec<(Instant, f64)>,
+        steps: Vec<(SteadyTime, f64)>,
         starved: u32,
     }
 
@@ -60,7 +60,7 @@ mod linux {
             }
             orders.set[CORRECTED].position += self.by;
             if corrects {
-                self.steps.push((Instant::now(), orders.set[CORRECTED].position));
+                self.steps.push((SteadyTime::now(), orders.set[CORRECTED].position));
             }
             self.drives.exchange(&orders, report);
             // Remove the correction: the executive follows its own plan.
@@ -167,7 +167,7 @@ mod linux {
             tap,
             taken: Vec::with_capacity(1_000_000),
         };
-        let mut paced = Paced { devices, pacer: Pacer::new(period) };
+        let mut paced = Paced::new(devices, &machine, Pacer::new(period));
         Executive::new(&machine, &mut paced, &mut operator).serve(Some(&work));
         let late = paced.pacer.latency().clone();
         println!(
@@ -189,7 +189,7 @@ mod linux {
     }
 
     /// Prints and evaluates the samples of HAL.
-    fn judge(machine: &Machine, store: u32, operator: &Operator, steps: &[(Instant, f64)], starved: u32) -> bool {
+    fn judge(machine: &Machine, store: u32, operator: &Operator, steps: &[(SteadyTime, f64)], starved: u32) -> bool {
         let taken = &operator.taken;
         let period = Duration::from_secs_f64(machine.servo_period_s);
         let gaps = taken.windows(2).filter(|w| w[1].sample.number > w[0].sample.number + 1).count();
@@ -203,10 +203,7 @@ mod linux {
         });
         let worst = worst.fold(0.0, f64::max);
         // HAL's periods lie on a grid of the same clock: the sample read with the least delay marks its start.
-        let early = taken
-            .iter()
-            .enumerate()
-            .map(|(k, t)| (taken[0].read() + period * k as u32).saturating_duration_since(t.read()));
+        let early = taken.iter().enumerate().map(|(k, t)| (taken[0].read() + period * k as u32).since(t.read()));
         let begin = taken[0].read() - early.max().unwrap_or_default();
         let at = |k: usize| begin + period * k as u32;
         let first = taken.iter().position(|t| t.sample.number > store + 1).unwrap_or(0);
@@ -252,16 +249,16 @@ mod linux {
     }
 
     /// Returns the time from `then` to `now`, ms.
-    fn ms(now: Instant, then: Instant) -> f64 {
-        1e3 * now.saturating_duration_since(then).as_secs_f64()
+    fn ms(now: SteadyTime, then: SteadyTime) -> f64 {
+        1e3 * now.since(then).as_secs_f64()
     }
 
     trait Read {
-        fn read(&self) -> Instant;
+        fn read(&self) -> SteadyTime;
     }
 
     impl Read for Taken {
-        fn read(&self) -> Instant {
+        fn read(&self) -> SteadyTime {
             self.sample.read
         }
     }

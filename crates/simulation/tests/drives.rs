@@ -32,7 +32,7 @@ struct Bench<'a, D> {
 impl<D: Drives> Bench<'_, D> {
     /// Runs a cycle without an allocation.
     fn cycle(&mut self) {
-        self.orders.watchdog = !self.orders.watchdog;
+        self.orders.watchdog = self.orders.watchdog.next(false);
         let Self { drives, orders, report, .. } = self;
         assert_no_alloc(|| drives.exchange(orders, report));
         self.cycles += 1;

@@ -5,14 +5,18 @@ mod common;
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use common::{Planned, SADDLE};
+use seamwright_executive::realtime::{ManualTime, Paced, Pacer, Shutdown};
 use seamwright_executive::tracking::RESERVE;
-use seamwright_executive::{Ask, Command, Cycle, Devices, Executive, Guide, Mode, Note, Place, Port, Start, Work};
+use seamwright_executive::{
+    Ask, Command, Cycle, Devices, Executive, Guide, Mode, Note, Orders, Place, Port, Reports, Slack, Start, Work,
+};
 use seamwright_machine::{Clamped, Joints, MAX_AXES, Machine, Surroundings, shipped};
 use seamwright_motion::feed_override::RunPhase;
 use seamwright_motion::jog;
 use seamwright_simulation::devices::simulated_devices;
 use seamwright_simulation::tracking::Distortion;
 use seamwright_simulation::{Conditions, SimulatedCell};
+use std::time::Duration;
 
 #[global_allocator]
 static ALLOCATOR: AllocDisabler = AllocDisabler;
@@ -240,4 +244,92 @@ fn jogging_costs_no_allocation() {
     assert_eq!(violation_count(), 0);
     assert!(hand.begins == 2 && (0.49..0.51).contains(&hand.ways[1]), "{:?}", hand.ways);
     assert!(hand.ways[0] > 1.0 && (1.99..2.01).contains(&hand.ways[2]), "{:?}", hand.ways);
+}
+
+/// Exchanges in real time cost no allocation: with a supervisor, and over gaps on a manual clock, tolerated ones and
+/// others.
+#[test]
+fn cycles_in_real_time_cost_no_allocation() {
+    let machine = Machine::read("m.toml", shipped("ellipse-xy").unwrap().text).unwrap();
+    let (mut orders, mut reports) = (Orders::default(), Reports::default());
+    let shutdown = Shutdown::default();
+    let mut paced = Paced::supervised(simulated_devices(&machine, 1).unwrap(), &machine, &shutdown);
+    assert_no_alloc(|| {
+        for _ in 0..100 {
+            orders.watchdog = orders.watchdog.next(false);
+            paced.exchange(&orders, &mut reports);
+        }
+    });
+    let time = ManualTime::default();
+    let pacer = Pacer::by(time.clone(), machine.servo_period_s);
+    let mut paced = Paced::new(simulated_devices(&machine, 1).unwrap(), &machine, pacer);
+    let mut late = 0;
+    assert_no_alloc(|| {
+        for k in 0..2000u32 {
+            time.advance(Duration::from_millis(if k % 10 == 0 { u64::from(k) } else { 0 }));
+            paced.exchange(&orders, &mut reports);
+            late += u32::from(reports.late);
+        }
+    });
+    assert_eq!(violation_count(), 0);
+    assert!(late > 100, "{late}");
+}
+
+/// A weld that ends by a late cycle costs no allocation: the alarm, the stop and the notes included.
+#[test]
+fn a_late_cycle_costs_no_allocation() {
+    /// Lets the clock run ahead once while the arc burns.
+    struct Freezing<D>(D, ManualTime, u32);
+
+    impl<D: Devices> Devices for Freezing<D> {
+        fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
+            self.0.exchange(orders, reports);
+            self.2 += u32::from(reports.source.burning);
+            if reports.source.burning && self.2 == 500 {
+                self.1.advance(Duration::from_secs(2));
+            }
+        }
+
+        fn rides_out(&self) -> Slack {
+            self.0.rides_out()
+        }
+
+        fn drives_late_s(&self) -> f64 {
+            self.0.drives_late_s()
+        }
+    }
+
+    /// Welds until a fault, then quits.
+    #[derive(Default)]
+    struct Unlucky {
+        operator: Operator,
+        alarms: u32,
+    }
+
+    impl Port for Unlucky {
+        fn command(&mut self, t: f64) -> Option<Command> {
+            if self.alarms > 0 { Some(Command::of(Ask::Quit)) } else { self.operator.command(t) }
+        }
+
+        fn show(&mut self, cycle: &Cycle<'_>) {
+            self.operator.show(cycle);
+        }
+
+        fn note(&mut self, _t: f64, note: Note) {
+            self.alarms += u32::from(matches!(note, Note::Alarm(_)));
+        }
+    }
+
+    let planned = Planned::new(&short_saddle());
+    let time = ManualTime::default();
+    let devices = Freezing(simulated_devices(&planned.machine, 1).unwrap(), time.clone(), 0);
+    let mut paced = Paced::new(devices, &planned.machine, Pacer::by(time, planned.machine.servo_period_s));
+    let mut operator = Unlucky::default();
+    let work = planned.work(Start::at_home(&planned.motion));
+    let mut executive = Executive::new(&planned.machine, &mut paced, &mut operator);
+    assert_no_alloc(|| executive.serve(Some(&work)));
+    assert_eq!(violation_count(), 0);
+    assert!(executive.left().is_some());
+    drop(executive);
+    assert_eq!(operator.alarms, 1);
 }

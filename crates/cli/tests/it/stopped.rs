@@ -115,6 +115,8 @@ fn a_frozen_weld_is_stopped_and_told() {
         signal("-CONT");
         let alarm = events.by_ref().map(|line| event(&line)).find(|event| event["event"] == "alarm").unwrap();
         assert_eq!((&alarm["alarm"], &alarm["first_out"]), (&"cycles missed".into(), &true.into()), "{alarm}");
+        let gap_ms = alarm["gap_ms"].as_f64().unwrap();
+        assert!(gap_ms > 0.9 * frozen.as_secs_f64() * 1e3, "{alarm}");
         drop(orders);
         let rest: Vec<Value> = events.map(|line| event(&line)).collect();
         assert!(rest.iter().any(|event| event["to"] == "fault"), "{rest:?}");
@@ -137,6 +139,79 @@ fn a_frozen_weld_is_stopped_and_told() {
             })
             .unwrap();
         assert!(gap && on == 0, "{gap} {on}");
+    }
+}
+
+/// The watchdog of a process source: without a change of coil 2 for 0.1 s its arc goes out by itself, and the order to
+/// burn is forgotten. Returns when `done` is true.
+fn with_own_watchdog(server: &TestServer, done: impl Fn() -> bool) {
+    let (mut last, mut since) = (server.bank().coils[2], Instant::now());
+    while !done() {
+        let mut bank = server.bank();
+        if bank.coils[2] != last {
+            (last, since) = (bank.coils[2], Instant::now());
+        }
+        if since.elapsed() > Duration::from_millis(100) {
+            bank.coils[1] = false;
+        }
+        drop(bank);
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+/// A process that is frozen while it welds on a source on Modbus. During the freeze only the source's own watchdog can
+/// switch it off, if it has one. After it the arc is off at once and stays off, the watchdog output stands still, and
+/// the alarm has the length of the gap.
+#[test]
+fn a_frozen_weld_on_a_real_source_goes_off_and_stays_off() {
+    for (ms, has_watchdog) in [(300, true), (2000, false)] {
+        let frozen = Duration::from_millis(ms);
+        let server = TestServer::new(welder);
+        let folder = tempfile::tempdir().unwrap();
+        let welding = Welding::begin(folder.path(), &server);
+        welding.signal("STOP");
+        let begun = Instant::now();
+        if has_watchdog {
+            with_own_watchdog(&server, || begun.elapsed() > frozen);
+            assert!(!server.bank().coils[1], "the source's own watchdog");
+        } else {
+            std::thread::sleep(frozen);
+            assert!(server.bank().coils[1], "nobody else switches it off");
+        }
+        welding.signal("CONT");
+        let begun = Instant::now();
+        eventually("arc off", || !server.bank().coils[1]);
+        // Some milliseconds as a rule; the computer may be loaded.
+        assert!(begun.elapsed() < Duration::from_secs(2), "off after {:?}", begun.elapsed());
+        // The cell comes to rest and waits in its fault: neither arc nor watchdog comes back.
+        std::thread::sleep(Duration::from_millis(300));
+        let watchdog = server.bank().coils[2];
+        for _ in 0..100 {
+            let bank = server.bank();
+            assert!(!bank.coils[1], "the arc came back by itself");
+            assert_eq!(bank.coils[2], watchdog, "the watchdog output goes on");
+            drop(bank);
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let (out, data) = (welding.out.clone(), welding.data.display().to_string());
+        welding.signal("TERM");
+        let (code, told) = welding.ends();
+        assert_eq!(code, Some(3), "{told}");
+        let weld = json(&["records", "show", "1", "--data", &data, "--json"]);
+        assert_eq!(
+            (&weld["alarms"][0]["name"], &weld["result"]),
+            (&"cycles missed".into(), &"stopped".into()),
+            "{weld}"
+        );
+        assert!(weld["alarms"][0]["cause"].as_str().unwrap().contains("no cycle for"), "{weld}");
+        let events = std::fs::read_to_string(out.join("events.jsonl")).unwrap();
+        let alarm = events.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+        let alarm = alarm.into_iter().find(|event| event["event"] == "alarm").unwrap();
+        let gap_ms = alarm["gap_ms"].as_f64().unwrap();
+        assert!(gap_ms > 0.9 * ms as f64 && gap_ms < ms as f64 + 5000.0, "{alarm}");
+        assert!(alarm["of"].as_str().unwrap().ends_with("ms"), "{alarm}");
+        let run = json_file(out.join("run.json"));
+        assert_eq!(run["ended_by"], "signal SIGTERM", "the supervisor has not ended a process that was frozen: {run}");
     }
 }
 

@@ -13,7 +13,8 @@ pub use power_state::{PowerState, UNREFERENCED_ERROR};
 pub use steps::StepDrives;
 
 use crate::executive::{
-    Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, Slack, SourceReport,
+    CutOff, Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, Slack, SourceReport,
+    Watchdog,
 };
 use seamwright_machine::Joints;
 use seamwright_tracking::beam::Picture;
@@ -77,14 +78,23 @@ pub const LATE_PERIODS: f64 = 3.5;
 
 /// Arc or beam, with gas and auxiliaries.
 pub trait Source {
-    /// Exchanges orders and reports for one period. If no report came, only the age in `report` changes.
-    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport);
+    /// Exchanges orders, the sign of life and reports for one period. If no report came, only the age in `report`
+    /// changes.
+    fn exchange(&mut self, orders: &ProcessOrders, watchdog: Watchdog, report: &mut SourceReport);
+    /// Returns the way to take the process off without the cycle.
+    fn cut_off(&self) -> Option<Box<dyn CutOff>> {
+        None
+    }
 }
 
 /// A source that was selected when the machine file was read.
 impl<S: Source + ?Sized> Source for Box<S> {
-    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
-        (**self).exchange(orders, report);
+    fn exchange(&mut self, orders: &ProcessOrders, watchdog: Watchdog, report: &mut SourceReport) {
+        (**self).exchange(orders, watchdog, report);
+    }
+
+    fn cut_off(&self) -> Option<Box<dyn CutOff>> {
+        (**self).cut_off()
     }
 }
 
@@ -106,15 +116,23 @@ impl Default for InputBits {
     }
 }
 
-/// Reads the inputs and passes the watchdog on.
+/// Reads the inputs and passes the sign of life on.
 pub trait Inputs {
-    /// Exchanges the watchdog and the inputs for one period. If no report came, only the age in `inputs` changes.
-    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits);
+    /// Exchanges the sign of life and the inputs for one period. If no report came, only the age in `inputs` changes.
+    fn exchange(&mut self, watchdog: Watchdog, inputs: &mut InputBits);
+    /// Returns the way to stop a watchdog output of the device without the cycle.
+    fn cut_off(&self) -> Option<Box<dyn CutOff>> {
+        None
+    }
 }
 
 impl<I: Inputs + ?Sized> Inputs for Box<I> {
-    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) {
+    fn exchange(&mut self, watchdog: Watchdog, inputs: &mut InputBits) {
         (**self).exchange(watchdog, inputs);
+    }
+
+    fn cut_off(&self) -> Option<Box<dyn CutOff>> {
+        (**self).cut_off()
     }
 }
 
@@ -131,10 +149,10 @@ pub struct DeviceSet<D, S, I> {
 
 impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
-        reports.missed = 0;
+        (reports.missed, reports.late) = (0, false);
         self.drives.exchange(orders, &mut reports.drives);
         reports.truth = self.drives.truth().copied();
-        self.source.exchange(&orders.process, &mut reports.source);
+        self.source.exchange(&orders.process, orders.watchdog, &mut reports.source);
         let mut inputs = InputBits { bits: reports.inputs, starts: reports.inputs_starts, age_s: reports.inputs_age_s };
         self.inputs.exchange(orders.watchdog, &mut inputs);
         (reports.inputs, reports.inputs_starts, reports.inputs_age_s) = (inputs.bits, inputs.starts, inputs.age_s);
@@ -146,6 +164,10 @@ impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
 
     fn drives_late_s(&self) -> f64 {
         self.drives.late_s()
+    }
+
+    fn cut_offs(&self) -> Vec<Box<dyn CutOff>> {
+        self.source.cut_off().into_iter().chain(self.inputs.cut_off()).collect()
     }
 }
 
@@ -174,5 +196,9 @@ impl<D: Devices, S: Sensors> Devices for WithSensors<D, S> {
 
     fn picture(&self) -> Option<Picture<'_>> {
         self.sensors.picture()
+    }
+
+    fn cut_offs(&self) -> Vec<Box<dyn CutOff>> {
+        self.devices.cut_offs()
     }
 }

@@ -2,6 +2,7 @@ use super::alarm::{Alarm, Reaction};
 use super::command::Ask;
 use super::port::Note;
 use arrayvec::ArrayVec;
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 
 /// Position of the torch.
@@ -41,6 +42,26 @@ pub struct Raised {
     pub t: f64,
     /// Torch position at the alarm.
     pub place: Place,
+    /// Length of the gap in the cycle that raised it, s; only of [`Alarm::Overrun`].
+    pub gap_s: Option<f64>,
+}
+
+impl Raised {
+    /// Returns what it is about: the length of its gap, or [`Alarm::about`].
+    pub fn about(&self, axes: &[&str], conditions: &[&str]) -> Option<Message> {
+        match self.gap_s {
+            Some(gap_s) => Some(Message::new("quantity").quantity("value", 1e3 * gap_s, Unit::Ms, 0)),
+            None => self.alarm.about(self.detail, axes, conditions),
+        }
+    }
+
+    /// Returns its cause, with the length of its gap.
+    pub fn cause(&self) -> Message {
+        match self.gap_s {
+            Some(gap_s) => Message::new("alarm-19-cause-gap").quantity("gap", 1e3 * gap_s, Unit::Ms, 0),
+            None => self.alarm.entry().cause,
+        }
+    }
 }
 
 /// Capacity of the alarm list: one entry for each alarm, axis and condition.
@@ -55,22 +76,22 @@ pub struct AlarmList {
 }
 
 impl AlarmList {
-    /// Raises an alarm at time `t`, s; returns its entry if it is new or more severe.
-    pub fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, t: f64, place: Place) -> Option<Raised> {
-        let first_out = self.list.is_empty();
-        if let Some(known) = self.list.iter_mut().find(|r| r.alarm == alarm && r.detail == detail) {
-            if known.state != AlarmState::Returned && reaction <= known.reaction {
+    /// Raises an alarm; returns its entry if it is new or more severe. The list decides on its state and on the
+    /// first-out mark.
+    pub fn raise(&mut self, new: Raised) -> Option<Raised> {
+        let new = Raised { state: AlarmState::Unacknowledged, first_out: self.list.is_empty(), ..new };
+        if let Some(known) = self.list.iter_mut().find(|r| r.alarm == new.alarm && r.detail == new.detail) {
+            if known.state != AlarmState::Returned && new.reaction <= known.reaction {
                 return None;
             }
             // It has returned, or its reaction is more severe: a new occurrence, but the first-out mark stays.
-            *known = Raised { state: AlarmState::Unacknowledged, reaction, t, place, ..*known };
+            *known = Raised { first_out: known.first_out, ..new };
             return Some(*known);
         }
-        let raised = Raised { alarm, detail, reaction, state: AlarmState::Unacknowledged, first_out, t, place };
-        if self.list.try_push(raised).is_err() {
+        if self.list.try_push(new).is_err() {
             self.lost += 1;
         }
-        Some(raised)
+        Some(new)
     }
 
     /// Marks the cause of an alarm as gone; returns true if that is a change.
@@ -88,7 +109,7 @@ impl AlarmList {
     pub fn follow(&mut self, note: &Note) -> bool {
         match note {
             Note::Alarm(r) => {
-                self.raise(r.alarm, r.detail, r.reaction, r.t, r.place);
+                self.raise(*r);
                 // A momentary alarm.
                 if r.state == AlarmState::Returned {
                     self.clear(r.alarm, r.detail);
@@ -151,8 +172,13 @@ mod tests {
 
     const HERE: Place = Place { pass: 1, s_mm: 5.0 };
 
+    fn new(alarm: Alarm, detail: u8, reaction: Reaction) -> Raised {
+        let state = AlarmState::Unacknowledged;
+        Raised { alarm, detail, reaction, state, first_out: false, t: 1.0, place: HERE, gap_s: None }
+    }
+
     fn raise(list: &mut AlarmList, alarm: Alarm, detail: u8) -> Option<Raised> {
-        list.raise(alarm, detail, alarm.reaction(), 1.0, HERE)
+        list.raise(new(alarm, detail, alarm.reaction()))
     }
 
     #[test]
@@ -229,12 +255,12 @@ mod tests {
     #[test]
     fn what_grows_worse_is_news() {
         let list = &mut AlarmList::default();
-        assert!(list.raise(Alarm::Tracking, 3, Reaction::Tell, 1.0, HERE).is_some());
+        assert!(list.raise(new(Alarm::Tracking, 3, Reaction::Tell)).is_some());
         list.acknowledge();
-        assert!(list.raise(Alarm::Tracking, 3, Reaction::Tell, 1.0, HERE).is_none());
-        let worse = list.raise(Alarm::Tracking, 3, Reaction::ProcessOff, 1.0, HERE).unwrap();
+        assert!(list.raise(new(Alarm::Tracking, 3, Reaction::Tell)).is_none());
+        let worse = list.raise(new(Alarm::Tracking, 3, Reaction::ProcessOff)).unwrap();
         assert_eq!((worse.reaction, worse.state), (Reaction::ProcessOff, AlarmState::Unacknowledged));
-        assert!(list.raise(Alarm::Tracking, 3, Reaction::Hold, 1.0, HERE).is_none());
+        assert!(list.raise(new(Alarm::Tracking, 3, Reaction::Hold)).is_none());
     }
 
     #[test]

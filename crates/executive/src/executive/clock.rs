@@ -3,11 +3,13 @@
 pub(super) struct Clock {
     cycles: u64,
     period_s: f64,
+    /// Duration of the last cycle with the missed ones before it, s.
+    last_s: f64,
 }
 
 impl Clock {
     pub(super) fn new(period_s: f64) -> Self {
-        Self { cycles: 0, period_s }
+        Self { cycles: 0, period_s, last_s: period_s }
     }
 
     /// Returns the time since the start, s.
@@ -17,7 +19,14 @@ impl Clock {
 
     /// Counts a cycle, and the `missed` ones before it.
     pub(super) fn advance(&mut self, missed: u32) {
-        self.cycles += 1 + u64::from(missed);
+        let passed = 1 + u64::from(missed);
+        self.cycles += passed;
+        self.last_s = passed as f64 * self.period_s;
+    }
+
+    /// Returns the duration of the last cycle, missed ones before it included, s.
+    pub(super) fn last_s(&self) -> f64 {
+        self.last_s
     }
 }
 

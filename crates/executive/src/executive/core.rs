@@ -43,7 +43,7 @@ impl<'a, D: Devices, P> Executive<'a, D, P> {
             mode: Mode::Off,
             alarms: AlarmList::default(),
             supervision: Supervision::new(machine),
-            process: Process::new(machine.source, machine.servo_period_s),
+            process: Process::new(machine.source),
             activity: Activity::default(),
             requests: Requests::default(),
             guide: GuideState::new(),

@@ -24,9 +24,10 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
 
     /// Sends the orders, waits for the start of the cycle, and reads the reports.
     fn exchange(&mut self, doing: &Doing) {
-        let alarm = self.process.step(doing.asked, &self.io.reports.source);
+        let alarm = self.process.step(doing.asked, &self.io.reports.source, self.clock.last_s());
         let process = ProcessOrders { gas: doing.gas, on: self.process.on(), values: doing.values };
-        self.io.exchange(process, SeamOrders { t_s: self.now(), ..doing.seam });
+        let late = self.was_late();
+        self.io.exchange(process, SeamOrders { t_s: self.now(), ..doing.seam }, late);
         self.clock.advance(self.io.reports.missed);
         if let Some(alarm) = alarm {
             self.happened(alarm, 0);

@@ -1,3 +1,4 @@
+use super::cut_off::CutOff;
 use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_servo::SetPoint;
 use seamwright_tracking::beam::{Beam, Picture};
@@ -23,8 +24,25 @@ pub struct Orders {
     pub process: ProcessOrders,
     /// Orders to the joint sensors and the beam deflection.
     pub seam: SeamOrders,
-    /// Toggles in every cycle: if it stops, outputs go to their safe states.
-    pub watchdog: bool,
+    /// Sign of life.
+    pub watchdog: Watchdog,
+}
+
+/// Sign of life of the cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Watchdog {
+    /// Changes in every cycle: if it stops, outputs go to their safe states.
+    pub toggle: bool,
+    /// A cycle was late, and the cell has not been reset since: watchdog outputs stand still.
+    pub late: bool,
+}
+
+impl Watchdog {
+    /// Returns the sign of life of the next cycle.
+    #[must_use]
+    pub fn next(self, late: bool) -> Self {
+        Self { toggle: !self.toggle, late }
+    }
 }
 
 impl Orders {
@@ -88,6 +106,8 @@ pub struct Reports {
     pub sensors: SensorReport,
     /// Number of cycles missed before this one.
     pub missed: u32,
+    /// The gap before this cycle was too long: the process was taken off.
+    pub late: bool,
     /// True axis positions, of simulated drives: for the evaluation of a weld, never for its control.
     pub truth: Option<Joints>,
 }
@@ -113,8 +133,19 @@ impl Default for Reports {
             inputs_starts: 0,
             sensors: SensorReport::default(),
             missed: 0,
+            late: false,
             truth: None,
         }
+    }
+}
+
+impl Reports {
+    /// Adds time without a cycle to the age of every report, s.
+    pub(crate) fn age_by(&mut self, gap_s: f64) {
+        self.drives.age_s += gap_s;
+        self.source.age_s += gap_s;
+        self.inputs_age_s += gap_s;
+        self.sensors.age_s += gap_s;
     }
 }
 
@@ -181,6 +212,14 @@ impl Slack {
         Self { cycles: (STANDS_S / period_s).round() as u32, regained: f64::INFINITY }
     }
 
+    /// Limits the gap to `gap_s` in a cycle of `period_s`.
+    #[must_use]
+    pub fn up_to(self, gap_s: f64, period_s: f64) -> Self {
+        // Rounding of the file's milliseconds is permitted.
+        let cycles = (gap_s / period_s + 1e-6).floor() as u32;
+        Self { cycles: self.cycles.min(cycles), ..self }
+    }
+
     /// Slack of drives with this many stored set-points.
     pub fn stored(cycles: u32) -> Self {
         /// Part of a cycle by which the store refills per cycle.
@@ -202,6 +241,10 @@ pub trait Devices {
     fn picture(&self) -> Option<Picture<'_>> {
         None
     }
+    /// Returns the ways to take the process off without the cycle. Not for the cycle: it may allocate.
+    fn cut_offs(&self) -> Vec<Box<dyn CutOff>> {
+        Vec::new()
+    }
 }
 
 /// Boxes and references of devices.
@@ -220,5 +263,9 @@ impl<T: DerefMut<Target: Devices>> Devices for T {
 
     fn picture(&self) -> Option<Picture<'_>> {
         (**self).picture()
+    }
+
+    fn cut_offs(&self) -> Vec<Box<dyn CutOff>> {
+        (**self).cut_offs()
     }
 }

@@ -19,9 +19,9 @@ impl<D: Devices> DeviceIo<D> {
         Self { devices, orders: Orders::default(), reports: Reports::default(), power: false, axes }
     }
 
-    /// Gives the orders of this cycle, waits for its start and reads the reports.
-    pub(super) fn exchange(&mut self, process: ProcessOrders, seam: SeamOrders) {
-        let watchdog = !self.orders.watchdog;
+    /// Gives the orders of this cycle, waits for its start and reads the reports. `late` stops the watchdog outputs.
+    pub(super) fn exchange(&mut self, process: ProcessOrders, seam: SeamOrders, late: bool) {
+        let watchdog = self.orders.watchdog.next(late);
         self.orders = Orders { power: self.power, process, seam, watchdog, ..self.orders };
         self.devices.exchange(&self.orders, &mut self.reports);
     }
@@ -29,7 +29,8 @@ impl<D: Devices> DeviceIo<D> {
     /// Switches all outputs off.
     pub(super) fn switch_off(&mut self) {
         self.power = false;
-        self.orders = Orders { set: self.orders.set, watchdog: !self.orders.watchdog, ..Orders::default() };
+        let watchdog = self.orders.watchdog.next(self.orders.watchdog.late);
+        self.orders = Orders { set: self.orders.set, watchdog, ..Orders::default() };
         self.devices.exchange(&self.orders, &mut self.reports);
     }
 

@@ -40,6 +40,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 obey(jog, machine, self.requests.feed_override, wanted);
             }
             let enabled = self.supervision.interlocks.unmet(Level::Motion, self.io.reports.inputs) == 0;
+            // The panel is silent by the clock: missed cycles count.
+            jog.add_silence(self.clock.last_s() - machine.servo_period_s);
             let point = jog.step(&Signals { enabled, alive: self.requests.jog.is_some(), hold: false });
             let state = point.state;
             self.io.set(&state.q, &state.speed, &state.acceleration);

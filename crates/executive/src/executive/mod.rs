@@ -7,6 +7,7 @@ mod clock;
 mod command;
 mod command_handling;
 mod core;
+mod cut_off;
 mod cycle;
 mod device_interface;
 mod device_io;
@@ -35,8 +36,10 @@ pub use alarm::{Alarm, Entry, Reaction, catalogue};
 pub use alarm_list::{AlarmList, AlarmState, MAX_ALARMS, Place, Raised};
 pub use command::{Ask, Command, Origin};
 pub use core::Executive;
+pub use cut_off::CutOff;
 pub use device_interface::{
     Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, Slack, SourceReport, VALUES,
+    Watchdog,
 };
 pub use guide::{Guide, Guided, Planned, Seen, Tracked, Trouble};
 pub use interlocks::{Interlocks, MAX_INPUTS};

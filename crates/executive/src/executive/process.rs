@@ -27,11 +27,12 @@ pub enum ProcessState {
 #[derive(Debug, Clone)]
 pub(super) struct Process {
     settings: Source,
-    period: f64,
     state: ProcessState,
     tries: u8,
     /// Time in this state, s.
     since: f64,
+    /// The state was entered after the last cycle: the time of that cycle does not belong to it.
+    is_new: bool,
     /// Time without arc while it should burn, s.
     out_for: f64,
     /// Possibly burning: it was switched on or reported burning, and no fresh report of extinction has come since.
@@ -43,13 +44,13 @@ pub(super) struct Process {
 }
 
 impl Process {
-    pub(super) fn new(settings: Source, period: f64) -> Self {
+    pub(super) fn new(settings: Source) -> Self {
         Self {
             settings,
-            period,
             state: ProcessState::Off,
             tries: 0,
             since: 0.0,
+            is_new: false,
             out_for: 0.0,
             lit: false,
             lit_for: 0.0,
@@ -86,8 +87,9 @@ impl Process {
 
     /// Switches it off at once, until the next request.
     pub(super) fn kill(&mut self) {
-        if self.state != ProcessState::Off {
+        if !matches!(self.state, ProcessState::Off | ProcessState::Failed) {
             self.go(ProcessState::Failed);
+            self.is_new = true;
         }
     }
 
@@ -97,10 +99,11 @@ impl Process {
         }
     }
 
-    /// Runs one cycle with this request and report; returns an alarm on failure.
-    pub(super) fn step(&mut self, asked: bool, report: &SourceReport) -> Option<Alarm> {
-        self.since += self.period;
-        self.judge_off(report);
+    /// Runs one cycle with this request and report, after a cycle of `elapsed_s`; returns an alarm on failure.
+    pub(super) fn step(&mut self, asked: bool, report: &SourceReport, elapsed_s: f64) -> Option<Alarm> {
+        let elapsed_s = if std::mem::take(&mut self.is_new) { 0.0 } else { elapsed_s };
+        self.since += elapsed_s;
+        self.judge_off(report, elapsed_s);
         if !asked {
             self.go(ProcessState::Off);
             self.tries = 0;
@@ -123,7 +126,7 @@ impl Process {
                 self.tries += 1;
             }
             ProcessState::Burns => {
-                self.out_for = if report.burning { 0.0 } else { self.out_for + self.period };
+                self.out_for = if report.burning { 0.0 } else { self.out_for + elapsed_s };
                 if self.out_for > self.settings.out_s {
                     self.go(ProcessState::Failed);
                     return Some(Alarm::ArcLost);
@@ -135,10 +138,10 @@ impl Process {
     }
 
     /// Updates the burning state. If extinction is not confirmed, treat the arc as lit.
-    fn judge_off(&mut self, report: &SourceReport) {
+    fn judge_off(&mut self, report: &SourceReport, elapsed_s: f64) {
         let fresh = report.age_s <= LATE_S;
         self.lit = self.on() || if fresh { report.burning } else { self.lit };
-        self.lit_for = if self.lit && !self.on() { self.lit_for + self.period } else { 0.0 };
+        self.lit_for = if self.lit && !self.on() { self.lit_for + elapsed_s } else { 0.0 };
     }
 }
 
@@ -156,10 +159,10 @@ mod tests {
 
     #[test]
     fn it_is_tried_and_given_up() {
-        let mut process = Process::new(SETTINGS, PERIOD);
+        let mut process = Process::new(SETTINGS);
         let (mut on, mut tries, mut was) = (0, 0, false);
         let alarm = (0..1000).find_map(|k| {
-            let alarm = process.step(true, &report(false));
+            let alarm = process.step(true, &report(false), PERIOD);
             on += u32::from(process.on());
             tries += u32::from(process.on() && !was);
             was = process.on();
@@ -169,20 +172,20 @@ mod tests {
         assert_eq!((alarm, tries), (Alarm::NoArc, 3));
         assert!((f64::from(on) * PERIOD - 0.3).abs() < 5e-3 && (f64::from(k) * PERIOD - 0.4).abs() < 6e-3);
         // It stays off until the request ends.
-        assert!(!process.on() && process.step(true, &report(false)).is_none() && !process.on());
-        process.step(false, &report(false));
-        process.step(true, &report(false));
+        assert!(!process.on() && process.step(true, &report(false), PERIOD).is_none() && !process.on());
+        process.step(false, &report(false), PERIOD);
+        process.step(true, &report(false), PERIOD);
         assert!(process.on());
     }
 
     #[test]
     fn short_gaps_are_ridden_out_and_long_ones_are_not() {
         for (gap, lost) in [(5, false), (9, false), (12, true), (50, true)] {
-            let mut process = Process::new(SETTINGS, PERIOD);
-            process.step(true, &report(false));
-            process.step(true, &report(true));
+            let mut process = Process::new(SETTINGS);
+            process.step(true, &report(false), PERIOD);
+            process.step(true, &report(true), PERIOD);
             assert_eq!(process.state(), ProcessState::Burns);
-            let alarms: Vec<Alarm> = (0..gap).filter_map(|_| process.step(true, &report(false))).collect();
+            let alarms: Vec<Alarm> = (0..gap).filter_map(|_| process.step(true, &report(false), PERIOD)).collect();
             assert_eq!(alarms, if lost { vec![Alarm::ArcLost] } else { vec![] });
             assert_eq!(process.on(), !lost);
         }
@@ -190,9 +193,9 @@ mod tests {
 
     #[test]
     fn what_does_not_go_out_is_told() {
-        let mut process = Process::new(SETTINGS, PERIOD);
-        process.step(true, &report(true));
-        process.step(true, &report(true));
+        let mut process = Process::new(SETTINGS);
+        process.step(true, &report(true), PERIOD);
+        process.step(true, &report(true), PERIOD);
         process.kill();
         assert!(!process.on());
         // Reported burning, or no fresh report: both may burn.
@@ -200,12 +203,34 @@ mod tests {
             let mut process = process.clone();
             let told = SourceReport { age_s, ..report(true) };
             let stays = (0..1000).find(|_| {
-                process.step(true, &told);
+                process.step(true, &told, PERIOD);
                 process.stays_on()
             });
             assert!((195..=205).contains(&stays.unwrap()), "{stays:?}");
-            process.step(true, &report(false));
+            process.step(true, &report(false), PERIOD);
             assert!(!process.stays_on());
         }
+    }
+
+    /// Time without cycles counts: ignition, and the time to go out. The time before a kill does not count as off.
+    #[test]
+    fn gaps_count_as_time() {
+        let mut process = Process::new(SETTINGS);
+        process.step(true, &report(false), PERIOD);
+        assert_eq!(process.step(true, &report(false), 0.2), None);
+        assert_eq!(process.state(), ProcessState::Pauses, "it strikes for longer than `strike_s`");
+
+        let mut process = Process::new(SETTINGS);
+        process.step(true, &report(true), PERIOD);
+        process.step(true, &report(true), PERIOD);
+        process.step(true, &report(true), 2.0);
+        process.kill();
+        // The gap of two seconds ends with the order to switch off.
+        process.step(true, &report(true), 2.0);
+        assert!(!process.on() && !process.stays_on());
+        process.step(true, &report(true), 0.15);
+        assert!(!process.stays_on());
+        process.step(true, &report(true), 0.15);
+        assert!(process.stays_on());
     }
 }

@@ -50,7 +50,9 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     fn tell_raised(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, state: AlarmState) {
         let place = self.activity.doing.place;
         let now = self.now();
-        if let Some(raised) = self.alarms.raise(alarm, detail, reaction, now, place) {
+        let gap_s = (alarm == Alarm::Overrun).then_some(self.supervision.gap_s);
+        let new = Raised { alarm, detail, reaction, state, first_out: false, t: now, place, gap_s };
+        if let Some(raised) = self.alarms.raise(new) {
             self.port.note(now, Note::Alarm(Raised { state, ..raised }));
             self.react(reaction);
         }

@@ -31,6 +31,14 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.condition(Alarm::Overrun, 0, self.supervision.too_many);
     }
 
+    /// Returns true after too many missed cycles until the cell is reset: their alarm is acknowledged, and the cell has
+    /// left its fault.
+    pub(super) fn was_late(&mut self) -> bool {
+        let listed = self.alarms.iter().any(|raised| raised.alarm == Alarm::Overrun);
+        self.supervision.late &= listed || self.mode == Mode::Fault;
+        self.supervision.late
+    }
+
     fn judge_drives(&mut self) {
         let drives = self.io.reports.drives;
         let alarms = [Alarm::DrivesRestarted, Alarm::InputsRestarted, Alarm::SourceRestarted];

@@ -37,6 +37,12 @@ pub(super) struct Supervision {
     /// Missed cycles that the drives have not recovered, and whether these are too many.
     missed: f64,
     pub(super) too_many: bool,
+    /// A cycle was late, and the cell has not been reset since.
+    pub(super) late: bool,
+    /// Length of the last gap in the cycle, s.
+    pub(super) gap_s: f64,
+    /// Duration of the last cycle with the missed ones before it, s.
+    elapsed_s: f64,
     /// Missed cycles since the last note, the longest gap in cycles, and the time of that note, s.
     unnoted: (u32, u32, f64),
     /// Part of each report's age due to missed cycles rather than its device, s: of [`REPORTS`].
@@ -62,6 +68,9 @@ impl Supervision {
             off: [0.0; VALUES],
             missed: 0.0,
             too_many: false,
+            late: false,
+            gap_s: 0.0,
+            elapsed_s: machine.servo_period_s,
             unnoted: (0, 0, f64::NEG_INFINITY),
             gaps_s: [0.0; REPORTS],
             powered_for: 0.0,
@@ -77,7 +86,13 @@ impl Supervision {
     pub(super) fn count_missed(&mut self, now: f64, reports: &Reports, slack: Slack) -> Option<Note> {
         let (period, lost) = (self.period_s, reports.missed);
         self.missed = (self.missed - slack.regained).max(0.0) + f64::from(lost);
-        let were_too_many = std::mem::replace(&mut self.too_many, self.missed > f64::from(slack.cycles));
+        let are_too_many = reports.late || self.missed > f64::from(slack.cycles);
+        self.late |= are_too_many;
+        let were_too_many = std::mem::replace(&mut self.too_many, are_too_many);
+        self.elapsed_s = f64::from(lost).mul_add(period, period);
+        if lost > 0 {
+            self.gap_s = f64::from(lost) * period;
+        }
         let gap = Gap { lost_s: f64::from(lost) * period, rides_out_s: f64::from(slack.cycles) * period };
         let ages_s = [reports.drives.age_s, reports.inputs_age_s, reports.source.age_s];
         for (gap_s, age_s) in self.gaps_s.iter_mut().zip(ages_s) {
@@ -111,7 +126,7 @@ impl Supervision {
 
     /// Returns true if the drives have had enough time, but do not report power.
     pub(super) fn lacks_power(&mut self, power: bool, powered: bool) -> bool {
-        self.powered_for = if power { self.powered_for + self.period_s } else { 0.0 };
+        self.powered_for = if power { self.powered_for + self.elapsed_s } else { 0.0 };
         power && !powered && self.powered_for > POWER_S
     }
 
@@ -127,7 +142,9 @@ impl Supervision {
     /// Returns true in the period in which process value `i` has been out of tolerance for `within_s`.
     pub(super) fn deviates(&mut self, i: usize, off: bool, within_s: f64) -> bool {
         let before = self.off[i];
-        self.off[i] = if off { before + self.period_s } else { 0.0 };
+        // The first report of a deviation says nothing about a gap before it.
+        let passed_s = if before > 0.0 { self.elapsed_s } else { self.period_s };
+        self.off[i] = if off { before + passed_s } else { 0.0 };
         before <= within_s && self.off[i] > within_s
     }
 }

@@ -4,6 +4,8 @@ use std::fmt;
 
 /// Priority of the cycle, 1 to 99: above ordinary work, below the kernel's own threads.
 const CYCLE: u8 = 80;
+/// Priority of the cycle's supervisor: an endless loop of the cycle must not keep it from running.
+const ABOVE: u8 = 85;
 /// Priority of the cycle's device threads.
 const BELOW: u8 = 70;
 
@@ -28,6 +30,11 @@ impl RealtimeRights {
     /// also affects the cycle, which reports it.
     pub(crate) fn ask_below_cycle() {
         let _ = system::priority(BELOW);
+    }
+
+    /// Requests a real-time priority above that of the cycle for the calling thread, which supervises it.
+    pub(super) fn ask_above_cycle() {
+        let _ = system::priority(ABOVE);
     }
 
     /// Returns the missing resources, by key: `priority`, `memory`, `cpu`.

@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Codes of the causes other than signals: above all signal numbers.
 const PANIC: usize = 1000;
 const ASKED: usize = 1001;
+const CYCLE_STOPPED: usize = 1002;
 
 /// Causes of a shutdown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,6 +19,8 @@ pub enum ShutdownCause {
     Panic,
     /// The program requested it.
     Asked,
+    /// The cycle has stopped and does not come back.
+    CycleStopped,
 }
 
 impl ShutdownCause {
@@ -30,6 +33,7 @@ impl ShutdownCause {
             }
             Self::Panic => Message::new("cell-shutdown-panic"),
             Self::Asked => Message::new("cell-shutdown-end"),
+            Self::CycleStopped => Message::new("cell-shutdown-cycle-stopped"),
         }
     }
 }
@@ -55,6 +59,7 @@ impl Shutdown {
             ShutdownCause::Signal(number) => usize::try_from(number).unwrap_or(ASKED),
             ShutdownCause::Panic => PANIC,
             ShutdownCause::Asked => ASKED,
+            ShutdownCause::CycleStopped => CYCLE_STOPPED,
         };
         // It fails if an earlier cause is set.
         let _ = self.0.compare_exchange(0, code, Ordering::SeqCst, Ordering::SeqCst);
@@ -71,6 +76,7 @@ impl Shutdown {
             0 => None,
             PANIC => Some(ShutdownCause::Panic),
             ASKED => Some(ShutdownCause::Asked),
+            CYCLE_STOPPED => Some(ShutdownCause::CycleStopped),
             number => Some(i32::try_from(number).map_or(ShutdownCause::Asked, ShutdownCause::Signal)),
         }
     }

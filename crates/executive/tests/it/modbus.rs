@@ -2,9 +2,11 @@
 
 use crate::modbus_cell::{MAP, PERIOD_S, VALUES, device, parts, welder};
 use crate::modbus_server::{Bank, TestServer};
-use seamwright_executive::devices::modbus::{ModbusInputs, ModbusParts, ModbusSource, RegisterInspector, connect};
+use seamwright_executive::devices::modbus::{
+    ModbusInputs, ModbusParts, ModbusSource, RegisterInspector, connect, write_safe_outputs,
+};
 use seamwright_executive::devices::{InputBits, Inputs as _, Source as _};
-use seamwright_executive::{ProcessOrders, SourceReport};
+use seamwright_executive::{ProcessOrders, SourceReport, Watchdog};
 use std::time::{Duration, Instant};
 
 /// A cycle over connected devices.
@@ -14,7 +16,7 @@ struct Cell {
     orders: ProcessOrders,
     report: SourceReport,
     bits: InputBits,
-    watchdog: bool,
+    watchdog: Watchdog,
 }
 
 impl Cell {
@@ -25,7 +27,7 @@ impl Cell {
             orders: ProcessOrders { values: [f64::NAN; 16], ..ProcessOrders::default() },
             report: SourceReport { age_s: f64::INFINITY, ..SourceReport::default() },
             bits: InputBits::default(),
-            watchdog: false,
+            watchdog: Watchdog::default(),
         }
     }
 
@@ -35,8 +37,8 @@ impl Cell {
     }
 
     fn cycle(&mut self) {
-        self.watchdog = !self.watchdog;
-        self.source.exchange(&self.orders, &mut self.report);
+        self.watchdog = self.watchdog.next(self.watchdog.late);
+        self.source.exchange(&self.orders, self.watchdog, &mut self.report);
         self.inputs.exchange(self.watchdog, &mut self.bits);
     }
 
@@ -403,4 +405,31 @@ fn a_device_that_has_gone_is_not_said_to_be_safe() {
     drop(cell);
     let safe = traffic.get().safe.unwrap();
     assert!(safe.is_err(), "{safe:?}");
+}
+
+/// Another process, or the supervisor, writes the safe outputs: also while the connections of the cell are stuck. The
+/// watchdog register stays as it is; a refused output does not keep the others from their safe states.
+#[test]
+fn safe_outputs_over_a_connection_of_their_own() {
+    let mut server = TestServer::new(welder);
+    let device = device(&server.address.to_string(), MAP);
+    let mut cell = Cell::new(parts(&server));
+    cell.strike(100.0);
+    server.silence_present();
+    let count = server.bank().holding[20];
+    assert!(count > 0);
+    write_safe_outputs(&device).unwrap();
+    assert!(is_safe(&server.bank()));
+    assert_eq!(server.bank().holding[20], count);
+
+    {
+        let mut bank = server.bank();
+        (bank.coils[0], bank.coils[1]) = (false, true);
+        bank.holes.insert(0);
+    }
+    let refused = write_safe_outputs(&device).unwrap_err().to_string();
+    assert!(refused.contains("holding 0"), "{refused}");
+    assert_eq!(server.bank().coils[..2], [true, false]);
+    server.stop();
+    assert!(write_safe_outputs(&device).is_err());
 }

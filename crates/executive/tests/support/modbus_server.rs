@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use std::future::Future;
 use std::net::SocketAddr;
 use std::pin::Pin;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -37,6 +37,9 @@ pub(crate) struct TestServer {
     silent: Arc<AtomicBool>,
     /// Read requests stay unanswered, write requests do not.
     mute: Arc<AtomicBool>,
+    /// Number of connections so far, and those of them that are silent.
+    connections: Arc<AtomicUsize>,
+    deaf: Arc<AtomicUsize>,
     /// Accepts one connection at a time: others are closed at once.
     single: bool,
     running: Option<(Arc<AtomicBool>, JoinHandle<()>)>,
@@ -57,7 +60,9 @@ impl TestServer {
         };
         let address = SocketAddr::from(([127, 0, 0, 1], 0));
         let (silent, mute) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicBool::new(false)));
-        let mut server = Self { address, bank: Arc::new(Mutex::new(bank)), silent, mute, single: false, running: None };
+        let (connections, deaf) = (Arc::default(), Arc::default());
+        let bank = Arc::new(Mutex::new(bank));
+        let mut server = Self { address, bank, silent, mute, connections, deaf, single: false, running: None };
         server.start();
         server
     }
@@ -85,6 +90,11 @@ impl TestServer {
         self.silent.store(silent, Ordering::SeqCst);
     }
 
+    /// Accepts requests on the present connections without ever answering or executing them; others work.
+    pub(crate) fn silence_present(&self) {
+        self.deaf.store(self.connections.load(Ordering::SeqCst), Ordering::SeqCst);
+    }
+
     /// Ends all connections and accepts none.
     pub(crate) fn stop(&mut self) {
         if let Some((stop, thread)) = self.running.take() {
@@ -99,8 +109,13 @@ impl TestServer {
         let listener = std::net::TcpListener::bind(self.address).unwrap();
         listener.set_nonblocking(true).unwrap();
         self.address = listener.local_addr().unwrap();
-        let device =
-            Device { bank: Arc::clone(&self.bank), silent: Arc::clone(&self.silent), mute: Arc::clone(&self.mute) };
+        let device = Device {
+            bank: Arc::clone(&self.bank),
+            silent: Arc::clone(&self.silent),
+            mute: Arc::clone(&self.mute),
+            deaf: Arc::clone(&self.deaf),
+        };
+        let connections = Arc::clone(&self.connections);
         let (single, open) = (self.single, Arc::new(()));
         let asked = Arc::clone(&stop);
         let thread = std::thread::spawn(move || {
@@ -114,9 +129,10 @@ impl TestServer {
                     // Held by a connection as long as it is open.
                     let free = !single || Arc::strong_count(&open) == 1;
                     let held = Arc::clone(&open);
+                    let number = connections.fetch_add(1, Ordering::SeqCst);
                     async move {
                         accept_tcp_connection(stream, from, |_| {
-                            Ok(free.then(|| Connected { device: device.clone(), _open: held.clone() }))
+                            Ok(free.then(|| Connected { device: device.clone(), number, _open: held.clone() }))
                         })
                     }
                 };
@@ -143,12 +159,14 @@ struct Device {
     bank: Arc<Mutex<Bank>>,
     silent: Arc<AtomicBool>,
     mute: Arc<AtomicBool>,
+    deaf: Arc<AtomicUsize>,
 }
 
 /// A connection to it.
 #[derive(Clone)]
 struct Connected {
     device: Device,
+    number: usize,
     _open: Arc<()>,
 }
 
@@ -159,8 +177,9 @@ impl Service for Connected {
     type Future = Pin<Box<dyn Future<Output = Result<Response, ExceptionCode>> + Send>>;
 
     fn call(&self, request: Self::Request) -> Self::Future {
-        let Device { bank, silent, mute } = &self.device;
-        if silent.load(Ordering::SeqCst) || mute.load(Ordering::SeqCst) && !request.is_write() {
+        let Device { bank, silent, mute, deaf } = &self.device;
+        let is_deaf = self.number < deaf.load(Ordering::SeqCst);
+        if is_deaf || silent.load(Ordering::SeqCst) || mute.load(Ordering::SeqCst) && !request.is_write() {
             return Box::pin(std::future::pending());
         }
         let answer = bank.lock().unwrap().answer(&request);

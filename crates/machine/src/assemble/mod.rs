@@ -16,7 +16,7 @@ use crate::file::{DeflectionFile, File, Load, StepFile};
 use crate::head_pair::Pair;
 use crate::machine::Machine;
 use glam::DVec3;
-use seamwright_document::{Direction, DocumentError};
+use seamwright_document::{Direction, DocumentError, Positive};
 use seamwright_message::{Message, Unit};
 use std::collections::BTreeMap;
 
@@ -53,6 +53,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         home_order: home_order(file, &axes)?,
         on_panel_lost: file.value.on_panel_lost,
         servo_period_s: m.servo_period_ms.map_or(1e-3, |p| p.get() * 1e-3),
+        longest_gap_s: longest_gap_s(file)?,
         io: m.io.clone(),
         interlocks: m.interlocks.clone(),
         source: m.source.source(),
@@ -69,6 +70,20 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         heads,
         axes,
     })
+}
+
+/// Range of the longest gap in the cycle, ms.
+const GAP_MS: [f64; 2] = [1.0, 1000.0];
+
+/// Returns the longest gap in the cycle, s, if the file limits it.
+fn longest_gap_s(file: &File) -> Result<Option<f64>, DocumentError> {
+    let Some(gap_ms) = file.value.longest_gap_ms.map(Positive::get) else { return Ok(None) };
+    let [min, max] = GAP_MS;
+    if (min..=max).contains(&gap_ms) {
+        return Ok(Some(1e-3 * gap_ms));
+    }
+    let allowed = Message::new("document-between").value("min", min, Unit::Ms).value("max", max, Unit::Ms);
+    Err(file.error_at("longest_gap_ms", Message::new("machine-out-of-range"), allowed))
 }
 
 /// Checks for one torch, or up to two heads with steps and unique names.

@@ -49,7 +49,7 @@ pub struct OutputsFile {
     pub gas: Option<BitFile>,
     /// Arc or beam.
     pub on: Option<BitFile>,
-    /// Changes with every poll as long as the cycle runs; a whole register (without `bit`) counts.
+    /// Changes with every poll as long as cycles are on time; a whole register (without `bit`) counts.
     pub watchdog: Option<BitFile>,
 }
 

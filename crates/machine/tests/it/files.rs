@@ -84,6 +84,19 @@ fn mistakes_in_a_drive_have_an_address() {
 }
 
 #[test]
+fn the_longest_gap_is_in_s_and_bounded() {
+    let key = "servo_period_ms = 1";
+    let gap = |ms: &str| saddle().replacen(key, &format!("{key}\nlongest_gap_ms = {ms}"), 1);
+    assert_eq!(Machine::read("m.toml", saddle()).unwrap().longest_gap_s, None);
+    let gap_s = Machine::read("m.toml", &gap("40")).unwrap().longest_gap_s.unwrap();
+    assert!((gap_s - 0.04).abs() < 1e-15);
+    for ms in ["0.9", "1001"] {
+        let error = Machine::read("m.toml", &gap(ms)).unwrap_err();
+        assert!(error.key == "longest_gap_ms" && error.to_string().contains("1 ms to 1000 ms"), "{error}");
+    }
+}
+
+#[test]
 fn a_drive_is_read_in_mm_and_rad() {
     let more =
         "velocity_bandwidth_hz = 25\nresonance_hz = 20\nload_ratio = 2\nbacklash_deg = 0.01\nencoder_on = \"load\"

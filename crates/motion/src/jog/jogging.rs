@@ -264,6 +264,11 @@ impl<'a> Jog<'a> {
         Ok(Mode::Tip { frame, velocity, line })
     }
 
+    /// Adds time without a step to the silence of the panel, s.
+    pub fn add_silence(&mut self, time_s: f64) {
+        self.silent_for += time_s;
+    }
+
     /// Computes the next set-point, a period after the last.
     pub fn step(&mut self, signals: &Signals) -> JogPoint {
         self.silent_for = if signals.alive { 0.0 } else { self.silent_for + self.settings.period_s };

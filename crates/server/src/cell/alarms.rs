@@ -242,6 +242,7 @@ mod tests {
             first_out: false,
             t: 1.0,
             place,
+            gap_s: None,
         })
     }
 

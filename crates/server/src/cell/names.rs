@@ -37,13 +37,18 @@ impl Names {
         alarm.about(detail, &self.axes(), &self.conditions())
     }
 
+    /// Returns what a raised alarm is about, the length of its gap included.
+    pub(super) fn about_raised(&self, raised: &Raised) -> Option<Message> {
+        raised.about(&self.axes(), &self.conditions())
+    }
+
     pub(super) fn alarm(&self, raised: &Raised) -> AlarmView {
         let entry = raised.alarm.entry();
         AlarmView {
             number: raised.alarm.number() as u8,
             name: entry.name.to_owned(),
-            of: self.about(raised.alarm, raised.detail).map(Into::into),
-            cause: entry.cause.to_string(),
+            of: self.about_raised(raised).map(Into::into),
+            cause: raised.cause().to_string(),
             consequence: entry.consequence.to_string(),
             action: entry.action.to_string(),
             reaction: raised.reaction.name().to_owned(),

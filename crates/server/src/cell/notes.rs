@@ -166,12 +166,14 @@ impl Desk {
     }
 
     fn alarm(&mut self, t: f64, raised: &Raised) {
-        let about = self.names.about(raised.alarm, raised.detail);
+        let about = self.names.about_raised(raised);
         let code = if about.is_some() { "server-event-alarm-of" } else { "server-event-alarm" };
         let event = Message::new(code).message("alarm", raised.alarm.entry().title);
         let event = event.message("reaction", raised.reaction.message());
-        self.tell(happening(about.iter().cloned().fold(event, |event, of| event.message("object", of))));
-        self.recorder.alarm(t, raised, &raised.alarm.title_of(about));
+        self.tell(happening(about.into_iter().fold(event, |event, of| event.message("object", of))));
+        // The length of a gap is part of the cause: alarms are acknowledged by their names.
+        let name = raised.alarm.title_of(self.names.about(raised.alarm, raised.detail));
+        self.recorder.alarm(t, raised, &name);
     }
 }
 

@@ -221,7 +221,7 @@ fn alarm(t: f64, raised: &Raised, name: &Message) -> Alarm {
     let in_pass = raised.place.pass > 0;
     Alarm {
         name: name.clone(),
-        cause: raised.alarm.entry().cause,
+        cause: raised.cause(),
         place: Recorded {
             pass: in_pass.then_some(raised.place.pass as u32),
             s_mm: in_pass.then_some(raised.place.s_mm),

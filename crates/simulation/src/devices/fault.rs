@@ -1,6 +1,8 @@
 use glam::DVec2;
 use seamwright_executive::devices::{Drives, InputBits, Inputs, Sensors, Source};
-use seamwright_executive::{DriveReport, Orders, ProcessOrders, SeamOrders, SensorReport, Slack, SourceReport};
+use seamwright_executive::{
+    CutOff, DriveReport, Orders, ProcessOrders, SeamOrders, SensorReport, Slack, SourceReport, Watchdog,
+};
 use seamwright_machine::Joints;
 use seamwright_message::{Message, display_by_message, named_enum};
 use seamwright_tracking::beam::Picture;
@@ -305,12 +307,12 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
 }
 
 impl<T: Source> Source for Faulty<T, SourceReport> {
-    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
+    fn exchange(&mut self, orders: &ProcessOrders, watchdog: Watchdog, report: &mut SourceReport) {
         let fault = self.begin();
         let cut = fault.is_some_and(|f| f.kind.is_mute() && f.kind != FaultKind::Silent);
         let orders = if cut { ProcessOrders::default() } else { *orders };
         let mut fresh = self.own.unwrap_or(*report);
-        self.device.exchange(&orders, &mut fresh);
+        self.device.exchange(&orders, watchdog, &mut fresh);
         self.own = Some(fresh);
         fresh.starts += self.starts;
         let delayed = self.delayed(fresh, fault);
@@ -321,10 +323,14 @@ impl<T: Source> Source for Faulty<T, SourceReport> {
             _ => fresh,
         };
     }
+
+    fn cut_off(&self) -> Option<Box<dyn CutOff>> {
+        self.device.cut_off()
+    }
 }
 
 impl<T: Inputs> Inputs for Faulty<T, InputBits> {
-    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) {
+    fn exchange(&mut self, watchdog: Watchdog, inputs: &mut InputBits) {
         let fault = self.begin();
         let mut fresh = self.own.unwrap_or(*inputs);
         self.device.exchange(watchdog, &mut fresh);
@@ -341,6 +347,10 @@ impl<T: Inputs> Inputs for Faulty<T, InputBits> {
             }
             _ => *inputs = fresh,
         }
+    }
+
+    fn cut_off(&self) -> Option<Box<dyn CutOff>> {
+        self.device.cut_off()
     }
 }
 

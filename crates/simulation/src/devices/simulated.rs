@@ -5,7 +5,9 @@ use rand_pcg::rand_core::SeedableRng;
 use seamwright_executive::devices::{
     DeviceSet, Drives, InputBits, Inputs, LATE_PERIODS, PowerState, Source, UNREFERENCED_ERROR,
 };
-use seamwright_executive::{DriveReport, Error, Interlocks, Orders, ProcessOrders, Slack, SourceReport, VALUES};
+use seamwright_executive::{
+    DriveReport, Error, Interlocks, Orders, ProcessOrders, Slack, SourceReport, VALUES, Watchdog,
+};
 use seamwright_machine::{Joints, Machine};
 
 /// All drives of a machine in simulation: position loops, motors, friction, cogging, encoders; brakes that close
@@ -141,7 +143,7 @@ impl SimulatedSource {
 }
 
 impl Source for SimulatedSource {
-    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
+    fn exchange(&mut self, orders: &ProcessOrders, _watchdog: Watchdog, report: &mut SourceReport) {
         if orders.on {
             (self.on_for, self.off_for) = (self.on_for + self.period, 0.0);
             self.burning |= self.on_for >= self.strikes_s;
@@ -181,7 +183,7 @@ impl SimulatedInputs {
 }
 
 impl Inputs for SimulatedInputs {
-    fn exchange(&mut self, _watchdog: bool, inputs: &mut InputBits) {
+    fn exchange(&mut self, _watchdog: Watchdog, inputs: &mut InputBits) {
         *inputs = InputBits { bits: self.bits, starts: inputs.starts.max(1), age_s: 0.0 };
     }
 }

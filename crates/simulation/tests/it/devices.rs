@@ -49,6 +49,8 @@ struct Bench<S, I> {
     happens: Box<dyn FnMut(Event, bool)>,
     /// True while arc or beam is there.
     lit: Box<dyn Fn(&S) -> bool>,
+    /// State of the watchdog output, if there is one.
+    watchdog: Box<dyn Fn() -> Option<u16>>,
     real: bool,
 }
 
@@ -56,7 +58,7 @@ impl<S: Source, I: Inputs> Bench<S, I> {
     /// Runs up to `most` cycles until `done`.
     fn cycles(&mut self, most: usize, done: impl Fn(&Self) -> bool) -> bool {
         for _ in 0..most {
-            self.orders.watchdog = !self.orders.watchdog;
+            self.orders.watchdog = self.orders.watchdog.next(self.orders.watchdog.late);
             self.set.exchange(&self.orders, &mut self.reports);
             if self.real {
                 std::thread::sleep(Duration::from_secs_f64(PERIOD_S));
@@ -103,6 +105,8 @@ fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
     assert!(!bench.is_lit());
     assert_eq!((bench.reports.source.starts, bench.reports.inputs_starts), starts, "nothing has restarted");
 
+    watchdog_conforms(&mut bench);
+    cut_off_conforms(&mut bench);
     for event in events {
         bench.strike();
         let starts = (bench.reports.source.starts, bench.reports.inputs_starts);
@@ -136,6 +140,61 @@ fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
     }
 }
 
+/// The watchdog output changes while cycles are on time. After a late cycle it stands still until the reset, while
+/// orders and reports go on.
+fn watchdog_conforms<S: Source, I: Inputs>(bench: &mut Bench<S, I>) {
+    let changes = |bench: &mut Bench<S, I>| {
+        let mut seen = vec![(bench.watchdog)()];
+        for _ in 0..20 {
+            bench.cycles(10, |_| false);
+            seen.push((bench.watchdog)());
+        }
+        seen.dedup();
+        seen.len() - 1
+    };
+    let has_output = (bench.watchdog)().is_some();
+    assert_eq!(changes(bench) > 2, has_output);
+    bench.orders.watchdog.late = true;
+    // A write may be in transit.
+    bench.cycles(50, |_| false);
+    assert_eq!(changes(bench), 0, "it goes on after a late cycle");
+    bench.orders.process.gas = !bench.orders.process.gas;
+    bench.strike();
+    bench.orders.process.on = false;
+    assert!(bench.cycles(2000, |b| !b.reports.source.burning && b.is_fresh()));
+    bench.orders.watchdog.late = false;
+    assert_eq!(changes(bench) > 2, has_output);
+}
+
+/// Without the cycle each device can be cut off: safe outputs, watchdog still. The arc does not come back with the cycle
+/// unless it was ordered off.
+fn cut_off_conforms<S: Source, I: Inputs>(bench: &mut Bench<S, I>) {
+    bench.strike();
+    let cut_offs = bench.set.cut_offs();
+    assert_eq!(cut_offs.is_empty(), !bench.real, "a device on a network has a way of its own");
+    if cut_offs.is_empty() {
+        return;
+    }
+    // Cycles go on until here: the devices' own watchdogs have not acted.
+    cut_offs.iter().for_each(|cut_off| cut_off.order());
+    let begun = std::time::Instant::now();
+    while !cut_offs.iter().all(|cut_off| cut_off.is_confirmed()) {
+        assert!(begun.elapsed() < Duration::from_secs(10), "not confirmed");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    assert!(!bench.is_lit());
+    let count = (bench.watchdog)();
+    std::thread::sleep(Duration::from_millis(50));
+    assert_eq!((bench.watchdog)(), count);
+    assert!(!bench.cycles(100, Bench::is_lit), "it came back by itself");
+    bench.orders.watchdog.late = true;
+    assert!(!bench.cycles(100, Bench::is_lit), "it came back by itself");
+    bench.orders.watchdog.late = false;
+    bench.strike();
+    bench.orders.process.on = false;
+    assert!(bench.cycles(2000, |b| !b.reports.source.burning));
+}
+
 const EVENTS: [Event; 3] = [Event::Silence, Event::Restart, Event::Loss];
 
 /// A device with a fault that begins on request.
@@ -160,6 +219,7 @@ fn simulated(event: Event) -> Bench<impl Source, impl Inputs> {
         reports: Reports::default(),
         happens: Box::new(move |_, begins| told.store(begins, Ordering::Relaxed)),
         lit: Box::new(|source: &Faulty<SimulatedSource, SourceReport>| source.device().burns()),
+        watchdog: Box::new(|| None),
         real: false,
     }
 }
@@ -174,7 +234,7 @@ fn the_simulated_twins_conform() {
 /// Applies events to the device on the network; the bench itself causes a loss of the cycle.
 fn on_modbus<S, I>(server: TestServer, source: S, inputs: I) -> Bench<S, I> {
     let server = Arc::new(std::sync::Mutex::new(server));
-    let other = Arc::clone(&server);
+    let (other, shown) = (Arc::clone(&server), Arc::clone(&server));
     Bench {
         set: DeviceSet { drives: NoDrives, source, inputs },
         orders: Orders::default(),
@@ -190,6 +250,7 @@ fn on_modbus<S, I>(server: TestServer, source: S, inputs: I) -> Bench<S, I> {
             (Event::Loss, _) => {}
         }),
         lit: Box::new(move |_| server.lock().unwrap().bank().coils[1]),
+        watchdog: Box::new(move || Some(shown.lock().unwrap().bank().holding[20])),
         real: true,
     }
 }

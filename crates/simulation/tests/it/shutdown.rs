@@ -143,7 +143,7 @@ fn a_panic_of_the_cycle_orders_the_devices_off() {
         while !reports.source.burning {
             assert!(begun.elapsed() < Duration::from_secs(30), "it does not strike");
             orders.process.on = reports.source.ready && reports.source.age_s < 0.05;
-            orders.watchdog = !orders.watchdog;
+            orders.watchdog = orders.watchdog.next(false);
             devices.exchange(&orders, &mut reports);
             std::thread::sleep(Duration::from_secs_f64(PERIOD_S));
         }

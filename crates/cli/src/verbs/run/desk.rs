@@ -126,7 +126,9 @@ impl Desk {
 
     /// A signal or a fault of the program has ended the cell.
     pub(in crate::verbs) fn ended_by(&mut self, cause: ShutdownCause) {
-        self.ended_by.get_or_insert(cause);
+        if self.ended_by.replace(cause) == Some(cause) {
+            return;
+        }
         let text = Message::new("cell-note-stopped").message("cause", cause.message());
         self.event_now("ended", &text, json!({ "ended_by": english(&cause.message()) }));
         let place = library::Place { pass: None, s_mm: None, t_s: self.now.map(|now| now.t) };
@@ -306,18 +308,19 @@ impl Desk {
     fn alarm(&mut self, t: f64, raised: &Raised) {
         let entry = raised.alarm.entry();
         let title = raised.alarm.title_of(self.about(raised.alarm, raised.detail));
+        let shown = raised.alarm.title_of(self.about_raised(raised));
         let in_pass = raised.place.pass > 0;
         let text = Message::new(if in_pass { "cli-run-alarm-at" } else { "cli-run-alarm" });
-        let text = text.message("alarm", title.clone()).message("reaction", raised.reaction.message());
+        let text = text.message("alarm", shown.clone()).message("reaction", raised.reaction.message());
         let text = text.message("action", entry.action.clone());
         let text = if in_pass { text.quantity("at", raised.place.s_mm, Unit::Mm, 2) } else { text };
         if raised.reaction >= Reaction::Hold {
-            let stopped = Message::new("cli-run-alarm-action").message("alarm", title.clone());
+            let stopped = Message::new("cli-run-alarm-action").message("alarm", shown);
             self.stopped.get_or_insert(stopped.message("action", entry.action.clone()));
         }
         self.alarms.push(library::Alarm {
             name: title,
-            cause: entry.cause.clone(),
+            cause: raised.cause(),
             place: library::Place {
                 pass: in_pass.then_some(raised.place.pass as u32),
                 s_mm: in_pass.then_some(raised.place.s_mm),
@@ -327,11 +330,12 @@ impl Desk {
             first_out: raised.first_out,
             acknowledged: None,
         });
-        let of = self.about(raised.alarm, raised.detail).map(|of| english(&of));
+        let of = self.about_raised(raised).map(|of| english(&of));
         let more = json!({
             "alarm": entry.name, "of": of, "first_out": raised.first_out,
             "pass": raised.place.pass, "s_mm": raised.place.s_mm, "cell": raised.reaction.name(),
-            "cause": english(&entry.cause), "consequence": english(&entry.consequence),
+            "gap_ms": raised.gap_s.map(|gap_s| 1e3 * gap_s),
+            "cause": english(&raised.cause()), "consequence": english(&entry.consequence),
             "action": english(&entry.action),
         });
         self.event(t, "alarm", &text, more);
@@ -342,6 +346,13 @@ impl Desk {
         let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
         let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
         alarm.about(detail, &axes, &conditions)
+    }
+
+    /// What an alarm is about, the length of its gap included.
+    fn about_raised(&self, raised: &Raised) -> Option<Message> {
+        let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
+        let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
+        raised.about(&axes, &conditions)
     }
 
     fn event(&mut self, t: f64, kind: &'static str, text: &Message, more: Value) {

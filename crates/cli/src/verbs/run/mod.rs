@@ -10,7 +10,9 @@ use crate::planning;
 use crate::refusals::refused;
 use crate::verbs::simulated_part;
 use desk::Desk;
-use seamwright_executive::realtime::{Latency, Outside, Paced, Pacer, RealtimeRights, Shutdown, Urgent, guarded, live};
+use seamwright_executive::realtime::{
+    Latency, Outside, Paced, RealtimeRights, Shutdown, ShutdownCause, Urgent, guarded, live,
+};
 use seamwright_executive::tracking::Tracking;
 use seamwright_executive::{Devices, Executive, Place, Start, Work};
 use seamwright_machine::{Machine, Surroundings};
@@ -204,7 +206,7 @@ fn real(
         let granted = &footing;
         let cycle = scope.spawn(move || {
             let footing = granted.get_or_init(|| RealtimeRights::ask(cpu)).clone();
-            let mut paced = Paced { devices, pacer: Pacer::new(machine.servo_period_s) };
+            let mut paced = Paced::supervised(devices, machine, shutdown);
             let left = guarded(&mut paced, shutdown, |paced| {
                 let guide = tracking.as_mut().map(|tracking| tracking as _);
                 let mut executive = Executive::new(machine, paced as &mut dyn Devices, port).with_guide(guide);
@@ -228,6 +230,10 @@ fn real(
                 if let (Some(places), Some(position)) = (&places, desk.position()) {
                     // A disk that is slow misses some.
                     places.tell(position);
+                }
+                if shutdown.cause() == Some(ShutdownCause::CycleStopped) {
+                    // Said at once: the cycle may never end.
+                    desk.ended_by(ShutdownCause::CycleStopped);
                 }
                 give_up_late(shutdown, &mut waits);
                 std::thread::sleep(LOOK);

@@ -4,7 +4,7 @@ use super::error::{LinuxCncError, Symptom};
 use super::programs::{self, Commands, Keeper, Program, User};
 use super::script;
 use super::stream_line::{self, Sample};
-use crate::realtime::RealtimeRights;
+use crate::realtime::{RealtimeRights, SteadyTime};
 use rtrb::{Consumer, Producer, RingBuffer};
 use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
 use seamwright_machine::{Axis, LinuxCnc, Machine};
@@ -167,7 +167,7 @@ fn listen(from: ChildStdout, axes: &[Axis], heard: &Heard, mut to: Producer<Samp
         text.clear();
         match from.read_line(&mut text) {
             Ok(1..) => {
-                if let Some(sample) = stream_line::read(&text, axes, Instant::now()) {
+                if let Some(sample) = stream_line::read(&text, axes, SteadyTime::now()) {
                     heard.now();
                     // If the queue is full the sample is dropped; a newer one comes.
                     let _ = to.push(sample);

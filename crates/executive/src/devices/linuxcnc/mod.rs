@@ -20,13 +20,14 @@ pub use error::{LinuxCncError, Symptom};
 
 use super::Drives;
 use crate::executive::{DriveReport, Orders, Slack};
+use crate::realtime::SteadyTime;
 use engine::{Link, Plan};
 use rtrb::{Consumer, Producer, RingBuffer};
 use seamwright_machine::{Axis, Joints, LinuxCnc, Machine};
 use seamwright_message::Message;
 use std::io::Write as _;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use store::Store;
 use stream_line::LONGEST;
 pub use stream_line::Sample;
@@ -45,14 +46,14 @@ pub struct Taken {
     /// The active set-point positions, mm and rad.
     pub set: Joints,
     /// Time of the order.
-    pub ordered: Instant,
+    pub ordered: SteadyTime,
 }
 
 /// Order with a given number.
 #[derive(Debug, Clone, Copy)]
 struct Sent {
     positions: Joints,
-    ordered: Instant,
+    ordered: SteadyTime,
     /// The drives follow the positions: with power, and not during homing.
     counts: bool,
 }
@@ -75,6 +76,8 @@ pub struct LinuxCncDrives {
     underruns: Option<u32>,
     /// Number of starts of HAL.
     starts: u32,
+    /// Time of reading of the last report.
+    read: Option<SteadyTime>,
     supervisor: Supervisor,
 }
 
@@ -97,12 +100,13 @@ impl LinuxCncDrives {
             level: device.store,
             store: Store::new(device.store, machine.servo_period_s),
             buffer: [0; LONGEST],
-            sent: Box::new([Sent { positions: Joints::default(), ordered: Instant::now(), counts: false }; SENT]),
+            sent: Box::new([Sent { positions: Joints::default(), ordered: SteadyTime::now(), counts: false }; SENT]),
             tap: None,
             link: Some(link),
             broken: false,
             underruns: None,
             starts: 1,
+            read: None,
             supervisor,
         })
     }
@@ -133,7 +137,7 @@ impl LinuxCncDrives {
         let Self { store, buffer, sent, link, axes, broken, .. } = self;
         store.feed(&orders.set, |number, positions| {
             let counts = orders.power && !orders.home;
-            sent[number as usize % SENT] = Sent { positions: *positions, ordered: Instant::now(), counts };
+            sent[number as usize % SENT] = Sent { positions: *positions, ordered: SteadyTime::now(), counts };
             let line = stream_line::write(buffer, axes, number, orders, positions);
             // Written whole or not at all: a line is shorter than the pipe's atomic write. The store detects a line
             // that did not fit. A pipe without a reader marks the link as broken.
@@ -143,7 +147,6 @@ impl LinuxCncDrives {
     }
 
     fn report(&mut self, report: &mut DriveReport) {
-        report.age_s += self.period_s;
         let mut newest = None;
         while let Some(Ok(sample)) = self.link.as_mut().map(|link| link.samples.pop()) {
             self.store.seen(sample.number, sample.level);
@@ -155,8 +158,10 @@ impl LinuxCncDrives {
             }
         }
         // A broken link counts as silent drives.
-        let Some(sample) = newest.filter(|_| !self.broken) else { return };
-        report.age_s = sample.read.elapsed().as_secs_f64();
+        let newest = newest.filter(|_| !self.broken);
+        self.read = newest.map(|sample| sample.read).or(self.read);
+        report.age_s = self.read.map_or(f64::INFINITY, SteadyTime::elapsed_s);
+        let Some(sample) = newest else { return };
         report.powered = sample.powered;
         (report.fault, report.limit_switch, report.referenced) = (sample.fault, sample.limit, sample.homed);
         report.position = sample.position;

@@ -1,9 +1,9 @@
 //! Lines of the streams.
 
 use crate::executive::Orders;
+use crate::realtime::SteadyTime;
 use seamwright_machine::{Axis, Joints, MAX_AXES};
 use std::io::Write as _;
-use std::time::Instant;
 
 /// Maximum line length: numbers have up to 25 characters.
 pub(super) const LONGEST: usize = 512;
@@ -21,7 +21,7 @@ pub(super) fn write<'a>(
 ) -> &'a [u8] {
     let bit = u8::from;
     let mut rest = &mut buffer[..];
-    let (power, home, alive) = (bit(orders.power), bit(orders.home), bit(orders.watchdog));
+    let (power, home, alive) = (bit(orders.power), bit(orders.home), bit(orders.watchdog.toggle));
     let mut written = write!(rest, "{number} {power} {home} {alive}").is_ok();
     for (axis, position) in axes.iter().zip(positions) {
         // Exponents keep every number short.
@@ -37,7 +37,7 @@ pub(super) fn write<'a>(
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     /// Time of reading.
-    pub read: Instant,
+    pub read: SteadyTime,
     /// Number of the active set-point.
     pub number: u32,
     /// Number of periods without a set-point.
@@ -57,7 +57,7 @@ pub struct Sample {
 }
 
 /// Parses a line; `None` if it is not a sample.
-pub(super) fn read(text: &str, axes: &[Axis], read: Instant) -> Option<Sample> {
+pub(super) fn read(text: &str, axes: &[Axis], read: SteadyTime) -> Option<Sample> {
     let mut words = text.split_ascii_whitespace();
     let number = words.next()?.parse().ok()?;
     // HAL's count is signed.
@@ -76,6 +76,7 @@ pub(super) fn read(text: &str, axes: &[Axis], read: Instant) -> Option<Sample> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::executive::Watchdog;
     use seamwright_machine::{Machine, shipped};
     use seamwright_servo::SetPoint;
 
@@ -91,14 +92,15 @@ mod tests {
             let mut positions = Joints::default();
             let size = 10f64.powi((k % 600) as i32 - 300);
             positions.iter_mut().for_each(|q| *q = next() * size);
-            let orders = Orders { power: k % 2 == 0, home: k % 3 == 0, watchdog: k % 5 == 0, ..Orders::default() };
+            let watchdog = Watchdog { toggle: k % 5 == 0, late: false };
+            let orders = Orders { power: k % 2 == 0, home: k % 3 == 0, watchdog, ..Orders::default() };
             let orders = Orders { set: [SetPoint::default(); MAX_AXES], ..orders };
             let mut buffer = [0; LONGEST];
             let line = write(&mut buffer, &machine.axes, k.wrapping_mul(4_000_037), &orders, &positions);
             let line = std::str::from_utf8(line).unwrap();
             let words: Vec<&str> = line.trim_end().split(' ').collect();
             assert!(line.ends_with('\n') && words.len() == 4 + machine.axes.len(), "{line}");
-            let flags = [orders.power, orders.home, orders.watchdog].map(|yes| if yes { "1" } else { "0" });
+            let flags = [orders.power, orders.home, watchdog.toggle].map(|yes| if yes { "1" } else { "0" });
             assert!(words[0] == k.wrapping_mul(4_000_037).to_string() && words[1..4] == flags, "{line}");
             for ((word, axis), q) in words[4..].iter().zip(&machine.axes).zip(&positions) {
                 assert!((word.parse::<f64>().unwrap() - axis.to_file(*q)).abs() <= 0.0, "{word} {q}");
@@ -109,7 +111,7 @@ mod tests {
     #[test]
     fn samples_are_read() {
         let machine = Machine::read("m.toml", shipped("ellipse-xy").unwrap().text).unwrap();
-        let now = Instant::now();
+        let now = SteadyTime::now();
         let sample = read("17 3 9 1 0 2 3 1.250000 -7.000000 ", &machine.axes, now).unwrap();
         assert_eq!((sample.number, sample.underruns, sample.level, sample.powered), (17, 3, 9, true));
         assert_eq!((sample.fault, sample.limit, sample.homed), (0, 2, 3));

@@ -173,6 +173,17 @@ impl Image {
         runs
     }
 
+    /// Returns the [changes](Self::changes) without units that contain only a watchdog.
+    pub(super) fn safe_changes(mut self) -> Vec<Run> {
+        for (i, unit) in self.units.iter_mut().enumerate() {
+            let mut roles = self.outputs.iter().filter(|output| output.unit == i).map(|output| &output.role);
+            if roles.all(|role| *role == Role::Watchdog) {
+                unit.written = Some(unit.cells);
+            }
+        }
+        self.changes()
+    }
+
     /// Returns the request that switches arc or beam off, if it is pending and the device has not just refused it.
     pub(super) fn off(&self) -> Option<Run> {
         if self.on {

@@ -1,22 +1,80 @@
 use super::traffic::TrafficLog;
 use super::wire::{CellRange, Trouble, Wire};
+use crate::executive::Watchdog;
 use seamwright_machine::{ModbusDevice, Table};
 use seamwright_message::Message;
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use tokio::sync::Mutex;
 
 /// Interval at which the client checks for changed orders between polls.
 pub(super) const LOOK: Duration = Duration::from_millis(1);
 
-/// Shared state of the cycle and the client.
+/// Shared state of the cycle, its supervisor and the client.
 #[derive(Debug, Default)]
 pub(super) struct Life {
     /// Number of cycles so far.
     pub(super) cycles: AtomicU64,
     pub(super) ended: AtomicBool,
+    /// See [`Punctuality`].
+    punctuality: AtomicU8,
+    /// The safe outputs were written since the process was cut off.
+    safe: AtomicBool,
+}
+
+/// Punctuality of the cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Punctuality {
+    OnTime,
+    /// A cycle was late: the watchdog output stands still until the cell is reset.
+    Late,
+    /// The supervisor has found the cycle stopped: all outputs are safe until the cycle knows that it was late.
+    CutOff,
+}
+
+impl Life {
+    /// Counts a cycle.
+    pub(super) fn count_cycle(&self, watchdog: Watchdog) {
+        self.cycles.fetch_add(1, Ordering::Release);
+        if watchdog.late {
+            self.set(Punctuality::Late);
+        } else {
+            // It fails if the cycle is on time already, or is cut off: its orders then date from before the gap.
+            let [late, on_time] = [Punctuality::Late, Punctuality::OnTime].map(|state| state as u8);
+            let _ = self.punctuality.compare_exchange(late, on_time, Ordering::AcqRel, Ordering::Relaxed);
+        }
+    }
+
+    fn set(&self, punctuality: Punctuality) {
+        self.punctuality.store(punctuality as u8, Ordering::Release);
+    }
+
+    /// Takes the process off until the cycle knows that it was late.
+    pub(super) fn cut_off(&self) {
+        self.safe.store(false, Ordering::Release);
+        self.set(Punctuality::CutOff);
+    }
+
+    pub(super) fn is_cut_off(&self) -> bool {
+        self.punctuality.load(Ordering::Acquire) == Punctuality::CutOff as u8
+    }
+
+    /// Returns true while the watchdog output stands still.
+    pub(super) fn is_late(&self) -> bool {
+        self.punctuality.load(Ordering::Acquire) != Punctuality::OnTime as u8
+    }
+
+    /// Records that the safe outputs were written.
+    pub(super) fn confirm_safe(&self) {
+        self.safe.store(true, Ordering::Release);
+    }
+
+    /// Returns true if the safe outputs were written since the process was cut off.
+    pub(super) fn is_safe(&self) -> bool {
+        self.safe.load(Ordering::Acquire)
+    }
 }
 
 /// Shared state of a device's orders and reports; both run in one thread.

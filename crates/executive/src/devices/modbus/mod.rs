@@ -12,6 +12,7 @@
 mod batches;
 mod client;
 mod coding;
+mod cut_off;
 mod image;
 mod inspector;
 mod link;
@@ -22,12 +23,14 @@ mod reports;
 mod traffic;
 mod wire;
 
+pub use cut_off::write_safe_outputs;
 pub use inspector::{InspectedRegister, RegisterInspector};
 pub use traffic::{Traffic, TrafficView};
 
 use super::{InputBits, Inputs, Source};
-use crate::executive::{ProcessOrders, SourceReport};
+use crate::executive::{CutOff, ProcessOrders, SourceReport, Watchdog};
 use client::{Client, Ends};
+use cut_off::ModbusCutOff;
 use image::Ordered;
 use link::Life;
 use reports::Stamped;
@@ -94,8 +97,7 @@ pub struct ModbusSource {
     orders: Input<Ordered>,
     offs: u64,
     known: Output<Stamped<SourceReport>>,
-    /// The source counts the cycles, because there are no inputs to do so.
-    beats: bool,
+    toggle: bool,
     thread: Arc<ClientThread>,
 }
 
@@ -103,15 +105,29 @@ pub struct ModbusSource {
 #[derive(Debug)]
 pub struct ModbusInputs {
     known: Output<Stamped<InputBits>>,
-    watchdog: bool,
+    toggle: bool,
     thread: Arc<ClientThread>,
 }
 
 /// The client's thread; dropping the last reference ends it.
 #[derive(Debug)]
 struct ClientThread {
+    device: ModbusDevice,
     life: Arc<Life>,
     handle: Option<JoinHandle<()>>,
+}
+
+impl ClientThread {
+    /// Counts a cycle, if `toggle` shows a new one.
+    fn count_cycle(&self, toggle: &mut bool, watchdog: Watchdog) {
+        if std::mem::replace(toggle, watchdog.toggle) != watchdog.toggle {
+            self.life.count_cycle(watchdog);
+        }
+    }
+
+    fn cut_off(&self) -> Option<Box<dyn CutOff>> {
+        Some(Box::new(ModbusCutOff { device: self.device.clone(), life: Arc::clone(&self.life) }))
+    }
 }
 
 impl Drop for ClientThread {
@@ -149,42 +165,45 @@ pub fn connect(device: &ModbusDevice, values: &[String]) -> Result<ModbusParts, 
     client.connect().map_err(|trouble| unreachable(trouble.message()))?;
     let named = std::thread::Builder::new().name(format!("modbus {}", device.name));
     let handle = named.spawn(move || client.run()).map_err(|e| unreachable(Message::outside(&e)))?;
-    let thread = Arc::new(ClientThread { life, handle: Some(handle) });
+    let thread = Arc::new(ClientThread { device: device.clone(), life, handle: Some(handle) });
     Ok(ModbusParts {
         source: is_source.then(|| ModbusSource {
             orders: orders_in,
             offs: 0,
             known: source_out,
-            beats: !has_inputs,
+            toggle: false,
             thread: Arc::clone(&thread),
         }),
-        inputs: has_inputs.then_some(ModbusInputs { known: inputs_out, watchdog: false, thread }),
+        inputs: has_inputs.then_some(ModbusInputs { known: inputs_out, toggle: false, thread }),
         traffic,
     })
 }
 
 impl Source for ModbusSource {
-    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
+    fn exchange(&mut self, orders: &ProcessOrders, watchdog: Watchdog, report: &mut SourceReport) {
         self.offs += u64::from(!orders.on);
         self.orders.write(Ordered { process: *orders, offs: self.offs });
-        if self.beats {
-            self.thread.life.cycles.fetch_add(1, Ordering::Release);
-        }
-        // Ages follow the wall clock, so that they grow while the cycle stands still.
+        self.thread.count_cycle(&mut self.toggle, watchdog);
+        // Ages follow the clock, so that they grow while the cycle stands still.
         if let Some((known, read)) = self.known.read() {
-            *report = SourceReport { age_s: read.elapsed().as_secs_f64(), ..*known };
+            *report = SourceReport { age_s: read.elapsed_s(), ..*known };
         }
+    }
+
+    fn cut_off(&self) -> Option<Box<dyn CutOff>> {
+        self.thread.cut_off()
     }
 }
 
 impl Inputs for ModbusInputs {
-    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) {
-        if watchdog != self.watchdog {
-            self.watchdog = watchdog;
-            self.thread.life.cycles.fetch_add(1, Ordering::Release);
-        }
+    fn exchange(&mut self, watchdog: Watchdog, inputs: &mut InputBits) {
+        self.thread.count_cycle(&mut self.toggle, watchdog);
         if let Some((known, read)) = self.known.read() {
-            *inputs = InputBits { age_s: read.elapsed().as_secs_f64(), ..*known };
+            *inputs = InputBits { age_s: read.elapsed_s(), ..*known };
         }
+    }
+
+    fn cut_off(&self) -> Option<Box<dyn CutOff>> {
+        self.thread.cut_off()
     }
 }

@@ -3,6 +3,7 @@
 use super::image::{Image, Ordered};
 use super::link::{LOOK, Line, Link};
 use super::wire::{Trouble, within};
+use crate::realtime::SteadyTime;
 use seamwright_machine::ModbusDevice;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -20,7 +21,7 @@ pub(super) struct OrderWriter {
     ordered: Output<Ordered>,
     image: Image,
     /// The cycle count at its last change, and the time of that change.
-    cycle: (u64, Option<Instant>),
+    cycle: (u64, Option<SteadyTime>),
     /// Next time to retry refused outputs and to advance the watchdog.
     next: Instant,
 }
@@ -71,10 +72,11 @@ impl OrderWriter {
 
     /// Writes changed orders.
     async fn look(&mut self, link: &Link, period: Duration) -> Result<(), Trouble> {
+        let is_cut_off = link.life.is_cut_off();
         let due = Instant::now() >= self.next;
         if due {
             self.next = Instant::now() + period;
-            if self.cycle_lives(link) {
+            if self.cycle_lives(link) && !link.life.is_late() {
                 self.image.beat();
             }
         }
@@ -89,6 +91,9 @@ impl OrderWriter {
         }
         self.write(link).await?;
         link.rewritten.set(lost);
+        if is_cut_off && link.unordered.borrow().is_none() {
+            link.life.confirm_safe();
+        }
         Ok(())
     }
 
@@ -118,13 +123,14 @@ impl OrderWriter {
         }
     }
 
-    /// Returns true if the cycle count changed within the watchdog's time.
+    /// Returns true if the cycle count changed within the watchdog's time, and the supervisor has not cut it off.
     fn cycle_lives(&mut self, link: &Link) -> bool {
         let count = link.life.cycles.load(Ordering::Acquire);
         if count != self.cycle.0 {
-            self.cycle = (count, Some(Instant::now()));
+            self.cycle = (count, Some(SteadyTime::now()));
         }
-        self.cycle.1.is_some_and(|seen| seen.elapsed().as_secs_f64() <= link.device.watchdog_s)
+        let lives = self.cycle.1.is_some_and(|seen| seen.elapsed_s() <= link.device.watchdog_s);
+        lives && !link.life.is_cut_off()
     }
 
     /// Writes changes, each output once, with the newest orders before each request, so that an off order waits for at

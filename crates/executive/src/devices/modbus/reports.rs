@@ -7,6 +7,7 @@ use super::orders::BACK_OFF;
 use super::wire::Trouble;
 use crate::devices::InputBits;
 use crate::executive::{SourceReport, VALUES};
+use crate::realtime::SteadyTime;
 use seamwright_machine::{ModbusDevice, Role};
 use seamwright_message::{Message, Unit};
 use std::time::{Duration, Instant};
@@ -14,7 +15,7 @@ use tokio_modbus::ExceptionCode;
 use triple_buffer::Input;
 
 /// A report with its time of reading.
-pub(super) type Stamped<T> = Option<(T, Instant)>;
+pub(super) type Stamped<T> = Option<(T, SteadyTime)>;
 
 /// Polls all registers.
 #[derive(Debug)]
@@ -31,7 +32,7 @@ pub(super) struct ReportReader {
     /// Index among the job's process values, for each register of a measured one.
     slots: Vec<Option<usize>>,
     /// Time of the last change of the device's heart-beat.
-    heartbeat: Instant,
+    heartbeat: SteadyTime,
 }
 
 impl ReportReader {
@@ -55,7 +56,7 @@ impl ReportReader {
             bridged: true,
             values: vec![f64::NAN; device.registers.len()],
             slots: device.registers.iter().map(|r| slot(&r.role)).collect(),
-            heartbeat: Instant::now(),
+            heartbeat: SteadyTime::now(),
         }
     }
 
@@ -64,7 +65,7 @@ impl ReportReader {
         if !self.shared {
             self.line.connect(&link.device).await?;
         }
-        self.heartbeat = Instant::now();
+        self.heartbeat = SteadyTime::now();
         self.poll(link).await
     }
 
@@ -83,7 +84,7 @@ impl ReportReader {
             }
             if self.shared {
                 tokio::time::sleep(LOOK).await;
-                (next, self.heartbeat) = (Instant::now() + period, Instant::now());
+                (next, self.heartbeat) = (Instant::now() + period, SteadyTime::now());
                 continue;
             }
             let connected = self.connect(link).await;
@@ -125,9 +126,9 @@ impl ReportReader {
             return Err(trouble);
         }
         if self.heartbeat_value(link).map(f64::to_bits) != beat.map(f64::to_bits) {
-            self.heartbeat = Instant::now();
+            self.heartbeat = SteadyTime::now();
         }
-        if beat.is_some() && self.heartbeat.elapsed().as_secs_f64() > link.device.heartbeat_s {
+        if beat.is_some() && self.heartbeat.elapsed_s() > link.device.heartbeat_s {
             return Err(Trouble::Lifeless(Message::new("cell-modbus-no-heartbeat").value(
                 "time",
                 link.device.heartbeat_s,
@@ -183,7 +184,7 @@ impl ReportReader {
                 Role::Gas | Role::On | Role::Watchdog | Role::Set(_) | Role::Heartbeat => {}
             }
         }
-        let now = Instant::now();
+        let now = SteadyTime::now();
         self.source.write(Some((source, now)));
         self.inputs.write(Some((inputs, now)));
     }
