@@ -32,6 +32,7 @@
 //!     cameras: Vec::new(),
 //!     program: None,
 //!     job: Some("first-weld".to_owned()),
+//!     syslog: None,
 //! };
 //! serve(&settings, |address| println!("Open {address}"))?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -47,6 +48,7 @@ mod log;
 mod planner;
 mod refusal;
 mod serve;
+mod syslog;
 mod teaching;
 #[cfg(test)]
 mod tests;
@@ -59,4 +61,5 @@ pub use error::Error;
 pub use http::{openapi, typescript};
 pub use planner::answer_one_question;
 pub use serve::{Settings, serve};
+pub use syslog::{InvalidReceiver, SyslogReceiver};
 pub use tls::Tls;

@@ -4,6 +4,7 @@ use crate::front::answer;
 use crate::http::Panel;
 use crate::log;
 use crate::planner::Planner;
+use crate::syslog::{Syslog, SyslogReceiver};
 use crate::teaching::Cameras;
 use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
@@ -49,6 +50,8 @@ pub struct Settings {
     pub program: Option<PathBuf>,
     /// Name of a job in `data`, or of an example, loaded at the start.
     pub job: Option<String>,
+    /// Receiver of audit log and alarms beside the library.
+    pub syslog: Option<SyslogReceiver>,
 }
 
 /// Polling period for a signal or a fault.
@@ -134,6 +137,9 @@ impl Lives<'_> {
         let (machine, folder) = (&settings.machine, &settings.folder);
         let cell = Cell::start(machine, folder, &settings.values, &settings.data, self.shutdown);
         let cell = cell.map_err(Error::Settings)?;
+        if let Some(receiver) = &settings.syslog {
+            cell.archive.send_to(Syslog::start(receiver.clone(), &cell.hub));
+        }
         let has_admin = accounts.has_admin();
         let mut panel = Panel::new(cell, accounts, self.key.clone(), settings.data.clone(), hosts(&names, port));
         panel.tls = tls.is_some();

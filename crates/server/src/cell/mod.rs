@@ -2,7 +2,9 @@
 
 mod alarms;
 mod archive;
+mod archive_queue;
 mod audit_entry;
+mod chattering;
 mod connection;
 mod cycle;
 mod desk;
@@ -23,7 +25,7 @@ mod stored_message;
 mod task;
 mod unavailable_commands;
 
-pub(crate) use audit_entry::{Change, hides};
+pub(crate) use audit_entry::{Change, hides, plain};
 pub(crate) use connection::{CellDevices, Connection};
 pub(crate) use desk::{Loading, ToDesk};
 pub(crate) use display_distances::Around;

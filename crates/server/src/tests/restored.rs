@@ -122,6 +122,7 @@ pub(super) fn settings(data: &Path) -> Settings {
         folder: data.to_owned(),
         values: vec![],
         job: Some("mine.toml".to_owned()),
+        syslog: None,
     }
 }
 

@@ -318,6 +318,7 @@ impl Desk {
         self.alarms.push(library::Alarm {
             name: title,
             cause: entry.cause.clone(),
+            priority: raised.alarm.priority(raised.reaction).name().to_owned(),
             place: library::Place {
                 pass: in_pass.then_some(raised.place.pass as u32),
                 s_mm: in_pass.then_some(raised.place.s_mm),
@@ -330,6 +331,7 @@ impl Desk {
         let of = self.about(raised.alarm, raised.detail).map(|of| english(&of));
         let more = json!({
             "alarm": entry.name, "of": of, "first_out": raised.first_out,
+            "priority": raised.alarm.priority(raised.reaction).name(),
             "pass": raised.place.pass, "s_mm": raised.place.s_mm, "cell": raised.reaction.name(),
             "cause": english(&entry.cause), "consequence": english(&entry.consequence),
             "action": english(&entry.action),
