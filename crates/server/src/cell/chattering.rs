@@ -82,5 +82,6 @@ mod tests {
         for i in 0..10_000 {
             occurrences.is_flood(&Message::verbatim(format!("{i}")), begin);
         }
+        assert!(occurrences.of.len() <= MAX_ALARMS);
     }
 }
