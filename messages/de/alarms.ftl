@@ -108,5 +108,18 @@ alarm-reaction-process-off = Prozess aus, Halt
 alarm-reaction-stop = Prozess aus, Stopp, Spannung aus
 alarm-reaction-power-off = Prozess und Spannung aus
 
+# Rationalisation (ISA-18.2): severity of the consequence, time to respond, priority.
+alarm-severity-minor = verlorene Zeit
+alarm-severity-moderate = Nacharbeit an der Naht oder unvollständige Aufzeichnung
+alarm-severity-major = Schaden an Werkstück oder Maschine
+alarm-severity-severe = Gefahr für Menschen, oder das Werkstück ist verloren
+alarm-response-minute = unter 1 Minute
+alarm-response-ten-minutes = 1 bis 10 Minuten
+alarm-response-longer = über 10 Minuten
+alarm-priority-critical = kritisch
+alarm-priority-high = hoch
+alarm-priority-medium = mittel
+alarm-priority-low = niedrig
+
 # An alarm with the axis, interlock or trouble that it is about.
 alarm-of = { $title } ({ $of })

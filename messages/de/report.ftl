@@ -80,6 +80,7 @@ report-column-name = Name
 report-column-date = Datum
 report-column-signature = Unterschrift
 report-column-alarm = Alarm
+report-column-priority = Priorität
 report-column-cause = Ursache
 report-column-position-mm = s, mm
 report-column-time-s = t, s

@@ -1,4 +1,5 @@
 # Start und Ende des Servers.
+server-syslog-receiver = kein Syslog-Empfänger: { $text }; erlaubt: udp://HOST:PORT oder tcp://HOST:PORT, ein Port von 1 bis 65535 (ohne Angabe 514), IPv6-Adressen in Klammern
 server-bind = { $option }: { $why }
 server-bind-free = eine Adresse und ein freier Port
 server-bind-plain = andere Rechner erreichen diese Adresse, und nichts ist verschlüsselt
@@ -246,8 +247,12 @@ server-audit-logged-out = abgemeldet
 server-audit-refused = abgelehnt
 server-audit-refused-role = abgelehnt: Rolle erlaubt es nicht
 server-audit-reweld = Fertiges darf wieder geschweißt werden
-server-audit-more = { $result }: { $n } weitere in { $time }
-server-audit-left-out = { $n } Einträge wurden ausgelassen
+server-audit-raised-again = wieder ausgelöst
+server-audit-several = mehrere Anfragen
+server-audit-kind = { $command }: { $result } ({ $n })
+server-audit-refused-sum = { $n } abgelehnte Anfragen, die erste { $first }, die letzte { $last }: { $kinds }
+server-audit-repeated-sum = { $n } wiederholte Anfragen, die erste { $first }, die letzte { $last }: { $kinds }
+server-audit-left-out = { $n } Einträge wurden ausgelassen, zwischen { $first } und { $last }
 
 # Events.
 server-event-left = Lage { $pass } wurde verlassen, geschweißt bis { $s }
@@ -272,7 +277,12 @@ server-event-record-not-whole = Schweißung { $weld }: das Protokoll ist unvolls
 server-event-record-interrupted = Schweißung { $weld } wurde unterbrochen; ihr Protokoll ist wieder vollständig
 server-event-record-fails = das Protokoll kann nicht geschrieben werden: { $reason }
 server-event-not-recorded = diese Schweißung wird nicht aufgezeichnet: { $reason }
-server-event-audit-fails = das Bedienprotokoll kann nicht geschrieben werden: { $reason }
+server-event-audit-fails = das Bedienprotokoll kann nicht geschrieben werden: { $reason }; wartend: { $n }
+server-event-audit-hangs = der Datenträger des Bedienprotokolls antwortet nicht; wartend: { $n }
+server-event-audit-stored = das Bedienprotokoll wird wieder geschrieben; gewartet haben { $n } Einträge
+server-event-audit-left-out = { $n } Einträge des Bedienprotokolls sind verloren: es warteten zu viele
+server-event-syslog-fails = der Syslog-Empfänger { $receiver } ist nicht erreichbar: { $reason }; wartend: { $n }
+server-event-syslog-sends = der Syslog-Empfänger { $receiver } ist wieder erreichbar; nicht gesendet: { $n }
 server-event-restored = alle Daten wurden wiederhergestellt; was vorher da war, ist in { $folder }
 server-event-control-taken = Bedienung übernommen
 server-event-control-taken-over = Bedienung von anderen übernommen

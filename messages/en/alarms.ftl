@@ -158,5 +158,18 @@ alarm-reaction-process-off = process off, hold
 alarm-reaction-stop = process off, stop, power off
 alarm-reaction-power-off = process and power off
 
+# Rationalisation (ISA-18.2): severity of the consequence, time to respond, priority.
+alarm-severity-minor = lost time
+alarm-severity-moderate = weld repair or an incomplete record
+alarm-severity-major = damage to part or machine
+alarm-severity-severe = danger to people, or the part is lost
+alarm-response-minute = less than 1 minute
+alarm-response-ten-minutes = 1 to 10 minutes
+alarm-response-longer = more than 10 minutes
+alarm-priority-critical = critical
+alarm-priority-high = high
+alarm-priority-medium = medium
+alarm-priority-low = low
+
 # An alarm with the axis, interlock or trouble that it is about.
 alarm-of = { $title } ({ $of })

@@ -80,6 +80,7 @@ report-column-name = Name
 report-column-date = Date
 report-column-signature = Signature
 report-column-alarm = Alarm
+report-column-priority = Priority
 report-column-cause = Cause
 report-column-position-mm = s, mm
 report-column-time-s = t, s

@@ -108,5 +108,18 @@ alarm-reaction-process-off = процесс выключить, пауза
 alarm-reaction-stop = процесс выключить, остановить, снять питание
 alarm-reaction-power-off = выключить процесс и питание
 
+# Rationalisation (ISA-18.2): severity of the consequence, time to respond, priority.
+alarm-severity-minor = потеря времени
+alarm-severity-moderate = исправление шва или неполная запись
+alarm-severity-major = повреждение детали или машины
+alarm-severity-severe = опасность для людей или потеря детали
+alarm-response-minute = меньше 1 минуты
+alarm-response-ten-minutes = от 1 до 10 минут
+alarm-response-longer = больше 10 минут
+alarm-priority-critical = критический
+alarm-priority-high = высокий
+alarm-priority-medium = средний
+alarm-priority-low = низкий
+
 # An alarm with the axis, interlock or trouble that it is about.
 alarm-of = { $title } ({ $of })

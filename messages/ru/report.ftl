@@ -77,6 +77,7 @@ report-column-name = Фамилия
 report-column-date = Дата
 report-column-signature = Подпись
 report-column-alarm = Тревога
+report-column-priority = Приоритет
 report-column-cause = Причина
 report-column-position-mm = s, мм
 report-column-time-s = t, с

@@ -1,4 +1,5 @@
 # Запуск и конец сервера.
+server-syslog-receiver = не приёмник syslog: { $text }; допустимо: udp://HOST:PORT или tcp://HOST:PORT, порт от 1 до 65535 (по умолчанию 514), адреса IPv6 в скобках
 server-bind = { $option }: { $why }
 server-bind-free = адрес и свободный порт
 server-bind-plain = этот адрес доступен другим компьютерам, а шифрования нет
@@ -246,8 +247,12 @@ server-audit-logged-out = выход выполнен
 server-audit-refused = отказано
 server-audit-refused-role = отказано: роль не позволяет
 server-audit-reweld = завершённое можно варить снова
-server-audit-more = { $result }: ещё { $n } за { $time }
-server-audit-left-out = пропущено записей: { $n }
+server-audit-raised-again = сработала снова
+server-audit-several = несколько запросов
+server-audit-kind = { $command }: { $result } ({ $n })
+server-audit-refused-sum = отказано в запросах: { $n }, первый { $first }, последний { $last }: { $kinds }
+server-audit-repeated-sum = повторных запросов: { $n }, первый { $first }, последний { $last }: { $kinds }
+server-audit-left-out = пропущено записей: { $n }, между { $first } и { $last }
 
 # Events.
 server-event-left = проход { $pass } остановлен, сварено до { $s }
@@ -272,7 +277,12 @@ server-event-record-not-whole = сварка { $weld }: запись непол�
 server-event-record-interrupted = сварка { $weld } была прервана; её запись восстановлена
 server-event-record-fails = не удаётся записать данные: { $reason }
 server-event-not-recorded = эта сварка не записывается: { $reason }
-server-event-audit-fails = не удаётся записать журнал действий: { $reason }
+server-event-audit-fails = не удаётся записать журнал действий: { $reason }; ожидают: { $n }
+server-event-audit-hangs = диск журнала действий не отвечает; ожидают: { $n }
+server-event-audit-stored = журнал действий снова записывается; ожидало записей: { $n }
+server-event-audit-left-out = потеряно записей журнала действий: { $n }; ожидало слишком много
+server-event-syslog-fails = приёмник syslog { $receiver } недоступен: { $reason }; ожидают: { $n }
+server-event-syslog-sends = приёмник syslog { $receiver } снова доступен; не отправлено: { $n }
 server-event-restored = все данные восстановлены; прежние лежат в { $folder }
 server-event-control-taken = управление взято
 server-event-control-taken-over = управление перехвачено

@@ -108,5 +108,18 @@ alarm-reaction-process-off = процес вимкнути, пауза
 alarm-reaction-stop = процес вимкнути, зупинити, зняти живлення
 alarm-reaction-power-off = вимкнути процес і живлення
 
+# Rationalisation (ISA-18.2): severity of the consequence, time to respond, priority.
+alarm-severity-minor = втрата часу
+alarm-severity-moderate = виправлення шва або неповний запис
+alarm-severity-major = пошкодження деталі чи машини
+alarm-severity-severe = небезпека для людей або втрата деталі
+alarm-response-minute = менше 1 хвилини
+alarm-response-ten-minutes = від 1 до 10 хвилин
+alarm-response-longer = понад 10 хвилин
+alarm-priority-critical = критичний
+alarm-priority-high = високий
+alarm-priority-medium = середній
+alarm-priority-low = низький
+
 # An alarm with the axis, interlock or trouble that it is about.
 alarm-of = { $title } ({ $of })

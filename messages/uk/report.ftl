@@ -77,6 +77,7 @@ report-column-name = Прізвище
 report-column-date = Дата
 report-column-signature = Підпис
 report-column-alarm = Тривога
+report-column-priority = Пріоритет
 report-column-cause = Причина
 report-column-position-mm = s, мм
 report-column-time-s = t, с

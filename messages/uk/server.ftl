@@ -1,4 +1,5 @@
 # Запуск і кінець сервера.
+server-syslog-receiver = не приймач syslog: { $text }; дозволено: udp://HOST:PORT або tcp://HOST:PORT, порт від 1 до 65535 (типово 514), адреси IPv6 у дужках
 server-bind = { $option }: { $why }
 server-bind-free = адреса і вільний порт
 server-bind-plain = ця адреса доступна іншим комп’ютерам, а шифрування немає
@@ -246,8 +247,12 @@ server-audit-logged-out = вихід виконано
 server-audit-refused = відмовлено
 server-audit-refused-role = відмовлено: роль не дозволяє
 server-audit-reweld = завершене можна варити знову
-server-audit-more = { $result }: ще { $n } за { $time }
-server-audit-left-out = пропущено записів: { $n }
+server-audit-raised-again = спрацювала знову
+server-audit-several = кілька запитів
+server-audit-kind = { $command }: { $result } ({ $n })
+server-audit-refused-sum = відмовлено в запитах: { $n }, перший { $first }, останній { $last }: { $kinds }
+server-audit-repeated-sum = повторних запитів: { $n }, перший { $first }, останній { $last }: { $kinds }
+server-audit-left-out = пропущено записів: { $n }, між { $first } і { $last }
 
 # Events.
 server-event-left = прохід { $pass } зупинено, зварено до { $s }
@@ -272,7 +277,12 @@ server-event-record-not-whole = зварювання { $weld }: запис не�
 server-event-record-interrupted = зварювання { $weld } було перервано; його запис відновлено
 server-event-record-fails = не вдається записати дані: { $reason }
 server-event-not-recorded = це зварювання не записується: { $reason }
-server-event-audit-fails = не вдається записати журнал дій: { $reason }
+server-event-audit-fails = не вдається записати журнал дій: { $reason }; очікують: { $n }
+server-event-audit-hangs = диск журналу дій не відповідає; очікують: { $n }
+server-event-audit-stored = журнал дій знову записується; очікувало записів: { $n }
+server-event-audit-left-out = втрачено записів журналу дій: { $n }; очікувало забагато
+server-event-syslog-fails = приймач syslog { $receiver } недоступний: { $reason }; очікують: { $n }
+server-event-syslog-sends = приймач syslog { $receiver } знову доступний; не надіслано: { $n }
 server-event-restored = усі дані відновлено; попередні лежать у { $folder }
 server-event-control-taken = керування взято
 server-event-control-taken-over = керування перехоплено

@@ -108,5 +108,18 @@ alarm-reaction-process-off = 关闭焊接过程，暂停
 alarm-reaction-stop = 关闭焊接过程，停止，断电
 alarm-reaction-power-off = 关闭焊接过程并断电
 
+# Rationalisation (ISA-18.2): severity of the consequence, time to respond, priority.
+alarm-severity-minor = 损失时间
+alarm-severity-moderate = 需要返修焊缝或记录不完整
+alarm-severity-major = 工件或机器损坏
+alarm-severity-severe = 危及人员或工件报废
+alarm-response-minute = 不到 1 分钟
+alarm-response-ten-minutes = 1 至 10 分钟
+alarm-response-longer = 超过 10 分钟
+alarm-priority-critical = 紧急
+alarm-priority-high = 高
+alarm-priority-medium = 中
+alarm-priority-low = 低
+
 # An alarm with the axis, interlock or trouble that it is about.
 alarm-of = { $title }（{ $of }）

@@ -77,6 +77,7 @@ report-column-name = 姓名
 report-column-date = 日期
 report-column-signature = 签名
 report-column-alarm = 报警
+report-column-priority = 优先级
 report-column-cause = 原因
 report-column-position-mm = s, mm
 report-column-time-s = t, s

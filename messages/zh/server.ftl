@@ -1,4 +1,5 @@
 # 服务器的启动和结束。
+server-syslog-receiver = 不是 syslog 接收端：{ $text }；允许：udp://HOST:PORT 或 tcp://HOST:PORT，端口 1 至 65535（默认 514），IPv6 地址用方括号
 server-bind = { $option }：{ $why }
 server-bind-free = 一个地址和一个空闲端口
 server-bind-plain = 其他计算机可以访问该地址，但没有加密
@@ -246,8 +247,12 @@ server-audit-logged-out = 已登出
 server-audit-refused = 已拒绝
 server-audit-refused-role = 已拒绝：角色不允许
 server-audit-reweld = 已完成的部分可再次焊接
-server-audit-more = { $result }：{ $time } 内又有 { $n } 次
-server-audit-left-out = 漏记 { $n } 条
+server-audit-raised-again = 再次触发
+server-audit-several = 多个请求
+server-audit-kind = { $command }：{ $result }（{ $n }）
+server-audit-refused-sum = { $n } 个请求被拒绝，首个 { $first }，最后 { $last }：{ $kinds }
+server-audit-repeated-sum = { $n } 个重复请求，首个 { $first }，最后 { $last }：{ $kinds }
+server-audit-left-out = { $first } 至 { $last } 之间漏记 { $n } 条
 
 # Events.
 server-event-left = 焊道 { $pass } 中断，已焊至 { $s }
@@ -272,7 +277,12 @@ server-event-record-not-whole = 焊接 { $weld }：记录不完整：{ $reason }
 server-event-record-interrupted = 焊接 { $weld } 曾中断；其记录已恢复
 server-event-record-fails = 无法写入记录：{ $reason }
 server-event-not-recorded = 本次焊接未记录：{ $reason }
-server-event-audit-fails = 无法写入操作日志：{ $reason }
+server-event-audit-fails = 无法写入操作日志：{ $reason }；等待：{ $n }
+server-event-audit-hangs = 操作日志所在磁盘无响应；等待：{ $n }
+server-event-audit-stored = 操作日志恢复写入；曾等待的条目：{ $n }
+server-event-audit-left-out = 操作日志丢失 { $n } 条：等待的条目过多
+server-event-syslog-fails = 无法连接 syslog 接收端 { $receiver }：{ $reason }；等待：{ $n }
+server-event-syslog-sends = syslog 接收端 { $receiver } 已恢复；未发送：{ $n }
 server-event-restored = 所有数据已恢复；之前的数据在 { $folder }
 server-event-control-taken = 已取得控制权
 server-event-control-taken-over = 已接管控制权

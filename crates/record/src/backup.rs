@@ -409,7 +409,8 @@ mod tests {
             Library::open_to_read(&from.join(LIBRARY)).unwrap().copy_to(&library).unwrap();
             let db = rusqlite::Connection::open(&library).unwrap();
             // Of the last version that wrote no hashes.
-            db.execute_batch("PRAGMA user_version = 2").and_then(|()| db.execute_batch(change)).unwrap();
+            let older = "ALTER TABLE alarm DROP COLUMN priority; PRAGMA user_version = 2";
+            db.execute_batch(older).and_then(|()| db.execute_batch(change)).unwrap();
             drop(db);
             let mut builder = tar::Builder::new(File::create(&archive).unwrap());
             builder.append_path_with_name(&library, LIBRARY).unwrap();

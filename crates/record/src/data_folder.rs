@@ -9,6 +9,7 @@ use crate::recording::{Plan, Recording, hash_of, settle};
 use crate::stored_message::joined;
 use crate::trace::recover::is_written;
 use crate::trace::{self, Trace};
+use crate::waiting_file::{self, WaitingFile};
 use seamwright_message::{Message, Unit};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,8 +22,15 @@ pub(crate) const UNFINISHED: &str = "record-problem-unfinished";
 pub(crate) const LEFT_UNFINISHED: &str = "record-problem-left";
 
 /// Files that only the owner of the folder may read, regardless of the permissions that they were made with.
-const PRIVATE: [&str; 6] =
-    ["library.sqlite", "library.sqlite-wal", "library.sqlite-shm", "welds", "position.a", "position.b"];
+const PRIVATE: [&str; 7] = [
+    "library.sqlite",
+    "library.sqlite-wal",
+    "library.sqlite-shm",
+    "welds",
+    "position.a",
+    "position.b",
+    waiting_file::NAME,
+];
 
 /// The folder of everything that is recorded: `library.sqlite`, `welds/<number>/`, and the journal for power loss.
 /// Methods fail if its files cannot be read or written.
@@ -189,8 +197,10 @@ impl DataFolder {
         Ok(entries.flatten().filter_map(number).collect())
     }
 
-    /// Repairs the data after a crash: traces to Parquet, and running welds to interrupted ones.
+    /// Repairs the data after a crash: traces to Parquet, running welds to interrupted ones, and orders and alarms that
+    /// waited for the library into it.
     pub fn recover(&mut self) -> Result<Vec<Recovered>, Error> {
+        self.store_waiting();
         let mut recovered = Vec::new();
         for weld in self.library.find(&crate::library::Query::default())?.into_iter().rev() {
             let folder = self.weld_folder(weld.id);
@@ -205,6 +215,21 @@ impl DataFolder {
             recovered.push(Recovered { weld, rows, unread_bytes });
         }
         Ok(recovered)
+    }
+
+    /// Stores the entries that an earlier run could not; a running program stores its own. What the library still does
+    /// not take stays in the file.
+    fn store_waiting(&mut self) {
+        if !self.path.join(waiting_file::NAME).exists() {
+            return;
+        }
+        if let Ok((mut waiting, entries)) = WaitingFile::open(&self.path)
+            && !waiting.is_empty()
+            && self.library.store_missing(&entries).is_ok()
+        {
+            // Otherwise the next call finds that the library has them.
+            drop(waiting.clear());
+        }
     }
 
     fn settle_left(&mut self, weld: WeldRecord, folder: &Path, unread: u64) -> Result<WeldRecord, Error> {

@@ -167,6 +167,13 @@ impl Error {
         }
     }
 
+    /// True if a table of the library refuses the row itself: another disk or another time would not help.
+    pub fn is_constraint(&self) -> bool {
+        use rusqlite::ErrorCode::{ConstraintViolation, TooBig, TypeMismatch};
+        matches!(self, Self::Database { cause, .. }
+            if matches!(cause.sqlite_error_code(), Some(ConstraintViolation | TooBig | TypeMismatch)))
+    }
+
     /// True if another request by the user avoids the error; false if the system or a disk failed.
     pub fn is_input(&self) -> bool {
         match self {

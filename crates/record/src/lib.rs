@@ -42,6 +42,7 @@ mod replacement_steps;
 mod stored_message;
 pub mod trace;
 mod vcd;
+mod waiting_file;
 mod whole_file;
 
 pub use backup::restore;
@@ -54,4 +55,5 @@ pub use replace::{Contents, check_archive, discard_checked, has_checked, replace
 pub use replacement_steps::finish_replacing;
 pub use stored_message::joined;
 pub use vcd::{VcdAxis, VcdWriter, Wire};
+pub use waiting_file::WaitingFile;
 pub use whole_file::{ClosedFile, WholeFile};

@@ -4,7 +4,7 @@ use std::str::FromStr;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// A date and time, in whole ms since 1970-01-01 UTC; written `2026-11-21 14:05:09 UTC`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Moment(pub i64);
 
 const DAY_MS: i64 = 86_400_000;
@@ -14,6 +14,12 @@ impl Moment {
     pub fn now() -> Self {
         let since = SystemTime::now().duration_since(UNIX_EPOCH);
         Self(since.map_or(0, |d| i64::try_from(d.as_millis()).unwrap_or(i64::MAX)))
+    }
+
+    /// Returns it as RFC 3339 writes it, with milliseconds: `2026-11-21T14:05:09.250Z`.
+    pub fn rfc3339(self) -> String {
+        let second = self.to_string().replacen(' ', "T", 1).replace(" UTC", "");
+        format!("{second}.{:03}Z", self.0.rem_euclid(1000))
     }
 
     /// The beginning of the next day.
@@ -119,6 +125,7 @@ mod tests {
         assert_eq!(Moment(11_016 * DAY_MS).to_string(), "2000-02-29 00:00:00 UTC");
         assert_eq!(Moment(47_541 * DAY_MS - 1000).to_string(), "2100-02-28 23:59:59 UTC");
         assert_eq!("2026-11-21 14:05:09".parse(), Ok(Moment(1_795_269_909_000)));
+        assert_eq!(Moment(1_795_269_909_007).rfc3339(), "2026-11-21T14:05:09.007Z");
         let mut day = Moment(-200 * 365 * DAY_MS);
         while day < Moment(200 * 365 * DAY_MS) {
             let text = day.to_string();

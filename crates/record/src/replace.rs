@@ -221,7 +221,10 @@ mod tests {
         assert!(refused("foreign").contains("archive"));
         // An entry of the audit log that was changed, and a schema of a later version.
         for (sql, said) in [
-            ("UPDATE audit SET user = 'eve'; PRAGMA user_version = 2", "audit log, entry"),
+            (
+                "UPDATE audit SET user = 'eve'; ALTER TABLE alarm DROP COLUMN priority; PRAGMA user_version = 2",
+                "audit log, entry",
+            ),
             ("PRAGMA user_version = 999", "later version"),
         ] {
             let from = scratch.path().join(format!("from {said}"));

@@ -15,7 +15,7 @@ pub(crate) const BEGUN: &str = "restore-begun";
 pub(crate) const MOVED: &str = "restore-moved";
 
 /// Files that a restore replaces: an archive has some of them. Keys of encrypted connections (`tls`) stay.
-pub(crate) const REPLACED: [&str; 9] = [
+pub(crate) const REPLACED: [&str; 10] = [
     LIBRARY,
     "library.sqlite-wal",
     "library.sqlite-shm",
@@ -26,6 +26,8 @@ pub(crate) const REPLACED: [&str; 9] = [
     "devices.json",
     "position.a",
     "position.b",
+    // Orders and alarms that wait for the library: they belong to the old data.
+    crate::waiting_file::NAME,
 ];
 /// Users with hashes of their passwords.
 pub(crate) const USERS: &str = "users.json";

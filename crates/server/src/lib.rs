@@ -32,6 +32,7 @@
 //!     cameras: Vec::new(),
 //!     program: None,
 //!     job: Some("first-weld".to_owned()),
+//!     syslog: None,
 //! };
 //! serve(&settings, |address| println!("Open {address}"))?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -49,6 +50,7 @@ mod planner;
 mod refusal;
 mod serve;
 mod service_manager;
+mod syslog;
 mod teaching;
 #[cfg(test)]
 mod tests;
@@ -63,4 +65,5 @@ pub use http::fuzzing;
 pub use http::{openapi, panel_packages, typescript};
 pub use planner::answer_one_question;
 pub use serve::{Settings, serve};
+pub use syslog::{InvalidReceiver, SyslogReceiver};
 pub use tls::Tls;

@@ -5,6 +5,7 @@ use crate::http::Panel;
 use crate::log;
 use crate::planner::Planner;
 use crate::service_manager;
+use crate::syslog::{Syslog, SyslogReceiver};
 use crate::teaching::Cameras;
 use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
@@ -48,6 +49,8 @@ pub struct Settings {
     pub program: Option<PathBuf>,
     /// Name of a job in `data`, or of an example, loaded at the start.
     pub job: Option<String>,
+    /// Receiver of audit log and alarms beside the library.
+    pub syslog: Option<SyslogReceiver>,
 }
 
 /// Polling period for a signal or a fault.
@@ -135,6 +138,9 @@ impl Lives<'_> {
         let start = CellStart { machine: settings.machine.clone(), values: settings.values.clone() };
         let cell = Cell::start(&start, &settings.data, settings.program.as_deref(), self.shutdown);
         let cell = cell.map_err(Error::Settings)?;
+        if let Some(receiver) = &settings.syslog {
+            cell.archive.send_to(Syslog::start(receiver.clone(), &cell.hub));
+        }
         let has_admin = accounts.has_admin();
         let mut panel = Panel::new(cell, accounts, self.key.clone(), settings.data.clone(), hosts(&names, port));
         panel.tls = tls.is_some();

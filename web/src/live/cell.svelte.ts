@@ -12,6 +12,7 @@ import type {
   TeachView,
   WorkView,
 } from '../wire';
+import { byUrgency } from '../panel/alarm_order';
 import { api, usePage } from './api';
 import { Link, type Answer, type LinkState, type Move } from './socket';
 import { session } from './session.svelte';
@@ -69,8 +70,8 @@ class Cell {
   /** The loaded program is tracked, as far as this panel has seen. */
   tracked = $state(false);
 
-  /** Alarms that are not shelved. */
-  readonly seen = $derived(this.alarms.filter((alarm) => !alarm.shelved));
+  /** Alarms that are not shelved, the most urgent first. */
+  readonly seen = $derived(byUrgency(this.alarms.filter((alarm) => !alarm.shelved)));
   readonly stale = $derived(this.age > STALE_MS);
   /** What is shown is what the cell is doing now. */
   readonly current = $derived(this.state === 'open' && !this.stale);

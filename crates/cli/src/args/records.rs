@@ -39,6 +39,10 @@ pub(crate) enum Action {
     Show(ShowArgs),
     /// Export the trace, report and figures of a weld
     Export(ExportArgs),
+    /// Print the audit log as JSON lines, the oldest entry first
+    Audit(LinesArgs),
+    /// Print all alarms as JSON lines, the oldest first
+    Alarms(LinesArgs),
     /// Check the database, the audit log and the hash of every file; exit code 1 if there are problems
     Verify(VerifyArgs),
     /// Write a data folder to one file, also while the panel runs
@@ -109,6 +113,25 @@ pub(crate) struct ExportArgs {
     pub(crate) output: PathBuf,
     #[command(flatten)]
     pub(crate) data: DataArgs,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seamwright records audit --data cell --since 2026-11-01
+  seamwright records alarms --data cell --after 1200 >> alarms.jsonl")]
+pub(crate) struct LinesArgs {
+    /// Data folder [default: $SEAMWRIGHT_DATA, or seamwright in $XDG_DATA_HOME]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) data: Option<PathBuf>,
+    /// Only entries at this date (UTC) or later: 2026-11-21, "2026-11-21 14:05"
+    #[arg(long, value_name = "DATE")]
+    pub(crate) since: Option<Moment>,
+    /// Only entries at this date (UTC) or before; a day counts to its end
+    #[arg(long, value_name = "DATE", value_parser = end)]
+    pub(crate) until: Option<Moment>,
+    /// Only entries with a number (`id`) higher than this: the last one of the export before
+    #[arg(long, value_name = "ID", value_parser = clap::value_parser!(i64).range(0..))]
+    pub(crate) after: Option<i64>,
 }
 
 #[derive(Debug, Args)]

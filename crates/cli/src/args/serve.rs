@@ -1,6 +1,7 @@
 //! Arguments of `seamwright serve`.
 
 use clap::Args;
+use seamwright_server::SyslogReceiver;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
@@ -42,6 +43,9 @@ pub(crate) struct ServeArgs {
     /// First job: a file, which is copied into the data folder, or the name of a job there or of an example [default: first-weld]
     #[arg(long, value_name = "FILE")]
     pub(crate) job: Option<String>,
+    /// Send audit log and alarms to this syslog receiver too (RFC 5424): udp://HOST:514, tcp://HOST:514
+    #[arg(long, value_name = "RECEIVER")]
+    pub(crate) syslog: Option<SyslogReceiver>,
     /// Open the panel in the browser
     #[arg(long)]
     pub(crate) open: bool,

@@ -47,7 +47,8 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         _ => args.tls.then_some(Tls::Own),
     };
     let (names, cameras, program) = (args.host.clone(), args.camera.clone(), this_program());
-    let settings = Settings { bind: args.bind, names, tls, data, machine, values, cameras, program, job };
+    let syslog = args.syslog.clone();
+    let settings = Settings { bind: args.bind, names, tls, data, machine, values, cameras, program, job, syslog };
     let ready = |url: &str| {
         // Errors are ignored: the server runs without a reader of its output, too.
         drop(print_text(&format!("{url}\n")));

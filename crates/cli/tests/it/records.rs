@@ -1,6 +1,9 @@
 //! `seamwright records`, and `simulate --data`: welds recorded, found, exported, verified, recovered; bad input.
 
 use crate::common::{bad, example, good, has_all, json, json_file, run, table};
+use seamwright_message::Message;
+use seamwright_record::library::{Alarm, Place};
+use seamwright_record::{DataFolder, Moment};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -59,6 +62,48 @@ fn a_weld_is_recorded_found_and_exported() {
     }
     // The program that was welded can be planned again.
     assert!(run(&["check", &exported.join("program.toml").display().to_string()]).status.success());
+}
+
+/// Audit log and alarms leave the library as JSON lines, one entry a line.
+#[test]
+fn audit_log_and_alarms_are_lines_of_json() {
+    let (folder, data) = recorded();
+    simulate(folder.path(), &data, "P-2 \"quoted\"\n]", "4");
+    let lines = |verb: &str, more: &[&str]| -> Vec<Value> {
+        let text = good(&[&["records", verb, "--data", &data], more].concat());
+        text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+    };
+    let all = lines("audit", &[]);
+    assert_eq!(all.iter().map(|entry| entry["id"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 2]);
+    let entry = &all[1];
+    assert!(entry["kind"] == "audit" && entry["hash"].as_str().unwrap().len() == 64, "{entry}");
+    assert!(entry["command"]["text"].as_str().unwrap().contains("P-2"), "{entry}");
+    let at = entry["at"].as_str().unwrap();
+    assert!(at.len() == 24 && at.ends_with('Z') && at.as_bytes()[10] == b'T', "{at}");
+    assert_eq!(lines("audit", &["--after", "1"]), all[1..]);
+    assert_eq!(lines("audit", &["--since", "2020-01-01"]), all);
+    assert!(lines("audit", &["--until", "2020-01-01"]).is_empty());
+    let (name, cause) = (Message::new("alarm-15-title"), Message::verbatim("the wire slips"));
+    let (place, raised, priority) = (Place::default(), Moment(1_795_269_909_007), "low".to_owned());
+    let alarm = Alarm { name, cause, priority, place, raised, first_out: true, acknowledged: None };
+    DataFolder::open(Path::new(&data)).unwrap().library().add_alarm(Some(1), &alarm).unwrap();
+    let alarms = lines("alarms", &[]);
+    let alarm = &alarms[0];
+    assert!(alarms.len() == 1 && alarm["weld"] == 1 && alarm["priority"] == "low", "{alarm}");
+    assert_eq!(
+        (&alarm["alarm"]["code"], &alarm["alarm"]["text"]),
+        (&"alarm-15-title".into(), &"arc or beam lost".into())
+    );
+    assert_eq!(alarm["at"], "2026-11-21T14:05:09.007Z");
+    for (option, wrong) in [("--after", "-1"), ("--after", "last"), ("--after", "9223372036854775808")] {
+        assert!(bad(2, &["records", "audit", "--data", &data, &format!("{option}={wrong}")]).contains(option));
+    }
+    for option in ["--since", "--until"] {
+        for wrong in ["yesterday", "2026-13-01", "2026-11-21 25:00"] {
+            assert!(bad(2, &["records", "alarms", "--data", &data, option, wrong]).contains("2026-11-21"));
+        }
+    }
+    bad(2, &["records", "audit", "--data", &folder.path().join("nowhere").display().to_string()]);
 }
 
 #[test]

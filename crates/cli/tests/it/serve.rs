@@ -46,6 +46,28 @@ fn the_panel_answers_and_ends_in_order() {
     assert!(TcpStream::connect(address).is_err());
 }
 
+/// A login and the end reach the syslog receiver.
+#[test]
+fn the_audit_log_goes_to_a_syslog_receiver() {
+    let receiver = std::net::UdpSocket::bind("127.0.0.1:0").unwrap();
+    receiver.set_read_timeout(Some(std::time::Duration::from_secs(60))).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("cell").display().to_string();
+    let to = format!("udp://{}", receiver.local_addr().unwrap());
+    let (mut child, url) = serve(&["--data", &data, "--job", "ellipse", "--syslog", &to]);
+    let (address, key) = url.strip_prefix("http://").unwrap().split_once("/#key=").unwrap();
+    let login = format!("{{\"user\":\"\",\"password\":\"{key}\"}}");
+    let answer = send(address, "POST /api/login HTTP/1.1\r\nx-seamwright: login\r\n", &login);
+    assert!(answer.starts_with("HTTP/1.1 200"), "{answer}");
+    let mut bytes = [0; 4096];
+    let length = receiver.recv(&mut bytes).unwrap();
+    let message = std::str::from_utf8(&bytes[..length]).unwrap();
+    assert!(message.starts_with("<109>1 20") && message.contains(" AUDIT [audit@32473 user="), "{message}");
+    assert!(message.contains("command=\"server-audit-log-in\"") && !message.contains(key), "{message}");
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
 /// Every signal shuts it down in order: a closed terminal (SIGHUP) too.
 #[test]
 fn every_signal_ends_the_panel_in_order() {
@@ -79,6 +101,10 @@ fn what_cannot_be_served_is_told() {
     let broken = write(folder.path(), "broken.toml", "schema = 1\ntitle = 5\n");
     let told = bad(2, &["serve", "--data", &data, "--job", &broken]);
     assert!(told.contains("title"), "{told}");
+    for receiver in ["log.shop.example:514", "udp://", "tcp://log:0", "tls://log:6514"] {
+        let told = bad(2, &["serve", "--data", &data, "--syslog", receiver]);
+        assert!(told.contains("--syslog") && told.contains(receiver) && told.contains("udp://HOST:PORT"), "{told}");
+    }
     let users = folder.path().join("cell/users.json");
     std::fs::write(users, "{").unwrap();
     let told = bad(2, &["serve", "--data", &data]);

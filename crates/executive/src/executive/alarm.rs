@@ -1,5 +1,5 @@
 use crate::tracking::trouble;
-use seamwright_message::{Argument, Language, Message, named_enum};
+use seamwright_message::{Argument, Message, named_enum};
 use serde::{Deserialize, Serialize};
 
 named_enum! {
@@ -102,28 +102,7 @@ impl Alarm {
 
     /// Reaction of the cell.
     pub fn reaction(self) -> Reaction {
-        match self {
-            Self::DriveFault
-            | Self::LimitSwitch
-            | Self::DrivePower
-            | Self::DrivesSilent
-            | Self::DrivesRestarted
-            | Self::ProcessStuckOn => Reaction::PowerOff,
-            Self::FollowingError | Self::InputsSilent | Self::InputsRestarted | Self::Overrun | Self::Starved => {
-                Reaction::Stop
-            }
-            Self::SourceSilent
-            | Self::SourceRestarted
-            | Self::SourceFault
-            | Self::NoArc
-            | Self::ArcLost
-            | Self::MotionStuck
-            | Self::Tracking => Reaction::ProcessOff,
-            Self::ProcessValue | Self::WireStuck => Reaction::Hold,
-            Self::Interlock | Self::NoReference | Self::PanelSilent | Self::JogStopped | Self::RecordFailing => {
-                Reaction::Tell
-            }
-        }
+        self.rationalisation().reaction
     }
 
     /// Its entry in the catalogue.
@@ -183,18 +162,6 @@ impl Alarm {
     }
 }
 
-/// The catalogue as a Markdown table, in English.
-pub fn catalogue() -> String {
-    let mut text = String::from("| no. | alarm | cause | consequence | operator | cell |\n|---|---|---|---|---|---|\n");
-    for alarm in Alarm::ALL {
-        let e = alarm.entry();
-        let words = [e.title, e.cause, e.consequence, e.action, e.reaction.message()];
-        let line = words.map(|words| words.in_language(Language::English)).join(" | ");
-        text += &format!("| {} | {line} |\n", alarm.number());
-    }
-    text
-}
-
 /// Name of item `i`, counted from 0.
 pub(super) fn named(names: &[&str], i: u8) -> String {
     names.get(usize::from(i)).map_or_else(|| format!("{}", u16::from(i) + 1), ToString::to_string)
@@ -205,9 +172,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_document_has_the_catalogue() {
-        let text = include_str!("../../../../docs/explanation/executive.md");
-        assert!(text.contains(&catalogue()), "docs/explanation/executive.md needs this table:\n{}", catalogue());
+    fn alarms_are_numbered_in_their_order() {
         for (i, alarm) in Alarm::ALL.into_iter().enumerate() {
             assert_eq!(alarm.number(), i + 1);
         }

@@ -3,6 +3,7 @@
 mod activity;
 mod alarm;
 mod alarm_list;
+mod alarm_priority;
 mod clock;
 mod command;
 mod command_handling;
@@ -32,8 +33,9 @@ mod shutdown;
 mod supervision;
 mod work;
 
-pub use alarm::{Alarm, Entry, Reaction, catalogue};
+pub use alarm::{Alarm, Entry, Reaction};
 pub use alarm_list::{AlarmList, AlarmState, MAX_ALARMS, Place, Raised};
+pub use alarm_priority::{Priority, Rationalisation, ResponseTime, Severity};
 pub use command::{Ask, Command, Origin};
 pub use core::Executive;
 pub use cut_off::CutOff;

@@ -2,7 +2,7 @@ use super::Library;
 use crate::error::Error;
 use crate::moment::Moment;
 use crate::stored_message;
-use rusqlite::{Row, params};
+use rusqlite::{Connection, Row, params};
 use seamwright_message::{Language, Message};
 use serde::Serialize;
 
@@ -26,6 +26,8 @@ pub struct Alarm {
     /// Cause.
     #[serde(serialize_with = "stored_message::english")]
     pub cause: Message,
+    /// Priority: `critical`, `high`, `medium`, `low`; empty in records of older versions.
+    pub priority: String,
     /// Position.
     #[serde(flatten)]
     pub place: Place,
@@ -57,14 +59,16 @@ pub struct Event {
     pub place: Place,
 }
 
-const SELECT: &str = "SELECT name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged FROM alarm";
+pub(super) const SELECT: &str =
+    "SELECT name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged, priority FROM alarm";
 
-fn alarm(row: &Row<'_>) -> rusqlite::Result<Alarm> {
+pub(super) fn alarm(row: &Row<'_>) -> rusqlite::Result<Alarm> {
     let by: Option<String> = row.get(7)?;
     let at: Option<i64> = row.get(8)?;
     Ok(Alarm {
         name: stored_message::column(row, 0)?,
         cause: stored_message::column(row, 1)?,
+        priority: row.get(9)?,
         place: Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? },
         raised: Moment(row.get(5)?),
         first_out: row.get(6)?,
@@ -72,28 +76,55 @@ fn alarm(row: &Row<'_>) -> rusqlite::Result<Alarm> {
     })
 }
 
+/// Adds an alarm to the table, with its weld if the library has it. Returns its number.
+pub(super) fn insert(db: &Connection, weld: Option<i64>, alarm: &Alarm, is_listed: bool) -> rusqlite::Result<i64> {
+    let (by, at) = alarm.acknowledged.as_ref().map(|(by, at)| (by, at.0)).unzip();
+    let Place { pass, s_mm, t_s } = alarm.place;
+    let sql = "INSERT INTO alarm
+            (weld, name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged, priority, listed)
+        VALUES ((SELECT id FROM weld WHERE id = ?1), ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)";
+    let (name, cause) = (stored_message::written(&alarm.name), stored_message::written(&alarm.cause));
+    let (raised, priority) = (alarm.raised.0, &alarm.priority);
+    db.prepare_cached(sql)?.execute(params![
+        weld,
+        name,
+        cause,
+        pass,
+        s_mm,
+        t_s,
+        raised,
+        alarm.first_out,
+        by,
+        at,
+        priority,
+        is_listed
+    ])?;
+    Ok(db.last_insert_rowid())
+}
+
+/// Acknowledges the alarms on the panel's list: all, or those of a name, also as a sentence of an older version. Alarms
+/// raised after `until` stay.
+pub(super) fn acknowledge(
+    db: &Connection,
+    name: Option<&Message>,
+    by: &str,
+    at: Moment,
+    until: Moment,
+) -> rusqlite::Result<usize> {
+    let sql = "UPDATE alarm SET listed = 0, acknowledged_by = coalesce(acknowledged_by, ?1),
+        acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1 AND raised <= ?3 AND (?4 IS NULL OR name IN (?4, ?5))";
+    let (stored, english) =
+        name.map(|name| (stored_message::written(name), name.in_language(Language::English))).unzip();
+    db.prepare_cached(sql)?.execute(params![by, at.0, until.0, stored, english])
+}
+
+/// Acknowledgements of every alarm, whenever it was raised.
+const ALWAYS: Moment = Moment(i64::MAX);
+
 impl Library {
     /// Adds an alarm, with or without a weld. Returns its number.
     pub fn add_alarm(&self, weld: Option<i64>, alarm: &Alarm) -> Result<i64, Error> {
-        let (by, at) = alarm.acknowledged.as_ref().map(|(by, at)| (by, at.0)).unzip();
-        let Place { pass, s_mm, t_s } = alarm.place;
-        self.run(
-            "INSERT INTO alarm (weld, name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged)
-             VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)",
-            params![
-                weld,
-                stored_message::written(&alarm.name),
-                stored_message::written(&alarm.cause),
-                pass,
-                s_mm,
-                t_s,
-                alarm.raised.0,
-                alarm.first_out,
-                by,
-                at
-            ],
-        )?;
-        Ok(self.db.last_insert_rowid())
+        insert(&self.db, weld, alarm, false).map_err(|e| self.failed(e))
     }
 
     /// Acknowledges the alarm; the first acknowledgement counts.
@@ -116,17 +147,13 @@ impl Library {
 
     /// Acknowledges all alarms on the panel's list. Returns their number.
     pub fn acknowledge_listed(&self, by: &str, at: Moment) -> Result<usize, Error> {
-        let sql = "UPDATE alarm SET listed = 0, acknowledged_by = coalesce(acknowledged_by, ?1),
-            acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1";
-        self.run(sql, params![by, at.0])
+        acknowledge(&self.db, None, by, at, ALWAYS).map_err(|e| self.failed(e))
     }
 
     /// Acknowledges the alarms of this name on the panel's list, also those with the sentence of an older version.
     /// Returns their number.
     pub fn acknowledge_named(&self, name: &Message, by: &str, at: Moment) -> Result<usize, Error> {
-        let sql = "UPDATE alarm SET listed = 0, acknowledged_by = coalesce(acknowledged_by, ?1),
-            acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1 AND name IN (?3, ?4)";
-        self.run(sql, params![by, at.0, stored_message::written(name), name.in_language(Language::English)])
+        acknowledge(&self.db, Some(name), by, at, ALWAYS).map_err(|e| self.failed(e))
     }
 
     /// Alarms on the panel's list, in the order in which they came.

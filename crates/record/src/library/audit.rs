@@ -2,11 +2,11 @@ use super::Library;
 use crate::error::Error;
 use crate::hash::sha256;
 use crate::moment::Moment;
-use rusqlite::{TransactionBehavior, params};
+use rusqlite::{Connection, TransactionBehavior, params};
 use seamwright_message::Message;
 
 /// A command with its user and station.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct AuditEntry {
     /// Time.
     pub at: Moment,
@@ -66,7 +66,7 @@ impl AuditEntry {
 }
 
 /// An entry with its number, from the columns as they stand.
-fn numbered(row: &rusqlite::Row<'_>) -> rusqlite::Result<(i64, AuditEntry)> {
+pub(super) fn numbered(row: &rusqlite::Row<'_>) -> rusqlite::Result<(i64, AuditEntry)> {
     let entry = AuditEntry {
         at: Moment(row.get(1)?),
         user: row.get(2)?,
@@ -79,23 +79,30 @@ fn numbered(row: &rusqlite::Row<'_>) -> rusqlite::Result<(i64, AuditEntry)> {
     Ok((row.get(0)?, entry))
 }
 
+/// Appends to the audit log within a transaction. Returns the entry's hash.
+pub(super) fn append(db: &Connection, entry: &AuditEntry) -> rusqlite::Result<String> {
+    let last = "SELECT id, hash FROM audit ORDER BY id DESC LIMIT 1";
+    let last = db.query_row(last, (), |row| Ok((row.get::<_, i64>(0)?, row.get::<_, String>(1)?)));
+    let (id, before) = match last {
+        Err(rusqlite::Error::QueryReturnedNoRows) => (0, BEGIN.to_owned()),
+        last => last?,
+    };
+    let hash = entry.hash(id + 1, &before);
+    let AuditEntry { at, user, station, command, old, new, result } = entry;
+    let sql = "INSERT INTO audit (id, at, user, station, command, old, new, result, hash)
+        VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9)";
+    let row = params![id + 1, at.0, user, station, command, old, new, result, hash];
+    db.prepare_cached(sql)?.execute(row)?;
+    Ok(hash)
+}
+
 impl Library {
     /// Appends to the audit log; the entry's hash.
     pub fn audit(&mut self, entry: &AuditEntry) -> Result<String, Error> {
         let path = self.path.clone();
         let failed = |e| Error::database(&path, e);
         let change = self.db.transaction_with_behavior(TransactionBehavior::Immediate).map_err(failed)?;
-        let last = "SELECT id, hash FROM audit ORDER BY id DESC LIMIT 1";
-        let last = change.query_row(last, (), |row| Ok((row.get::<_, i64>(0)?, row.get::<_, String>(1)?)));
-        let (id, before) = match last {
-            Err(rusqlite::Error::QueryReturnedNoRows) => (0, BEGIN.to_owned()),
-            last => last.map_err(failed)?,
-        };
-        let hash = entry.hash(id + 1, &before);
-        let AuditEntry { at, user, station, command, old, new, result } = entry;
-        let sql = "INSERT INTO audit (id, at, user, station, command, old, new, result, hash)
-            VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9)";
-        change.execute(sql, params![id + 1, at.0, user, station, command, old, new, result, hash]).map_err(failed)?;
+        let hash = append(&change, entry).map_err(failed)?;
         change.commit().map_err(failed)?;
         Ok(hash)
     }

@@ -6,7 +6,9 @@
 mod alarm;
 mod audit;
 mod document;
+mod export;
 mod find;
+mod pending;
 mod rebuild;
 mod schema;
 mod weld;
@@ -15,7 +17,9 @@ mod word_search;
 pub use alarm::{Alarm, Event, Place};
 pub use audit::{AuditCheck, AuditEntry, AuditQuery};
 pub use document::{Document, DocumentKind};
+pub use export::{ExportedAlarm, ExportedAudit, Span};
 pub use find::Query;
+pub use pending::PendingEntry;
 pub use weld::{InvalidResult, NewWeld, WeldDetail, WeldEnd, WeldFile, WeldRecord, WeldResult};
 
 use crate::error::Error;

@@ -4,13 +4,18 @@
 pub(super) const APPLICATION: i64 = 0x5357_4c62;
 
 /// Steps from each schema version to the next; the first makes an empty file version 1.
-pub(super) const MIGRATIONS: [&str; 3] = [FIRST, LISTED, WITH_MANIFEST];
+pub(super) const MIGRATIONS: [&str; 4] = [FIRST, LISTED, WITH_MANIFEST, PRIORITY];
 
 /// Programs of this version on write archives with the hashes of all files: see [`super::Library::has_manifests`]. Tables stay.
 const WITH_MANIFEST: &str = "";
 
 /// The version to which [`WITH_MANIFEST`] leads.
 pub(super) const MANIFEST_VERSION: i64 = 3;
+
+/// Priority of an alarm at the time when it was raised; empty before this version.
+const PRIORITY: &str = "
+ALTER TABLE alarm ADD COLUMN priority TEXT NOT NULL DEFAULT '' CHECK (priority IN ('', 'critical', 'high', 'medium', 'low'));
+";
 
 const LISTED: &str = "
 -- On the panel's list until somebody acknowledges it.

@@ -27,7 +27,7 @@ fn a_later_version_is_refused_and_left_alone() {
         let told = error.to_string();
         assert!(told.contains("library.sqlite") && told.contains("schema 99"), "{told}");
     }
-    sql(folder.path(), "PRAGMA user_version = 3");
+    sql(folder.path(), "PRAGMA user_version = 4");
     assert_eq!(DataFolder::open(folder.path()).unwrap().library().find(&Query::default()).unwrap().len(), 1);
 }
 

@@ -19,7 +19,15 @@ fn weld(data: &mut DataFolder, plan: &Plan, result: WeldResult) -> i64 {
 fn alarm(name: &str) -> Alarm {
     let place = Place { pass: Some(1), s_mm: Some(30.0), t_s: Some(4.0) };
     let (cause, raised) = (Message::verbatim("the wire slips"), Moment::now());
-    Alarm { name: Message::verbatim(name), cause, place, raised, first_out: true, acknowledged: None }
+    Alarm {
+        name: Message::verbatim(name),
+        cause,
+        place,
+        raised,
+        priority: "low".to_owned(),
+        first_out: true,
+        acknowledged: None,
+    }
 }
 
 #[test]
@@ -260,7 +268,8 @@ fn an_older_library_is_brought_up_to_date() {
     data.library().add_alarm(Some(id), &alarm("arc lost")).unwrap();
     let path = data.library().path().to_owned();
     drop(data);
-    let older = "DROP INDEX alarm_listed; ALTER TABLE alarm DROP COLUMN listed; PRAGMA user_version = 1";
+    let older = "DROP INDEX alarm_listed; ALTER TABLE alarm DROP COLUMN listed; ALTER TABLE alarm DROP COLUMN priority;
+        PRAGMA user_version = 1";
     rusqlite::Connection::open(&path).unwrap().execute_batch(older).unwrap();
     assert!(DataFolder::open_to_read(folder.path()).unwrap_err().to_string().contains("version 1"));
     let data = DataFolder::open(folder.path()).unwrap();

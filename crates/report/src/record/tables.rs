@@ -38,6 +38,17 @@ fn optional(value: Option<f64>, language: Language) -> String {
     value.map_or_else(String::new, |value| number(value, language))
 }
 
+/// Words of the priority; empty in records of older versions.
+fn priority(alarm: &Alarm, language: Language) -> String {
+    match alarm.priority.as_str() {
+        "critical" => language.words("alarm-priority-critical"),
+        "high" => language.words("alarm-priority-high"),
+        "medium" => language.words("alarm-priority-medium"),
+        "low" => language.words("alarm-priority-low"),
+        _ => String::new(),
+    }
+}
+
 pub(super) fn alarms(alarms: &[Alarm], language: Language) -> Block {
     if alarms.is_empty() {
         return paragraph("report-no-alarms", language);
@@ -48,6 +59,7 @@ pub(super) fn alarms(alarms: &[Alarm], language: Language) -> Block {
     };
     Table::of(language, alarms)
         .text("report-column-alarm", |a| a.name.in_language(language))
+        .text("report-column-priority", |a| priority(a, language))
         .text("report-column-cause", |a| a.cause.in_language(language))
         .number("report-column-pass", |a| pass(&a.place))
         .number("report-column-position-mm", |a| optional(a.place.s_mm, language))

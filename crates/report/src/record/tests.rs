@@ -43,6 +43,7 @@ fn detail() -> WeldDetail {
         alarms: vec![Alarm {
             name: "arc lost".into(),
             cause: "<script>".into(),
+            priority: "low".to_owned(),
             place,
             raised: at,
             first_out: true,

@@ -1,4 +1,5 @@
-use super::names::{Names, shelvable};
+use super::chattering::Occurrences;
+use super::names::Names;
 use crate::refusal::panel_word;
 use crate::view::written;
 use crate::wire::{AlarmView, Shelving, WhoWhen};
@@ -20,6 +21,7 @@ pub(super) struct Mirror {
     known: Vec<Message>,
     list: AlarmList,
     said: Vec<Said>,
+    occurrences: Occurrences,
     shelf: Vec<Shelved>,
 }
 
@@ -28,6 +30,8 @@ struct Said {
     key: (Alarm, u8),
     at: Moment,
     acknowledged: Option<WhoWhen>,
+    /// It came several times within a minute.
+    chatters: bool,
 }
 
 /// A shelved alarm.
@@ -45,7 +49,14 @@ impl Mirror {
         let (mut before, known): (Vec<AlarmView>, Vec<Message>) =
             unknown.iter().filter_map(|kept| Some((returned(kept)?, kept.name.clone()))).unzip();
         (0..=u8::MAX).rev().zip(&mut before).for_each(|(detail, view)| view.detail = detail);
-        Self { before, known, list: AlarmList::default(), said: Vec::new(), shelf: Vec::new() }
+        Self {
+            before,
+            known,
+            list: AlarmList::default(),
+            said: Vec::new(),
+            occurrences: Occurrences::default(),
+            shelf: Vec::new(),
+        }
     }
 
     /// Updates the list from a note. Returns true if it changed; `user` gave the command, if there is one.
@@ -72,10 +83,11 @@ impl Mirror {
     fn came(&mut self, raised: &Raised) {
         let key = (raised.alarm, raised.detail);
         self.said.retain(|said| said.key != key);
-        self.said.push(Said { key, at: Moment::now(), acknowledged: None });
+        let number = raised.alarm.number() as u8;
+        let chatters = self.occurrences.chatters(number, raised.detail, Instant::now());
+        self.said.push(Said { key, at: Moment::now(), acknowledged: None, chatters });
         // An alarm with a reaction beyond `Tell` is shown even if it was shelved.
         if raised.reaction != Reaction::Tell {
-            let number = raised.alarm.number() as u8;
             self.shelf.retain(|shelved| self::key(&shelved.view) != (number, raised.detail));
         }
     }
@@ -156,6 +168,7 @@ impl Mirror {
             AlarmView {
                 at: said.map_or_else(String::new, |said| written(said.at)),
                 acknowledged: said.and_then(|said| said.acknowledged.clone()),
+                chattering: said.is_some_and(|said| said.chatters),
                 ..names.alarm(raised)
             }
         });
@@ -192,7 +205,13 @@ fn returned(kept: &library::Alarm) -> Option<AlarmView> {
         at: written(kept.raised),
         acknowledged: None,
         shelved: None,
-        tells: shelvable(alarm, entry.reaction),
+        chattering: false,
+        tells: alarm.is_shelvable(entry.reaction),
+        priority: match kept.priority.as_str() {
+            // Of an older version.
+            "" => alarm.priority(entry.reaction).name().to_owned(),
+            priority => priority.to_owned(),
+        },
         state: "returned".to_owned(),
         first_out: kept.first_out,
         t: kept.place.t_s.unwrap_or(0.0),
@@ -214,6 +233,7 @@ mod tests {
                 let kept = library::Alarm {
                     name,
                     cause: Message::default(),
+                    priority: String::new(),
                     place: library::Place::default(),
                     raised: Moment(0),
                     first_out: true,
@@ -289,6 +309,17 @@ mod tests {
         mirror.shelve(&names, &asked(Alarm::Tracking, 60), "ada").unwrap();
         mirror.update(&Note::Alarm(Raised { reaction: Reaction::Stop, ..told }), "");
         assert_eq!(mirror.views(&names).pop().unwrap().shelved, None);
+    }
+
+    /// An alarm that comes three times in a minute is marked as chattering.
+    #[test]
+    fn what_comes_and_goes_is_marked() {
+        let (names, mirror) = (names(), &mut Mirror::new(&[]));
+        for times in 1..=4 {
+            mirror.update(&alarm(Alarm::FollowingError), "");
+            assert_eq!(mirror.views(&names)[0].chattering, times >= 3);
+            mirror.update(&Note::Cleared(Alarm::FollowingError, 0), "");
+        }
     }
 
     /// The acknowledging user stays with the alarm until it is raised again.

@@ -11,7 +11,7 @@ pub(crate) fn hides(c: char) -> bool {
 }
 
 /// Returns foreign text as one line, with hidden characters escaped.
-pub(super) fn plain(text: &str) -> String {
+pub(crate) fn plain(text: &str) -> String {
     let mut out = String::new();
     for (i, c) in text.chars().enumerate() {
         match c {

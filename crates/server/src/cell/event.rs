@@ -2,7 +2,7 @@ use crate::wire::EventView;
 use seamwright_message::Message;
 
 /// Kinds of events by the codes of their messages.
-const KINDS: [(&str, &str); 39] = [
+const KINDS: [(&str, &str); 44] = [
     ("server-event-mode", "mode"),
     ("server-event-order", "order"),
     ("server-event-refused", "refused"),
@@ -34,7 +34,12 @@ const KINDS: [(&str, &str); 39] = [
     ("server-event-record-interrupted", "record"),
     ("server-event-record-fails", "record"),
     ("server-event-not-recorded", "record"),
-    ("server-event-audit-fails", "record"),
+    ("server-event-audit-fails", "alarm"),
+    ("server-event-audit-hangs", "alarm"),
+    ("server-event-audit-left-out", "alarm"),
+    ("server-event-audit-stored", "record"),
+    ("server-event-syslog-fails", "record"),
+    ("server-event-syslog-sends", "record"),
     ("server-event-restored", "record"),
     ("server-event-control-taken", "control"),
     ("server-event-control-taken-over", "control"),

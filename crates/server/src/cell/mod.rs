@@ -2,7 +2,9 @@
 
 mod alarms;
 mod archive;
+mod archive_queue;
 mod audit_entry;
+mod chattering;
 mod desk;
 mod display_distances;
 mod event;
@@ -19,7 +21,7 @@ mod supervisor;
 mod unavailable_commands;
 mod urgent;
 
-pub(crate) use audit_entry::{Change, hides};
+pub(crate) use audit_entry::{Change, hides, plain};
 pub(crate) use desk::{Loading, NotLoaded, ToDesk};
 pub(crate) use display_distances::Around;
 pub(crate) use event::happening;

@@ -2,7 +2,7 @@ use super::standstill::Stillness;
 use crate::refusal::{Lack, lack};
 use crate::wire::{Ages, AlarmView, AxisStatus, LeftView, ProcessStatus, RealtimeView, Status};
 use seamwright_executive::realtime::{RealtimeRights, Shown};
-use seamwright_executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
+use seamwright_executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised};
 use seamwright_machine::{AxisKind, Joints, Level, Machine};
 use seamwright_message::Message;
 
@@ -64,7 +64,9 @@ impl Names {
             at: String::new(),
             acknowledged: None,
             shelved: None,
-            tells: shelvable(raised.alarm, raised.reaction),
+            chattering: false,
+            tells: raised.alarm.is_shelvable(raised.reaction),
+            priority: raised.alarm.priority(raised.reaction).name().to_owned(),
             pass: raised.place.pass as u32,
             s_mm: raised.place.s_mm,
         }
@@ -167,11 +169,6 @@ impl Names {
             stands: extra.stands,
         }
     }
-}
-
-/// Returns true if an alarm only informs and may be shelved. An unmet condition also only informs, but prevents starts.
-pub(super) fn shelvable(alarm: Alarm, reaction: Reaction) -> bool {
-    reaction == Reaction::Tell && alarm != Alarm::Interlock
 }
 
 /// Commands whose missing conditions can be queried.

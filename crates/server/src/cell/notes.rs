@@ -161,7 +161,7 @@ impl Desk {
         let order = command.ask.message();
         let refused = Message::new("server-event-refused").message("order", order.clone());
         self.tell(happening(refused.message("reason", why.message.clone())).by(user.clone()));
-        self.archive.repeatable(user.as_deref().unwrap_or(""), page(station), order, why.message.clone());
+        self.archive.refused(user.as_deref().unwrap_or(""), page(station), order, why.message.clone());
         self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why.into()) });
     }
 

@@ -222,6 +222,7 @@ fn alarm(t: f64, raised: &Raised, name: &Message) -> Alarm {
     Alarm {
         name: name.clone(),
         cause: raised.cause(),
+        priority: raised.alarm.priority(raised.reaction).name().to_owned(),
         place: Recorded {
             pass: in_pass.then_some(raised.place.pass as u32),
             s_mm: in_pass.then_some(raised.place.s_mm),

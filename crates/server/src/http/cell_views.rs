@@ -52,7 +52,7 @@ pub(super) async fn work(State(panel): Shared) -> Answer<Option<WorkView>> {
 
 pub(super) async fn catalogue() -> Answer<Vec<AlarmEntry>> {
     let entries = Alarm::ALL.into_iter().map(|alarm| {
-        let entry = alarm.entry();
+        let (entry, row) = (alarm.entry(), alarm.rationalisation());
         AlarmEntry {
             number: alarm.number() as u8,
             name: entry.name.to_owned(),
@@ -60,6 +60,10 @@ pub(super) async fn catalogue() -> Answer<Vec<AlarmEntry>> {
             consequence: entry.consequence.to_string(),
             action: entry.action.to_string(),
             reaction: entry.reaction.name().to_owned(),
+            priority: row.priority().name().to_owned(),
+            severity: row.severity.name().to_owned(),
+            response: row.response.name().to_owned(),
+            shelvable: alarm.is_shelvable(row.reaction),
         }
     });
     Ok(Json(entries.collect()))

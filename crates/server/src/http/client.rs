@@ -131,7 +131,7 @@ impl Client {
             return Ok(());
         }
         let (command, result) = (action_word(action), Message::new("server-audit-refused-role"));
-        self.panel.cell.archive.repeatable(&self.session.user, self.place(), command, result);
+        self.panel.cell.archive.refused(&self.session.user, self.place(), command, result);
         Err(lack("role", role_refused(self.session.role, action)))
     }
 

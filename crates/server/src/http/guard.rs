@@ -1,5 +1,5 @@
 use super::answer::Refused;
-use super::login::same;
+use super::login::{panel_at, same};
 use super::panel::{Panel, Shared};
 use super::work_limit::asked_by;
 use crate::refusal::{action_word, panel_word};
@@ -7,12 +7,13 @@ use crate::users::{Session, may};
 use crate::wire::Role;
 use axum::Extension;
 use axum::extract::rejection::ExtensionRejection;
-use axum::extract::{FromRequestParts, Request, State};
+use axum::extract::{ConnectInfo, FromRequestParts, Request, State};
 use axum::http::request::Parts;
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use seamwright_message::Message;
+use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 
 /// Header that requests with changes must carry.
@@ -100,7 +101,8 @@ pub(super) async fn need(State(need): State<Need>, mut request: Request, next: N
             _ => next.run(request).await,
         };
     };
-    match allowed(&need, action, request.method(), request.headers()) {
+    let address = request.extensions().get::<ConnectInfo<SocketAddr>>().map(|from| from.0.ip());
+    match allowed(&need, action, &request, address.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST))) {
         Ok(session) => {
             request.extensions_mut().insert(session.clone());
             asked_by(&session, next.run(request)).await
@@ -118,8 +120,8 @@ pub(super) fn role_refused(role: Role, action: &str) -> Message {
     needed.into_iter().fold(message, |message, needed| message.message("needed", name(needed)))
 }
 
-fn allowed(need: &Need, action: &str, method: &Method, headers: &HeaderMap) -> Result<Session, Refused> {
-    let panel = &need.panel;
+fn allowed(need: &Need, action: &str, request: &Request, from: IpAddr) -> Result<Session, Refused> {
+    let (panel, headers) = (&need.panel, request.headers());
     let session = cookie(headers, panel.tls).and_then(|cookie| panel.sessions.of(cookie));
     let session = session.filter(|session| panel.stands(session, true));
     let Some(session) = session else {
@@ -127,13 +129,14 @@ fn allowed(need: &Need, action: &str, method: &Method, headers: &HeaderMap) -> R
     };
     if !may(session.role, action) {
         let refused = Message::new("server-audit-refused-role");
-        panel.cell.archive.repeatable(&session.user, Message::new("server-audit-panel"), action_word(action), refused);
+        panel.cell.archive.refused(&session.user, panel_at(from), action_word(action), refused);
         return Err(Refused::new(StatusCode::FORBIDDEN, "role", role_refused(session.role, action)));
     }
-    if writes(method) {
+    if writes(request.method()) {
         let token = text(headers, TOKEN).unwrap_or_default();
         if !same(token.as_bytes(), session.token.as_bytes()) {
             let message = Message::new("server-token").text("header", TOKEN);
+            panel.cell.archive.refused(&session.user, panel_at(from), action_word(action), message.clone());
             return Err(Refused::new(StatusCode::FORBIDDEN, "token", message));
         }
         is_of(need.takes, headers)?;

@@ -32,6 +32,11 @@ pub(super) fn address(from: &From) -> IpAddr {
     from.as_ref().map_or(IpAddr::V4(Ipv4Addr::LOCALHOST), |from| from.0.0.ip())
 }
 
+/// Returns the words for the panel at an address, for the audit log.
+pub(super) fn panel_at(address: IpAddr) -> Message {
+    Message::new("server-audit-panel-at").text("address", address.to_string())
+}
+
 /// Minimum time of the answer to a wrong password: it does not reveal which users exist.
 const ANSWER: Duration = Duration::from_millis(300);
 
@@ -106,12 +111,12 @@ pub(super) async fn login(
     }
     let name = if login.user.is_empty() { OWNER.to_owned() } else { login.user };
     let right = checked(&panel, &from, &headers, &name, login.password).await?;
-    let station = Message::new("server-audit-panel-at").text("address", address(&from).to_string());
+    let station = panel_at(address(&from));
     let (archive, command) = (&panel.cell.archive, Message::new("server-audit-log-in"));
     if right.is_some() {
         archive.audit(&name, station, command, Change::default(), Message::new("server-audit-logged-in"));
     } else {
-        archive.repeatable(&name, station, command, Message::new("server-audit-refused"));
+        archive.refused(&name, station, command, Message::new("server-audit-refused"));
     }
     let wrong = || Refused::new(StatusCode::UNAUTHORIZED, "login", Message::new("server-login-wrong"));
     let right = right.ok_or_else(wrong)?;

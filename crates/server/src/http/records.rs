@@ -172,6 +172,7 @@ pub(super) async fn get(State(panel): Shared, Path(id): Path<i64>) -> Answer<Rec
                     RecordedAlarm {
                         name: name.into(),
                         cause: cause.into(),
+                        priority: a.priority.clone(),
                         pass: a.place.pass,
                         s_mm: a.place.s_mm,
                         t_s: a.place.t_s,

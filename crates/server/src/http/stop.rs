@@ -1,4 +1,4 @@
-use super::login::{From, address};
+use super::login::{From, address, panel_at};
 use super::panel::Shared;
 use crate::cell::Change;
 use crate::refusal::panel_word;
@@ -24,7 +24,7 @@ pub(super) async fn stop(State(panel): Shared, from: From) -> Json<Stopped> {
     let mut stopped = panel.stopped.lock().unwrap_or_else(PoisonError::into_inner);
     if stopped.is_none_or(|at| at.elapsed() > ONCE) {
         *stopped = Some(Instant::now());
-        let station = Message::new("server-audit-panel-at").text("address", address(&from).to_string());
+        let station = panel_at(address(&from));
         let accepted = Message::new("server-audit-accepted");
         panel.cell.archive.audit("", station, panel_word("do", "stop"), Change::default(), accepted);
     }

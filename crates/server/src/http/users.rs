@@ -1,5 +1,5 @@
 use super::answer::{Answer, Refused};
-use super::login::{From, checked};
+use super::login::{From, address, checked, panel_at};
 use super::panel::{Panel, Shared};
 use crate::cell::Change;
 use crate::users::Session;
@@ -28,9 +28,8 @@ pub(super) async fn again(
     if checked(panel, from, headers, &session.user, password.unwrap_or_default()).await?.is_some() {
         return Ok(());
     }
-    let [station, command, refused] =
-        ["server-audit-panel", "server-audit-own-password", "server-audit-refused"].map(Message::new);
-    panel.cell.archive.repeatable(&session.user, station, command, refused);
+    let [command, refused] = ["server-audit-own-password", "server-audit-refused"].map(Message::new);
+    panel.cell.archive.refused(&session.user, panel_at(address(from)), command, refused);
     Err(Refused::new(StatusCode::FORBIDDEN, "password", Message::new("server-own-password")))
 }
 

@@ -121,6 +121,7 @@ pub(super) fn settings(data: &Path) -> Settings {
         machine: cell_start(data, shipped("ellipse-xy").unwrap().text).machine,
         values: vec![],
         job: Some("mine.toml".to_owned()),
+        syslog: None,
     }
 }
 

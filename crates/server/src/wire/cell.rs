@@ -103,6 +103,14 @@ pub struct AlarmEntry {
     pub action: String,
     /// Reaction of the cell.
     pub reaction: String,
+    /// `critical`, `high`, `medium`, `low`.
+    pub priority: String,
+    /// Severity of the consequence without an action: `minor`, `moderate`, `major`, `severe`.
+    pub severity: String,
+    /// Time to respond: `minute`, `ten minutes`, `longer`.
+    pub response: String,
+    /// It may be shelved.
+    pub shelvable: bool,
 }
 
 /// A condition of the machine file.

@@ -95,6 +95,8 @@ pub struct RecordedAlarm {
     pub name: MessageView,
     /// Cause.
     pub cause: MessageView,
+    /// `critical`, `high`, `medium`, `low`; empty in records of older versions.
+    pub priority: String,
     /// The pass, from 1.
     pub pass: Option<u32>,
     /// Path length, mm.

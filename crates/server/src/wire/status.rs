@@ -209,6 +209,10 @@ pub struct AlarmView {
     pub shelved: Option<WhoWhen>,
     /// It only informs, and may be shelved.
     pub tells: bool,
+    /// `critical`, `high`, `medium`, `low`.
+    pub priority: String,
+    /// It came three times or more within a minute.
+    pub chattering: bool,
     /// Position: pass from 1 (0: outside of passes) and path length.
     pub pass: u32,
     /// See `pass`.

@@ -3,6 +3,7 @@
 mod backup;
 mod data;
 mod export;
+mod lines;
 mod list;
 mod recover;
 mod show;
@@ -17,6 +18,8 @@ pub(crate) fn run(args: &RecordsArgs) -> Result<(), Failure> {
         Action::List(a) => list::run(a),
         Action::Show(a) => show::run(a),
         Action::Export(a) => export::run(a),
+        Action::Audit(a) => lines::audit(a),
+        Action::Alarms(a) => lines::alarms(a),
         Action::Verify(a) => verify::run(a),
         Action::Backup(a) => backup::backup(a),
         Action::Restore(a) => backup::restore(a),

@@ -321,6 +321,7 @@ impl Desk {
         self.alarms.push(library::Alarm {
             name: title,
             cause: raised.cause(),
+            priority: raised.alarm.priority(raised.reaction).name().to_owned(),
             place: library::Place {
                 pass: in_pass.then_some(raised.place.pass as u32),
                 s_mm: in_pass.then_some(raised.place.s_mm),
@@ -333,6 +334,7 @@ impl Desk {
         let of = self.about_raised(raised).map(|of| english(&of));
         let more = json!({
             "alarm": entry.name, "of": of, "first_out": raised.first_out,
+            "priority": raised.alarm.priority(raised.reaction).name(),
             "pass": raised.place.pass, "s_mm": raised.place.s_mm, "cell": raised.reaction.name(),
             "gap_ms": raised.gap_s.map(|gap_s| 1e3 * gap_s),
             "cause": english(&raised.cause()), "consequence": english(&entry.consequence),
