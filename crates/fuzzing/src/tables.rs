@@ -44,7 +44,7 @@ pub const STRIPE_PROFILE: Target = Target {
 pub const STL: Target = Target {
     name: "stl",
     read: |bytes| {
-        describe(read_stl(bytes, 1.0).inspect(|found| assert!(found.iter().flatten().all(|p| p.is_finite()))))
+        describe(read_stl(bytes, 1.0).inspect(|found| assert!(found.iter().flatten().all(|p| p.is_finite()))));
     },
     seeds: || {
         let mut binary = vec![b' '; 80];

@@ -31,7 +31,7 @@ fn collect(schema: &Value, names: &mut BTreeSet<String>) {
                     ("properties", Value::Object(properties)) => names.extend(properties.keys().cloned()),
                     ("const", Value::String(name)) => drop(names.insert(name.clone())),
                     ("enum", Value::Array(all)) => {
-                        names.extend(all.iter().filter_map(Value::as_str).map(str::to_owned))
+                        names.extend(all.iter().filter_map(Value::as_str).map(str::to_owned));
                     }
                     _ => {}
                 }

@@ -29,7 +29,7 @@ pub struct Orders {
 }
 
 /// Sign of life of the cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Watchdog {
     /// Changes in every cycle: if it stops, outputs go to their safe states.
     pub toggle: bool,

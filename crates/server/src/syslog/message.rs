@@ -345,6 +345,7 @@ mod tests {
         Origin { host: header_field("cell 7\n.shop", 255), process: 42 }
     }
 
+    #[expect(clippy::needless_pass_by_value, reason = "tests make their messages in place")]
     fn entry(user: &str, command: Message, result: Message) -> PendingEntry {
         let column = |message: &Message| serde_json::to_string(message).unwrap();
         PendingEntry::Audit(AuditEntry {

@@ -49,8 +49,9 @@ fn count(n: impl TryInto<u64>) -> String {
 
 fn bytes(n: impl TryInto<u64>) -> String {
     let n: u64 = n.try_into().unwrap_or_default();
-    let unit =
-        |shift: u32, name: &str| (n >= 1 << shift && n % (1 << shift) == 0).then(|| format!("{} {name}", n >> shift));
+    let unit = |shift: u32, name: &str| {
+        (n >= 1 << shift && n.is_multiple_of(1 << shift)).then(|| format!("{} {name}", n >> shift))
+    };
     unit(30, "GiB")
         .or_else(|| unit(20, "MiB"))
         .or_else(|| unit(10, "KiB"))
