@@ -11,6 +11,7 @@ pub(crate) mod io;
 pub(crate) mod kinematics;
 pub(crate) mod latency;
 pub(crate) mod lists;
+mod log_settings;
 pub(crate) mod machine;
 pub(crate) mod motion;
 pub(crate) mod move_to;

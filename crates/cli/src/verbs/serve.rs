@@ -11,6 +11,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
+    // Written to its end when everything else has ended.
+    let _logging = seamwright_log::start(super::log_settings::of(args)?);
+    let monitor_token = args.monitor_token.as_deref().map(token).transpose()?;
     let data = super::records::folder(args.data.as_deref())?;
     seamwright_record::finish_replacing(&data)?;
     let jobs = data.join("jobs");
@@ -45,7 +48,8 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         _ => args.tls.then_some(Tls::Own),
     };
     let (names, cameras, program) = (args.host.clone(), args.camera.clone(), this_program());
-    let settings = Settings { bind: args.bind, names, tls, data, machine, folder, values, cameras, program, job };
+    let settings =
+        Settings { bind: args.bind, names, tls, data, machine, folder, values, cameras, program, monitor_token, job };
     let ready = |url: &str| {
         // Errors are ignored: the server runs without a reader of its output, too.
         drop(print_text(&format!("{url}\n")));
@@ -57,6 +61,20 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         Error::Settings(text) => Failure::input(text),
         Error::System(text) => Failure::environment(text),
     })
+}
+
+/// Minimum length of a token: shorter ones can be guessed.
+const MIN_TOKEN: usize = 16;
+
+/// The token in a file: its only line.
+fn token(file: &Path) -> Result<String, Failure> {
+    let text = files::read(file)?;
+    let token = text.trim();
+    if token.len() < MIN_TOKEN || !token.chars().all(|c| c.is_ascii_graphic()) {
+        let allowed = Message::new("cli-serve-tokens").count("min", MIN_TOKEN);
+        return Err(refused("--monitor-token", file.display(), Message::new("cli-serve-no-token"), allowed));
+    }
+    Ok(token.to_owned())
 }
 
 /// Path of this program, to start it once more. The file may have been replaced since, so the system's handle of the

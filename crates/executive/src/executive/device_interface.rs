@@ -87,6 +87,8 @@ pub struct Reports {
     pub sensors: SensorReport,
     /// Number of cycles missed before this one.
     pub missed: u32,
+    /// Lateness of the start of this cycle, ns; 0 in simulated time.
+    pub late_ns: u64,
     /// True axis positions, of simulated drives: for the evaluation of a weld, never for its control.
     pub truth: Option<Joints>,
 }
@@ -112,6 +114,7 @@ impl Default for Reports {
             inputs_starts: 0,
             sensors: SensorReport::default(),
             missed: 0,
+            late_ns: 0,
             truth: None,
         }
     }

@@ -84,10 +84,31 @@ pub struct Outside {
     urgent: Urgent,
 }
 
+/// Fill of a queue between an executive and the outside.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct QueueFill {
+    /// Its name: `cycles`, `notes`, `commands`.
+    pub name: &'static str,
+    /// Number of items that wait to be read.
+    pub waiting: usize,
+    /// Maximum number of items.
+    pub capacity: usize,
+}
+
 impl Outside {
     /// Returns the path for stops and holds ahead of the queue.
     pub fn urgent(&self) -> Urgent {
         self.urgent.clone()
+    }
+
+    /// Returns the fill of the queues.
+    pub fn queues(&self) -> [QueueFill; 3] {
+        let fill = |name, waiting, capacity| QueueFill { name, waiting, capacity };
+        [
+            fill("cycles", self.cycles.slots(), CYCLES),
+            fill("notes", self.notes.slots(), NOTES),
+            fill("commands", COMMANDS - self.commands.slots(), COMMANDS),
+        ]
     }
 
     /// Reports to the executive that the record cannot be written any more.

@@ -13,7 +13,7 @@ mod shutdown;
 
 pub use guarded::{CyclePanicked, guarded};
 pub use latency::Latency;
-pub use live::{LivePort, Noted, Outside, Shown, Urgent, live};
+pub use live::{LivePort, Noted, Outside, QueueFill, Shown, Urgent, live};
 pub use pacer::{Paced, Pacer};
 pub use rights::RealtimeRights;
 pub use shutdown::{Shutdown, ShutdownCause, contained};

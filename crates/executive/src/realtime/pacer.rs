@@ -7,6 +7,7 @@ use seamwright_tracking::beam::Picture;
 pub struct Pacer {
     period_ns: u64,
     next_ns: u64,
+    late_ns: u64,
     latency: Latency,
 }
 
@@ -14,7 +15,7 @@ impl Pacer {
     /// Starts now, with a cycle every `period_s`.
     pub fn new(period_s: f64) -> Self {
         let period_ns = (period_s * 1e9).round() as u64;
-        Self { period_ns, next_ns: clock::now_ns() + period_ns, latency: Latency::default() }
+        Self { period_ns, next_ns: clock::now_ns() + period_ns, late_ns: 0, latency: Latency::default() }
     }
 
     /// Sleeps until the start of the next cycle; returns the number of missed cycles, which are skipped.
@@ -24,8 +25,14 @@ impl Pacer {
         let missed = late / self.period_ns;
         self.next_ns += (missed + 1) * self.period_ns;
         let missed = u32::try_from(missed).unwrap_or(u32::MAX);
+        self.late_ns = late;
         self.latency.add(late, missed);
         missed
+    }
+
+    /// Returns the lateness of the start of this cycle, ns.
+    pub fn late_ns(&self) -> u64 {
+        self.late_ns
     }
 
     /// Returns the lateness of the cycles so far.
@@ -54,6 +61,7 @@ impl<D: Devices> Devices for Paced<D> {
             self.devices.exchange(orders, reports);
         }
         reports.missed = missed;
+        reports.late_ns = self.pacer.late_ns();
     }
 
     fn rides_out(&self) -> Slack {
@@ -111,9 +119,10 @@ mod tests {
     fn cycles_keep_to_the_grid() {
         let mut pacer = Pacer::new(2e-3);
         let begin = pacer.next_ns;
-        let mut cycles = 0u64;
+        let (mut cycles, mut most_late) = (0u64, 0);
         for k in 0..50 {
             cycles += 1 + u64::from(pacer.wait());
+            most_late = most_late.max(pacer.late_ns());
             assert_eq!(pacer.next_ns, begin + cycles * 2_000_000);
             assert!(clock::now_ns() >= begin + (cycles - 1) * 2_000_000);
             if k % 10 == 0 {
@@ -123,5 +132,6 @@ mod tests {
         // Each of the five sleeps of 5 ms skips at least one cycle.
         assert!(pacer.latency().missed() >= 5, "{}", pacer.latency().missed());
         assert_eq!(pacer.latency().count(), 50);
+        assert!(most_late >= 2_000_000, "{most_late}");
     }
 }

@@ -5,8 +5,8 @@ use super::event::happening;
 use super::hub::Hub;
 use super::refusals::Refusals;
 use super::stored_message::stored;
-use crate::log;
 use crate::refusal::action_word;
+use crate::wire::QueueView;
 use seamwright_message::Message;
 use seamwright_record::library::{Alarm, AuditEntry};
 use seamwright_record::{DataFolder, Error, Moment};
@@ -170,7 +170,6 @@ impl Writer {
             if !self.fails {
                 let t = self.hub.latest().map_or(0.0, |s| s.t);
                 self.hub.event(t, happening(Message::new("server-event-audit-fails").message("reason", e.message())));
-                log::warning(&format!("the audit log cannot be written: {e}"));
             }
             self.fails = true;
             let passes =
@@ -211,6 +210,13 @@ impl Archive {
             true => waiting.alarms.push_back(item),
             false => waiting.left_out += 1,
         });
+    }
+
+    /// Alarms and orders that wait for the disk.
+    pub(crate) fn queue(&self) -> QueueView {
+        let (waiting, capacity) = (self.0.0.waiting(), 2 * self.0.0.room);
+        let waiting = waiting.alarms.len() + waiting.orders.len();
+        QueueView { name: "audit".to_owned(), waiting, most: None, capacity }
     }
 
     /// Waits until everything is on the disk, at most [`PATIENCE`]: at the end of the program.
@@ -265,7 +271,6 @@ impl Archive {
 
     /// Adds an alarm, of a weld or of none. It stays listed until acknowledged.
     pub(crate) fn alarm(&self, weld: Option<i64>, alarm: Alarm) {
-        log::warning(&format!("alarm: {}", plain(&alarm.name.to_string())));
         self.add_alarm(Entry::Alarm(weld, Box::new(alarm)));
     }
 

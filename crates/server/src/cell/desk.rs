@@ -10,12 +10,14 @@ use super::progress::{Left, Parts, Progress, ToWeld};
 use super::recorder::Recorder;
 use super::safe_outputs::SafeOutputs;
 use super::standstill::Stillness;
+use super::tally::Tally;
 use super::unavailable_commands::Readiness;
 use crate::refusal::{Lack, lack};
 use crate::wire::{FromCell, Shelving, WorkView};
 use rtrb::{Consumer, Producer, PushError};
 use seamwright_executive::realtime::{Outside, RealtimeRights, Shown, Shutdown};
 use seamwright_executive::{Ask, Command, Missing, Mode, Origin};
+use seamwright_log as log;
 use seamwright_message::Message;
 use seamwright_record::{DataFolder, Plan};
 use std::collections::{HashMap, VecDeque};
@@ -94,6 +96,7 @@ pub(super) struct Desk {
     pub(super) footing: Arc<OnceLock<RealtimeRights>>,
     /// The missing real-time rights have been reported.
     granted: bool,
+    tally: Tally,
     missed: u32,
     /// Maximum number of cycles missed at once.
     longest: u32,
@@ -167,6 +170,7 @@ impl Desk {
             readiness: None,
             footing,
             granted: false,
+            tally: Tally::default(),
             longest: 0,
             missed: 0,
             left,
@@ -185,7 +189,7 @@ impl Desk {
         while !ended() {
             fails = fails || catch_unwind(AssertUnwindSafe(|| self.look())).is_err();
             if shutdown.is_requested() && asked.get_or_insert_with(Instant::now).elapsed() > SHUTDOWN {
-                eprintln!("error: the cycle does not come to its end: check that arc, gas and drives are off");
+                log::error(&Message::new("server-log-cycle-hangs"));
                 break;
             }
             std::thread::sleep(LOOK);
@@ -201,7 +205,7 @@ impl Desk {
             self.recorder.close();
         }));
         if closed.is_err() {
-            eprintln!("error: the record of the last weld was not closed: the next start makes it whole");
+            log::error(&Message::new("server-log-record-open"));
         }
     }
 
@@ -209,8 +213,6 @@ impl Desk {
     fn tell_footing(&mut self) {
         let Some(footing) = self.footing.get().filter(|_| !self.granted) else { return };
         if !footing.is_whole() {
-            let text = footing.to_string();
-            eprintln!("note: the cycle runs without real-time rights: {text}");
             self.tell(happening(Message::new("server-event-no-realtime").message("reason", footing.message())));
         }
         self.granted = true;
@@ -218,6 +220,7 @@ impl Desk {
 
     fn look(&mut self) {
         self.tell_footing();
+        self.tally.look(&self.outside);
         while let Ok(done) = self.done.pop() {
             self.drop_task(done);
         }
@@ -301,6 +304,7 @@ impl Desk {
     }
 
     fn cycle(&mut self, shown: &Shown) {
+        self.tally.cycle(shown);
         self.missed = self.missed.saturating_add(shown.reports.missed);
         self.longest = self.longest.max(shown.reports.missed);
         if let Some(trouble) = self.recorder.row(&self.names, shown)
@@ -344,6 +348,7 @@ impl Desk {
             };
             let set = std::array::from_fn(|i| shown.orders.set[i].position);
             self.hub.show(self.names.status(shown, extra), set);
+            self.hub.set_tally(self.tally.clone());
         }
     }
 

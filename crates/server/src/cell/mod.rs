@@ -20,6 +20,7 @@ mod safe_outputs;
 mod standstill;
 mod start;
 mod stored_message;
+mod tally;
 mod task;
 mod unavailable_commands;
 
@@ -29,7 +30,7 @@ pub(crate) use desk::{Loading, ToDesk};
 pub(crate) use display_distances::Around;
 pub(crate) use event::happening;
 pub(crate) use hub::{Connected, Hub, Refusal, Text};
-pub(crate) use names::WHY;
+pub(crate) use names::{WHY, mode as mode_name};
 pub(crate) use prepared_task::{Prepared, fingerprint};
 pub(crate) use start::Cell;
 pub(crate) use stored_message::from_stored;

@@ -46,7 +46,6 @@ impl SafeOutputs {
         for (name, line) in to.lines.iter() {
             let safe = line.get().safe.unwrap_or_else(|| Err("it was not asked".into()));
             if let Err(why) = &safe {
-                eprintln!("error: device `{name}`: its outputs are not confirmed to be safe: {why}");
                 let message = Message::new("server-event-safe-unconfirmed").text("device", name);
                 self.hub.event(0.0, happening(message.message("reason", why.clone())));
             }

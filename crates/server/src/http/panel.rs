@@ -1,6 +1,7 @@
 use super::answer::Refused;
 use super::work_limit::{Turn, Turns};
 use crate::cell::{Cell, Change};
+use crate::diagnostics::Diagnostics;
 use crate::planner::Planner;
 use crate::teaching::{Cameras, Teaching};
 use crate::users::{Accounts, Checks, Devices, MAX_USERS, OWNER, Session, Sessions, Tries};
@@ -81,6 +82,7 @@ pub(crate) struct Panel {
     pub(crate) teaching: Teaching,
     /// Addresses allowed as source of camera frames.
     pub(crate) cameras: Cameras,
+    pub(crate) diagnostics: Diagnostics,
     plans: AtomicU64,
 }
 
@@ -110,6 +112,7 @@ impl Panel {
             most_archive: MAX_ARCHIVE_BYTES,
             teaching: Teaching::default(),
             cameras: Cameras::default(),
+            diagnostics: Diagnostics::default(),
             plans: AtomicU64::new(0),
         }
     }

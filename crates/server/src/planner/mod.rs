@@ -12,6 +12,7 @@ mod worker;
 pub(crate) use question::{JOB, Question, wrong_view};
 pub use worker::answer_one_question;
 
+use crate::diagnostics::WorkerCounts;
 use crate::http::{Refused, Turns};
 use axum::http::StatusCode;
 use seamwright_message::{Message, Unit};
@@ -135,6 +136,7 @@ pub(crate) struct Planner {
     /// Loading does not wait for plans that are only viewed.
     loads: Turns,
     running: Arc<Mutex<Table>>,
+    workers: Arc<WorkerCounts>,
 }
 
 #[derive(Debug, Default)]
@@ -169,6 +171,7 @@ impl Planner {
             drafts: Turns::new(1, 8),
             loads: Turns::new(1, 8),
             running: Arc::default(),
+            workers: Arc::default(),
         }
     }
 
@@ -182,10 +185,10 @@ impl Planner {
             Sort::Load => (&self.loads, PLAN_TIME),
         };
         let ticket = self.begin(page, sort, question.name())?;
-        let (program, token) = (self.program.clone(), Arc::clone(&ticket.token));
+        let (program, token, workers) = (self.program.clone(), Arc::clone(&ticket.token), Arc::clone(&self.workers));
         let answer = turns.run(move || match &program {
             _ if token.is_cancelled() => Err(superseded()),
-            Some(program) => child::ask(program, &question, &jobs, &token, patience),
+            Some(program) => child::ask(program, &question, &jobs, &token, patience, &workers),
             None => question.answer(&jobs),
         });
         tokio::select! {
@@ -198,6 +201,11 @@ impl Planner {
     /// Returns true if questions are answered with limits of memory and time.
     pub(crate) fn is_bounded(&self) -> bool {
         self.program.is_some()
+    }
+
+    /// Counts of the processes.
+    pub(crate) fn workers(&self) -> &WorkerCounts {
+        &self.workers
     }
 
     fn begin(&self, page: Page, sort: Sort, name: &'static str) -> Result<Ticket, Refused> {

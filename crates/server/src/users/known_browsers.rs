@@ -1,7 +1,7 @@
 //! Browsers in which a user has logged in before. Wrong passwords from elsewhere do not lock them out.
 
 use super::sessions::secret;
-use crate::log;
+use seamwright_log as log;
 use seamwright_message::Message;
 use seamwright_project::files;
 use seamwright_record::{Moment, sha256};
@@ -44,7 +44,8 @@ impl Devices {
     pub(crate) fn open(folder: &Path) -> Self {
         let file = folder.join(FILE);
         let known = read(&file).unwrap_or_else(|why| {
-            log::warning(&format!("{}: {why}: browsers are remembered anew", file.display()));
+            let message = Message::new("server-log-browsers-unknown").text("file", file.display().to_string());
+            log::warn(&message.text("reason", why.to_string()));
             Vec::new()
         });
         let known = known.into_iter().take(MAX_DEVICES).map(|device| (device.id.clone(), device)).collect();
@@ -97,7 +98,7 @@ impl Devices {
         let text = serde_json::to_string(&all).map_err(|e| e.to_string());
         let written = text.and_then(|text| files::write_secret(&self.file, &text).map_err(|e| e.text()));
         if let Err(why) = written {
-            log::warning(&format!("known browsers are not kept: {why}"));
+            log::warn(&Message::new("server-log-browsers-not-kept").text("reason", why));
         }
     }
 }
