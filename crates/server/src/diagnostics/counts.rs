@@ -99,11 +99,13 @@ impl Counts {
 
     /// Everything refused so far, by kind: HTTP status, `displaced`, `handshake`, `login`.
     pub(crate) fn refused(&self) -> BTreeMap<String, u64> {
-        let view = self.view();
-        let answers = view.answers.into_iter().filter(|row| row.name >= "400".to_owned());
-        let ended = view.ended.into_iter().filter(|row| row.name != Ended::InOrder.name());
-        let all = answers.chain(ended).map(|row| (row.name, row.count));
-        all.chain([("login".to_owned(), self.refused.load(Ordering::Relaxed))]).collect()
+        let get = |count: &AtomicU64| count.load(Ordering::Relaxed);
+        let answers = lock(&self.answers);
+        let answers = answers.iter().filter(|(status, _)| **status >= 400);
+        let ended = [Ended::Displaced, Ended::Handshake].map(|how| (how.name(), get(&self.ended[how as usize])));
+        let others = ended.into_iter().chain([("login", get(&self.refused))]);
+        let others = others.map(|(kind, count)| (kind.to_owned(), count));
+        answers.map(|(status, count)| (status.to_string(), *count)).chain(others).collect()
     }
 }
 
