@@ -199,7 +199,10 @@ fn log_lines_have_codes_and_arguments() {
         log.lines().map(|line| serde_json::from_str(line).unwrap_or_else(|e| panic!("{e}: {line}"))).collect();
     let of = |code: &str| lines.iter().find(|line| line["code"] == code).unwrap_or_else(|| panic!("no {code}: {log}"));
     let starts = of("server-log-starts");
-    assert_eq!((&starts["level"], &starts["arguments"]["version"]), (&"info".into(), &env!("CARGO_PKG_VERSION").into()));
+    assert_eq!(
+        (&starts["level"], &starts["arguments"]["version"]),
+        (&"info".into(), &env!("CARGO_PKG_VERSION").into())
+    );
     assert!(starts["arguments"]["address"].as_str().unwrap().starts_with("http://127.0.0.1:"), "{starts}");
     let loaded = of("server-event-loaded");
     assert!(loaded["text"].as_str().unwrap().contains(loaded["arguments"]["job"].as_str().unwrap()), "{loaded}");

@@ -303,7 +303,8 @@ pub(crate) mod tests {
         line(&mut page, "x_total", ("device", "a\\b\"c\nd"), 1e-6);
         assert_eq!(page, "x_total{device=\"a\\\\b\\\"c\\nd\"} 0.000001\n");
         let text = format!("# HELP x_total x\n# TYPE x_total counter\n{page}");
-        let (_, label) = checked(parse(&text)["x_total"].samples.keys().next().unwrap()).to_owned();
+        let families = parse(&text);
+        let (_, label) = checked(families["x_total"].samples.keys().next().unwrap());
         assert_eq!(label.unwrap().1, "a\\b\"c\nd");
         assert_eq!([0.0, 12.5, 3e12, f64::INFINITY].map(number), ["0", "12.5", "3000000000000", "+Inf"]);
     }
