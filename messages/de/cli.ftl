@@ -528,6 +528,8 @@ cli-serve-no-job = diesen Auftrag gibt es nicht
 cli-serve-jobs = eine Datei, ein Auftrag in { $folder }, oder ein Beispiel: { $examples }
 cli-serve-other-job = der Datenordner hat einen anderen Auftrag dieses Namens
 cli-serve-other-name = eine Datei anderen Namens, oder --job { $name } von dort
+cli-serve-no-token = in der Datei steht kein Token
+cli-serve-tokens = eine Zeile mit mindestens { $min } Buchstaben, Ziffern und Zeichen
 
 # Acceptance benchmarks.
 cli-bench-not-shipped = die Maschine { $machine } wird nicht mitgeliefert

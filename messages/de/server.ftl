@@ -300,3 +300,36 @@ server-event-cell-restarted = eine neue Zelle ist gestartet: aus, ohne Programm;
 server-event-cell-not-restarted = keine neue Zelle ließ sich starten: { $reason }
 server-cell-dies-often = die Zelle ist { $n }-mal in zehn Minuten gestorben
 server-event-cell-found = laufende Zelle mit Programm gefunden: { $job }
+
+# Log.
+server-log-starts = Seamwright { $version } bedient { $address }
+server-log-restores = alle Daten wurden wiederhergestellt: die Zelle beginnt neu
+server-log-ends = der Server wird beendet
+server-log-logged-in = { $user } hat sich von { $address } angemeldet
+server-log-refused = abgelehnt in { $time }: { $kind }: { $n }
+server-log-worker-starts = Prozess { $pid } beginnt: { $question }
+server-log-worker-ended = Prozess { $pid } endete nach { $time }: { $question }
+server-log-worker-killed = Prozess { $pid } wurde nach { $time } beendet: { $question }: { $reason }
+server-log-disk-slow = { $folder }: ein kleiner Schreibvorgang dauerte { $time }
+server-log-ready = die Zelle ist bereit
+server-log-not-ready = die Zelle ist nicht bereit: { $reasons }
+server-log-cycle-hangs = der Takt kommt nicht zum Ende: prüfen, ob Lichtbogen, Gas und Antriebe aus sind
+server-log-record-open = das Protokoll der letzten Schweißung wurde nicht geschlossen: der nächste Start vervollständigt es
+server-log-certificate-fails = das Zertifikat wird nicht erneuert: { $reason }
+server-log-authority = die Zertifizierungsstelle der Zelle gilt bis { $until }: { $file } in Browsern installieren
+server-log-browsers-unknown = { $file }: { $reason }: Browser werden neu gemerkt
+server-log-browsers-not-kept = bekannte Browser werden nicht gespeichert: { $reason }
+server-log-left-out = { $n } Protokollzeilen wurden ausgelassen
+
+# Readiness and monitoring.
+server-not-ready-cell-starts = die Zelle startet
+server-not-ready-cell = die Zelle hat seit { $age } nicht geantwortet
+server-not-ready-disk-silent = die Platte von { $folder } hat seit { $age } nicht geantwortet
+server-not-ready-disk-unknown = die Platte von { $folder } wird geprüft
+server-not-ready-disk-full = die Platte von { $folder } hat nur { $free } frei; nötig sind { $needed }
+server-not-ready-library = die Bibliothek der Protokolle kann nicht geschrieben werden: { $reason }
+server-monitor-login = anmelden, das Token von `--monitor-token` senden oder von diesem Rechner aus fragen
+server-log-cycle-failed = der Zyklus der Zelle ist ausgefallen
+server-log-entry-refused = die Bibliothek weist einen Eintrag des Prüfprotokolls ab: { $reason }: { $entry }
+server-log-waiting-file = wartende Einträge des Prüfprotokolls sind gespeichert, aber ihre Datei lässt sich nicht leeren: { $reason }
+server-log-syslog-fails = Syslog-Empfänger { $receiver }: { $reason }; { $n } Meldungen warten

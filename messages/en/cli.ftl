@@ -831,6 +831,10 @@ cli-serve-other-job = the data folder has another job of that name
     .cause = Files of `--job` are copied to the data folder; a job with other text is there under this name.
     .cure = Rename the file, or give the name alone to use the job there.
 cli-serve-other-name = a file of another name, or --job { $name } from there
+cli-serve-no-token = there is no token in the file
+    .cause = The file is empty, its token is short, or it has spaces or more than one line.
+    .cure = Write a random token to it: `openssl rand -hex 32 > monitor-token`.
+cli-serve-tokens = one line of at least { $min } letters, digits and signs
 
 # Acceptance benchmarks.
 cli-bench-not-shipped = machine { $machine } does not ship

@@ -558,6 +558,8 @@ cli-serve-no-job = такого задания нет
 cli-serve-jobs = файл, задание в { $folder } или пример: { $examples }
 cli-serve-other-job = в папке данных есть другое задание с таким именем
 cli-serve-other-name = файл с другим именем, или --job { $name } оттуда
+cli-serve-no-token = в файле нет токена
+cli-serve-tokens = одна строка не менее чем из { $min } букв, цифр и знаков
 
 # Acceptance benchmarks.
 cli-bench-not-shipped = станок { $machine } не поставляется

@@ -300,3 +300,36 @@ server-event-cell-restarted = запущена новая ячейка: выкл
 server-event-cell-not-restarted = новую ячейку запустить не удалось: { $reason }
 server-cell-dies-often = ячейка аварийно завершилась { $n } раза за десять минут
 server-event-cell-found = найдена работающая ячейка с программой: { $job }
+
+# Log.
+server-log-starts = Seamwright { $version } работает по адресу { $address }
+server-log-restores = все данные восстановлены: ячейка запускается заново
+server-log-ends = сервер завершает работу
+server-log-logged-in = { $user }: вход с адреса { $address }
+server-log-refused = отказано за { $time }: { $kind }: { $n }
+server-log-worker-starts = процесс { $pid } запущен: { $question }
+server-log-worker-ended = процесс { $pid } завершён через { $time }: { $question }
+server-log-worker-killed = процесс { $pid } остановлен через { $time }: { $question }: { $reason }
+server-log-disk-slow = { $folder }: короткая запись заняла { $time }
+server-log-ready = ячейка готова к работе
+server-log-not-ready = ячейка не готова: { $reasons }
+server-log-cycle-hangs = такт не завершается: проверьте, что дуга, газ и приводы выключены
+server-log-record-open = запись последней сварки не закрыта: следующий запуск её восстановит
+server-log-certificate-fails = сертификат не обновлён: { $reason }
+server-log-authority = центр сертификации ячейки действует до { $until }: установите { $file } в браузерах
+server-log-browsers-unknown = { $file }: { $reason }: браузеры запоминаются заново
+server-log-browsers-not-kept = известные браузеры не сохранены: { $reason }
+server-log-left-out = пропущено строк журнала: { $n }
+
+# Readiness and monitoring.
+server-not-ready-cell-starts = ячейка запускается
+server-not-ready-cell = ячейка не отвечает уже { $age }
+server-not-ready-disk-silent = диск папки { $folder } не отвечает уже { $age }
+server-not-ready-disk-unknown = проверяется диск папки { $folder }
+server-not-ready-disk-full = на диске папки { $folder } свободно только { $free }; нужно { $needed }
+server-not-ready-library = библиотека записей недоступна для записи: { $reason }
+server-monitor-login = войдите, передайте токен из `--monitor-token` или обратитесь с этого компьютера
+server-log-cycle-failed = цикл ячейки отказал
+server-log-entry-refused = библиотека отклоняет запись журнала аудита: { $reason }: { $entry }
+server-log-waiting-file = ожидавшие записи журнала аудита сохранены, но их файл не очищается: { $reason }
+server-log-syslog-fails = приёмник syslog { $receiver }: { $reason }; ожидают сообщений: { $n }

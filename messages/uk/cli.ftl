@@ -558,6 +558,8 @@ cli-serve-no-job = такого завдання немає
 cli-serve-jobs = файл, завдання в { $folder } або приклад: { $examples }
 cli-serve-other-job = у теці даних є інше завдання з таким іменем
 cli-serve-other-name = файл з іншим іменем, або --job { $name } звідти
+cli-serve-no-token = у файлі немає токена
+cli-serve-tokens = один рядок щонайменше з { $min } літер, цифр і знаків
 
 # Acceptance benchmarks.
 cli-bench-not-shipped = верстат { $machine } не постачається

@@ -300,3 +300,36 @@ server-event-cell-restarted = запущено нову комірку: вимк
 server-event-cell-not-restarted = нову комірку запустити не вдалося: { $reason }
 server-cell-dies-often = комірка аварійно завершилася { $n } рази за десять хвилин
 server-event-cell-found = знайдено працюючу комірку з програмою: { $job }
+
+# Log.
+server-log-starts = Seamwright { $version } працює за адресою { $address }
+server-log-restores = усі дані відновлено: комірка запускається знову
+server-log-ends = сервер завершує роботу
+server-log-logged-in = { $user }: вхід з адреси { $address }
+server-log-refused = відмовлено за { $time }: { $kind }: { $n }
+server-log-worker-starts = процес { $pid } запущено: { $question }
+server-log-worker-ended = процес { $pid } завершено через { $time }: { $question }
+server-log-worker-killed = процес { $pid } зупинено через { $time }: { $question }: { $reason }
+server-log-disk-slow = { $folder }: короткий запис тривав { $time }
+server-log-ready = комірка готова до роботи
+server-log-not-ready = комірка не готова: { $reasons }
+server-log-cycle-hangs = такт не завершується: перевірте, що дугу, газ і приводи вимкнено
+server-log-record-open = запис останнього зварювання не закрито: наступний запуск його відновить
+server-log-certificate-fails = сертифікат не оновлено: { $reason }
+server-log-authority = центр сертифікації комірки дійсний до { $until }: установіть { $file } у браузерах
+server-log-browsers-unknown = { $file }: { $reason }: браузери запам’ятовуються знову
+server-log-browsers-not-kept = відомі браузери не збережено: { $reason }
+server-log-left-out = пропущено рядків журналу: { $n }
+
+# Readiness and monitoring.
+server-not-ready-cell-starts = комірка запускається
+server-not-ready-cell = комірка не відповідає вже { $age }
+server-not-ready-disk-silent = диск теки { $folder } не відповідає вже { $age }
+server-not-ready-disk-unknown = перевіряється диск теки { $folder }
+server-not-ready-disk-full = на диску теки { $folder } вільно лише { $free }; потрібно { $needed }
+server-not-ready-library = бібліотека записів недоступна для запису: { $reason }
+server-monitor-login = увійдіть, передайте токен з `--monitor-token` або зверніться з цього комп’ютера
+server-log-cycle-failed = цикл комірки відмовив
+server-log-entry-refused = бібліотека відхиляє запис журналу аудиту: { $reason }: { $entry }
+server-log-waiting-file = записи журналу аудиту, що чекали, збережено, але їхній файл не очищується: { $reason }
+server-log-syslog-fails = приймач syslog { $receiver }: { $reason }; чекають повідомлень: { $n }

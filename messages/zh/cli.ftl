@@ -438,6 +438,8 @@ cli-serve-no-job = 没有该任务
 cli-serve-jobs = 文件、{ $folder } 中的任务，或示例：{ $examples }
 cli-serve-other-job = 数据文件夹中有同名的其他任务
 cli-serve-other-name = 改用其他文件名，或用其中的 --job { $name }
+cli-serve-no-token = 文件中没有令牌
+cli-serve-tokens = 一行，至少 { $min } 个字母、数字或符号
 
 # Acceptance benchmarks.
 cli-bench-not-shipped = 机床 { $machine } 未随附

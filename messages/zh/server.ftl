@@ -300,3 +300,36 @@ server-event-cell-restarted = 新单元已启动：关闭状态，无程序；�
 server-event-cell-not-restarted = 无法启动新单元：{ $reason }
 server-cell-dies-often = 单元在十分钟内异常终止 { $n } 次
 server-event-cell-found = 发现正在运行的单元及其程序：{ $job }
+
+# Log.
+server-log-starts = Seamwright { $version } 已在 { $address } 提供服务
+server-log-restores = 所有数据已恢复：单元重新启动
+server-log-ends = 服务器正在结束
+server-log-logged-in = { $user } 已从 { $address } 登录
+server-log-refused = { $time } 内拒绝：{ $kind }：{ $n }
+server-log-worker-starts = 进程 { $pid } 启动：{ $question }
+server-log-worker-ended = 进程 { $pid } 在 { $time } 后结束：{ $question }
+server-log-worker-killed = 进程 { $pid } 在 { $time } 后被终止：{ $question }：{ $reason }
+server-log-disk-slow = { $folder }：一次小的写入用了 { $time }
+server-log-ready = 单元可以使用
+server-log-not-ready = 单元不能使用：{ $reasons }
+server-log-cycle-hangs = 控制周期没有结束：请检查电弧、气体和驱动器是否已关闭
+server-log-record-open = 最近一次焊接的记录没有关闭：下次启动时会补全
+server-log-certificate-fails = 证书没有更新：{ $reason }
+server-log-authority = 单元的证书颁发机构有效期至 { $until }：请在浏览器中安装 { $file }
+server-log-browsers-unknown = { $file }：{ $reason }：重新记住浏览器
+server-log-browsers-not-kept = 没有保存已知浏览器：{ $reason }
+server-log-left-out = 漏掉 { $n } 行日志
+
+# Readiness and monitoring.
+server-not-ready-cell-starts = 单元正在启动
+server-not-ready-cell = 单元已 { $age } 没有响应
+server-not-ready-disk-silent = { $folder } 所在的磁盘已 { $age } 没有响应
+server-not-ready-disk-unknown = 正在检查 { $folder } 所在的磁盘
+server-not-ready-disk-full = { $folder } 所在的磁盘只剩 { $free }；需要 { $needed }
+server-not-ready-library = 记录库无法写入：{ $reason }
+server-monitor-login = 请登录、发送 `--monitor-token` 的令牌，或从本机访问
+server-log-cycle-failed = 单元的循环发生故障
+server-log-entry-refused = 库拒绝审计日志的一条记录：{ $reason }：{ $entry }
+server-log-waiting-file = 等待中的审计日志记录已保存，但其文件无法清空：{ $reason }
+server-log-syslog-fails = syslog 接收器 { $receiver }：{ $reason }；{ $n } 条消息等待中

@@ -8,7 +8,7 @@ use crate::program::Program;
 use crate::protocol::{MAX_REQUEST, PANEL_LOST_S, Report, Request, Unprepared, VERSION};
 use crate::safe_outputs::SafeOutputs;
 use rtrb::{Consumer, Producer, PushError};
-use seamwright_executive::realtime::{Outside, RealtimeRights, Shown, Shutdown, ShutdownCause, Urgent};
+use seamwright_executive::realtime::{Outside, QueueFill, RealtimeRights, Shown, Shutdown, ShutdownCause, Urgent};
 use seamwright_executive::{AlarmList, Ask, Command, Mode, Note, Origin};
 use seamwright_machine::PanelLost;
 use std::collections::VecDeque;
@@ -78,6 +78,8 @@ pub(crate) struct Link {
     now: Option<Shown>,
     /// Number of cycles that the panel did not read in time.
     left_out: u64,
+    /// Fill of the queues, the maximum since the last report.
+    queues: Vec<QueueFill>,
     lines_sent: Instant,
     /// Time without a panel, if there is none.
     alone: Option<Instant>,
@@ -100,6 +102,7 @@ impl Link {
             releases: SafeOutputs::new(),
             now: None,
             left_out: 0,
+            queues: Vec::new(),
             lines_sent: Instant::now(),
             alone: Some(Instant::now()),
             is_answered: false,
@@ -228,6 +231,7 @@ impl Link {
 
     /// Passes notes and cycles on.
     fn pass_on(&mut self) {
+        self.look_at_queues();
         while let Ok(mut done) = self.start.done.pop() {
             if let Some(devices) = done.devices.take() {
                 self.releases.release(devices);
@@ -258,6 +262,16 @@ impl Link {
                 None => {}
             }
             self.now = Some(shown);
+        }
+    }
+
+    fn look_at_queues(&mut self) {
+        let now = self.start.outside.queues();
+        for (fill, before) in self.queues.iter_mut().zip(now.iter()) {
+            fill.waiting = fill.waiting.max(before.waiting);
+        }
+        if self.queues.is_empty() {
+            self.queues = now.to_vec();
         }
     }
 
@@ -326,6 +340,8 @@ impl Link {
             self.lines_sent = Instant::now();
             let lines = self.start.connection.lines.iter().map(|(name, line)| (name.clone(), line.get()));
             self.report(&Report::Lines(lines.collect()));
+            let queues = std::mem::take(&mut self.queues);
+            self.report(&Report::Queues(queues));
         }
     }
 

@@ -6,7 +6,7 @@
 
 use crate::program::Program;
 use seamwright_executive::devices::modbus::Traffic;
-use seamwright_executive::realtime::{Noted, RealtimeRights, Shown};
+use seamwright_executive::realtime::{Noted, QueueFill, RealtimeRights, Shown};
 use seamwright_executive::{Command, Raised};
 use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
@@ -67,6 +67,8 @@ pub enum Report {
     Rights(RealtimeRights),
     /// Traffic with each real device, by name.
     Lines(Vec<(String, Traffic)>),
+    /// Fill of the queues to and from the cycle: the maximum since the last report.
+    Queues(Vec<QueueFill>),
     /// Outcome of preparing the program with this number.
     Prepared {
         /// See [`Program::number`].

@@ -1,3 +1,4 @@
+use crate::disk::{SPARE_BYTES, disk_room};
 use crate::error::{Doing, Error};
 use crate::figures::Figures;
 use crate::hash::sha256_of_file;
@@ -13,9 +14,6 @@ use crate::waiting_file::{self, WaitingFile};
 use seamwright_message::{Message, Unit};
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Room that must be left on the disk beside the trace, bytes.
-const SPARE: u64 = 64 << 20;
 
 /// Problems of a trace that is being written, and of one that a crash left.
 pub(crate) const UNFINISHED: &str = "record-problem-unfinished";
@@ -164,8 +162,8 @@ impl DataFolder {
     /// Refuses a weld whose trace would not fit on the disk: as raw rows, and once more as Parquet.
     fn check_room(&self, plan: &Plan) -> Result<(), Error> {
         let row: u64 = plan.columns.iter().map(|c| c.kind.bytes() as u64).sum();
-        let wanted = plan.rows.saturating_mul(2 * row).saturating_add(SPARE);
-        match free_bytes(&self.path)? {
+        let wanted = plan.rows.saturating_mul(2 * row).saturating_add(SPARE_BYTES);
+        match disk_room(&self.path)?.map(|room| room.free_bytes) {
             Some(free) if free < wanted => {
                 let mib = |bytes: u64| (bytes >> 20) as f64;
                 let why = Message::new("record-no-room").quantity("free", mib(free), Unit::MiB, 0);
@@ -297,16 +295,4 @@ impl DataFolder {
 fn has_raw(folder: &Path) -> Result<bool, Error> {
     let entries = fs::read_dir(folder).map_err(|e| Error::io(folder, Doing::Read, e))?;
     Ok(entries.flatten().any(|f| f.path().extension().is_some_and(|e| e == "raw")))
-}
-
-/// Bytes free on the disk of `path`, if the system reports them.
-#[cfg(unix)]
-fn free_bytes(path: &Path) -> Result<Option<u64>, Error> {
-    let room = rustix::fs::statvfs(path).map_err(|e| Error::io(path, Doing::Read, e.into()))?;
-    Ok(Some(room.f_bavail.saturating_mul(room.f_frsize)))
-}
-
-#[cfg(not(unix))]
-fn free_bytes(_: &Path) -> Result<Option<u64>, Error> {
-    Ok(None)
 }

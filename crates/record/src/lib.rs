@@ -29,6 +29,7 @@
 
 mod backup;
 mod data_folder;
+mod disk;
 mod error;
 pub mod figures;
 mod hash;
@@ -47,6 +48,7 @@ mod whole_file;
 
 pub use backup::restore;
 pub use data_folder::{DataFolder, Recovered, Verified};
+pub use disk::{DiskRoom, SPARE_BYTES, disk_room, probe_disk};
 pub use error::{Doing, Error};
 pub use hash::{sha256, sha256_of_file};
 pub use moment::{InvalidMoment, Moment};

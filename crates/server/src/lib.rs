@@ -31,6 +31,7 @@
 //!     values: Vec::new(),
 //!     cameras: Vec::new(),
 //!     program: None,
+//!     monitor_token: None,
 //!     job: Some("first-weld".to_owned()),
 //!     syslog: None,
 //! };
@@ -39,13 +40,13 @@
 //! ```
 
 mod cell;
+mod diagnostics;
 mod document_kind;
 mod error;
 mod form;
 mod front;
 mod http;
 mod limits;
-mod log;
 mod planner;
 mod refusal;
 mod serve;

@@ -1,7 +1,7 @@
 //! Limits of the panel's server, each with its unit and its reason.
 //!
 //! `docs/reference/server-limits.md` is made from these constants: it says what happens beyond each of them, and which
-//! test goes there. Limits of queues to the disk are constants of [`crate::cell`] and [`crate::log`].
+//! test goes there. Limits of queues to the disk are constants of [`crate::cell`], those of log lines of `seamwright_log`.
 
 use std::time::Duration;
 

@@ -2,7 +2,6 @@ use crate::cell::{Cell, Change, happening};
 use crate::error::Error;
 use crate::front::answer;
 use crate::http::Panel;
-use crate::log;
 use crate::planner::Planner;
 use crate::service_manager;
 use crate::syslog::{Syslog, SyslogReceiver};
@@ -11,6 +10,7 @@ use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
 use seamwright_cell::{CellStart, MachineSource};
 use seamwright_executive::realtime::{Shutdown, ShutdownCause};
+use seamwright_log as log;
 use seamwright_message::Message;
 use seamwright_project::failure::with_allowed;
 use seamwright_project::files;
@@ -47,6 +47,8 @@ pub struct Settings {
     /// This program, started as child processes: one for the cell, and one for each plan and draft, with limits of memory
     /// and time. `None`: all of it in this process.
     pub program: Option<PathBuf>,
+    /// Token with which monitoring tools on other computers read `/metrics` and `/readyz` without a session.
+    pub monitor_token: Option<String>,
     /// Name of a job in `data`, or of an example, loaded at the start.
     pub job: Option<String>,
     /// Receiver of audit log and alarms beside the library.
@@ -146,6 +148,8 @@ impl Lives<'_> {
         panel.tls = tls.is_some();
         panel.cameras = Cameras::new(settings.cameras.clone());
         panel.planner = Planner::new(settings.program.clone());
+        panel.diagnostics.token.clone_from(&settings.monitor_token);
+        panel.diagnostics.watch_disk(&settings.data);
         let panel = Arc::new(panel);
         self.say_restored(&panel);
         if let Some(job) = settings.job.as_ref().filter(|_| !panel.cell.has_program)
@@ -162,7 +166,8 @@ impl Lives<'_> {
         let scheme = if tls.is_some() { "https" } else { "http" };
         let host = written(names.last().map_or("127.0.0.1", String::as_str));
         let fragment = if has_admin { String::new() } else { format!("#key={}", self.key) };
-        log::info(&format!("seamwright {} serves {scheme}://{host}:{port}/", env!("CARGO_PKG_VERSION")));
+        let starts = Message::new("server-log-starts").text("version", env!("CARGO_PKG_VERSION"));
+        log::info(&starts.text("address", format!("{scheme}://{host}:{port}/")));
         ready(&format!("{scheme}://{host}:{port}/{fragment}"));
         service_manager::ready();
         let mut restores = panel.restores.subscribe();
@@ -177,14 +182,14 @@ impl Lives<'_> {
         if user.is_none() {
             service_manager::stopping();
         }
-        log::info(if user.is_some() { "all data are restored: the cell begins anew" } else { "the panel ends" });
+        log::info(&Message::new(if user.is_some() { "server-log-restores" } else { "server-log-ends" }));
         if user.is_some() {
             // The client that asked for it gets its answer first.
             tokio::time::sleep(LAST_WORDS).await;
         }
         // Connections stay open meanwhile, so that they see the end.
         let closes = user.is_some();
-        let end = move || (panel.cell.end(), !closes || panel.cell.archive.close());
+        let end = move || (panel.cell.end(), !closes || (panel.cell.archive.close() && panel.diagnostics.close()));
         let (unconfirmed, closed) = tokio::task::spawn_blocking(end).await.map_err(|e| Error::system(&e))?;
         if !closed {
             return Err(Error::System(Message::new("server-library-open")));

@@ -1,7 +1,6 @@
 //! Encrypted connections, with certificates of the user or of the cell's own authority.
 
 use crate::error::Error;
-use crate::log;
 use rcgen::{
     BasicConstraints, CertificateParams, DistinguishedName, DnType, ExtendedKeyUsagePurpose, IsCa, Issuer, KeyPair,
     KeyUsagePurpose,
@@ -10,6 +9,7 @@ use rustls::ServerConfig;
 use rustls::crypto::ring;
 use rustls::pki_types::pem::PemObject as _;
 use rustls::pki_types::{CertificateDer, PrivateKeyDer};
+use seamwright_log as log;
 use seamwright_message::Message;
 use seamwright_project::failure::with_allowed;
 use seamwright_project::files;
@@ -110,7 +110,7 @@ pub(crate) async fn renew(current: Encryption, data: PathBuf, names: Vec<String>
         tokio::time::sleep(ANEW).await;
         match config(&Tls::Own, &data, &names).await {
             Ok(new) => current.replace(new),
-            Err(e) => log::warning(&format!("the certificate is not renewed: {e}")),
+            Err(e) => log::warn(&Message::new("server-log-certificate-fails").message("reason", e.message())),
         }
     }
 }
@@ -143,7 +143,8 @@ fn own(data: &Path, names: &[String]) -> Result<(String, String), Error> {
         files::write(&cert_file, &cert.pem()).map_err(failed)?;
         let until = authority.not_after.date();
         files::write(&until_file, &format!("{until}\n")).map_err(failed)?;
-        log::info(&format!("the cell's authority is valid until {until}: install {} in browsers", cert_file.display()));
+        let made = Message::new("server-log-authority").text("until", until.to_string());
+        log::info(&made.text("file", cert_file.display().to_string()));
     }
     let mut params = CertificateParams::new(names.to_vec()).map_err(|e| wrong(&e))?;
     params.distinguished_name = named("Seamwright panel");

@@ -84,6 +84,7 @@ export const api = {
   /** The machine that a job names, by that name. */
   machineOfJob: (of: string) => request<Wire.MachineView>('GET', `/api/machine/of-job?${query({ name: of })}`),
   devices: () => request<Wire.DeviceView[]>('GET', '/api/devices'),
+  diagnostics: () => request<Wire.DiagnosticsView>('GET', '/api/diagnostics'),
   catalogue: () => request<Wire.AlarmEntry[]>('GET', '/api/alarms/catalogue'),
   jobs: () => request<Wire.JobRow[]>('GET', '/api/jobs'),
   choices: () => request<Wire.ChoicesView>('GET', '/api/choices'),

@@ -1,6 +1,6 @@
 //! Arguments of `seamwright serve`.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use seamwright_server::SyslogReceiver;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -12,6 +12,7 @@ Open the printed address: until an administrator has a password, everybody with 
 until Ctrl-C or SIGTERM: then everything stops and the power is switched off.
 Access from other computers needs an administrator, a name and encryption:
   seamwright serve --bind 0.0.0.0:8443 --host cell.shop.example --tls
+Log lines go to standard error. Monitoring tools read /healthz, /readyz and /metrics at the same address.
 Without --data the folder is $SEAMWRIGHT_DATA, or else seamwright in $XDG_DATA_HOME (~/.local/share).";
 
 #[derive(Debug, Args)]
@@ -49,6 +50,35 @@ pub(crate) struct ServeArgs {
     /// Open the panel in the browser
     #[arg(long)]
     pub(crate) open: bool,
+    /// Mildest level of log lines on standard error [default: $SEAMWRIGHT_LOG_LEVEL, or info]
+    #[arg(long, value_enum, value_name = "LEVEL")]
+    pub(crate) log_level: Option<LogLevelArg>,
+    /// Format of log lines [default: $SEAMWRIGHT_LOG_FORMAT, or journal under systemd, else text]
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub(crate) log_format: Option<LogFormatArg>,
+    /// File with the token of monitoring tools on other computers: they send it instead of a session
+    #[arg(long, value_name = "FILE")]
+    pub(crate) monitor_token: Option<PathBuf>,
+}
+
+/// Levels of log lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LogLevelArg {
+    Error,
+    Warn,
+    Info,
+    Debug,
+}
+
+/// Formats of log lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LogFormatArg {
+    /// Time, level, words, code and arguments
+    Text,
+    /// A JSON object a line
+    Json,
+    /// For the journal of systemd: priority, words, code and arguments
+    Journal,
 }
 
 /// Of STOP.

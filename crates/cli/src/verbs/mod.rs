@@ -13,6 +13,7 @@ pub(crate) mod kinematics;
 pub(crate) mod latency;
 pub(crate) mod licences;
 pub(crate) mod lists;
+mod log_settings;
 pub(crate) mod machine;
 pub(crate) mod motion;
 pub(crate) mod move_to;

@@ -13,6 +13,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
+    // Written to its end when everything else has ended.
+    let _logging = seamwright_log::start(super::log_settings::of(args)?);
+    let monitor_token = args.monitor_token.as_deref().map(token).transpose()?;
     let data = super::records::folder(args.data.as_deref())?;
     seamwright_record::finish_replacing(&data)?;
     let jobs = data.join("jobs");
@@ -48,7 +51,19 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
     };
     let (names, cameras, program) = (args.host.clone(), args.camera.clone(), this_program());
     let syslog = args.syslog.clone();
-    let settings = Settings { bind: args.bind, names, tls, data, machine, values, cameras, program, job, syslog };
+    let settings = Settings {
+        bind: args.bind,
+        names,
+        tls,
+        data,
+        machine,
+        values,
+        cameras,
+        program,
+        monitor_token,
+        job,
+        syslog,
+    };
     let ready = |url: &str| {
         // Errors are ignored: the server runs without a reader of its output, too.
         drop(print_text(&format!("{url}\n")));
@@ -78,6 +93,20 @@ fn machine_of(loaded: &Loaded) -> Result<MachineSource, Failure> {
     let name =
         loaded.machine_file.as_ref().map_or_else(|| loaded.machine.name.clone(), |file| file.display().to_string());
     Ok(MachineSource { name, text, folder: loaded.folder().to_owned() })
+}
+
+/// Minimum length of a token: shorter ones can be guessed.
+const MIN_TOKEN: usize = 16;
+
+/// The token in a file: its only line.
+fn token(file: &Path) -> Result<String, Failure> {
+    let text = files::read(file)?;
+    let token = text.trim();
+    if token.len() < MIN_TOKEN || !token.chars().all(|c| c.is_ascii_graphic()) {
+        let allowed = Message::new("cli-serve-tokens").count("min", MIN_TOKEN);
+        return Err(refused("--monitor-token", file.display(), Message::new("cli-serve-no-token"), allowed));
+    }
+    Ok(token.to_owned())
 }
 
 /// Path of this program, to start it once more. The file may have been replaced since, so the system's handle of the

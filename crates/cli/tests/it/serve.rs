@@ -196,3 +196,65 @@ fn what_serve_takes_is_taken_without_a_verb() {
     // Before a verb they would be of no use.
     assert!(bad(2, &["--data", &data, "check", "ellipse"]).contains("cannot be used with"));
 }
+
+/// Starts and ends the panel with these options and this environment; returns its log.
+fn log_of(arguments: &[&str], environment: &[(&str, &str)]) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("cell").display().to_string();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
+        .args(["serve", "--bind", "127.0.0.1:0", "--job", "ellipse", "--data", &data])
+        .args(arguments)
+        .envs(environment.iter().copied())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    assert!(Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success());
+    String::from_utf8(output.stderr).unwrap()
+}
+
+/// The last line is there too: nothing waits in the queue at the end.
+#[test]
+fn log_lines_have_codes_and_arguments() {
+    let log = log_of(&["--log-format", "json"], &[("SEAMWRIGHT_LOG_LEVEL", "info")]);
+    let lines: Vec<serde_json::Value> =
+        log.lines().map(|line| serde_json::from_str(line).unwrap_or_else(|e| panic!("{e}: {line}"))).collect();
+    let of = |code: &str| lines.iter().find(|line| line["code"] == code).unwrap_or_else(|| panic!("no {code}: {log}"));
+    let starts = of("server-log-starts");
+    assert_eq!(
+        (&starts["level"], &starts["arguments"]["version"]),
+        (&"info".into(), &env!("CARGO_PKG_VERSION").into())
+    );
+    assert!(starts["arguments"]["address"].as_str().unwrap().starts_with("http://127.0.0.1:"), "{starts}");
+    let loaded = of("server-event-loaded");
+    assert!(loaded["text"].as_str().unwrap().contains(loaded["arguments"]["job"].as_str().unwrap()), "{loaded}");
+    assert_eq!(of("server-event-stopped-by")["level"], "warn");
+    of("server-log-ends");
+    let quiet = log_of(&["--log-level", "error"], &[("SEAMWRIGHT_LOG_LEVEL", "debug")]);
+    assert!(!quiet.contains("server-log-starts"), "{quiet}");
+    let text = log_of(&[], &[("SEAMWRIGHT_LOG_FORMAT", "text"), ("JOURNAL_STREAM", "1:1")]);
+    assert!(text.contains(" INFO  Seamwright ") && text.contains(" code=server-log-starts "), "{text}");
+}
+
+#[test]
+fn what_the_log_and_the_token_cannot_be_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("cell").display().to_string();
+    let output = Command::new(env!("CARGO_BIN_EXE_seamwright"))
+        .args(["serve", "--data", &data])
+        .env("SEAMWRIGHT_LOG_LEVEL", "loud")
+        .output()
+        .unwrap();
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(told.contains("SEAMWRIGHT_LOG_LEVEL") && told.contains("loud") && told.contains("warn"), "{told}");
+    for token in ["", "short", "two words of many letters"] {
+        let file = write(folder.path(), "token", token);
+        let told = bad(2, &["serve", "--data", &data, "--monitor-token", &file]);
+        assert!(told.contains("--monitor-token") && told.contains("16"), "{told}");
+    }
+}

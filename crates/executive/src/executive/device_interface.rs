@@ -108,6 +108,8 @@ pub struct Reports {
     pub missed: u32,
     /// The gap before this cycle was too long: the process was taken off.
     pub late: bool,
+    /// Lateness of the start of this cycle, ns; 0 in simulated time.
+    pub late_ns: u64,
     /// True axis positions, of simulated drives: for the evaluation of a weld, never for its control.
     pub truth: Option<Joints>,
 }
@@ -134,6 +136,7 @@ impl Default for Reports {
             sensors: SensorReport::default(),
             missed: 0,
             late: false,
+            late_ns: 0,
             truth: None,
         }
     }

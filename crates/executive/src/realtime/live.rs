@@ -2,6 +2,7 @@ use super::Shutdown;
 use crate::executive::{Ask, Command, Cycle, Note, Orders, Port, Reports, Status};
 use rtrb::{Consumer, Producer, RingBuffer};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::ops::Deref;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -127,10 +128,31 @@ pub struct Outside {
     urgent: Urgent,
 }
 
+/// Fill of a queue between an executive and the outside.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct QueueFill {
+    /// Its name: `cycles`, `notes`, `commands`.
+    pub name: Cow<'static, str>,
+    /// Number of items that wait to be read.
+    pub waiting: usize,
+    /// Maximum number of items.
+    pub capacity: usize,
+}
+
 impl Outside {
     /// Returns the path for stops and holds ahead of the queue.
     pub fn urgent(&self) -> Urgent {
         self.urgent.clone()
+    }
+
+    /// Returns the fill of the queues.
+    pub fn queues(&self) -> [QueueFill; 3] {
+        let fill = |name: &'static str, waiting, capacity| QueueFill { name: name.into(), waiting, capacity };
+        [
+            fill("cycles", self.cycles.slots(), CYCLES),
+            fill("notes", self.notes.slots(), NOTES),
+            fill("commands", COMMANDS - self.commands.slots(), COMMANDS),
+        ]
     }
 
     /// Reports to the executive that the record cannot be written any more.

@@ -19,7 +19,7 @@ mod shutdown;
 pub use clock::{ManualTime, SteadyTime, SystemTime, TimeSource};
 pub use guarded::{CyclePanicked, guarded};
 pub use latency::Latency;
-pub use live::{LivePort, Noted, Outside, Shown, Urgent, UrgentRequest, live};
+pub use live::{LivePort, Noted, Outside, QueueFill, Shown, Urgent, UrgentRequest, live};
 pub use pacer::{Paced, Pacer};
 pub use rights::RealtimeRights;
 pub use shutdown::{Shutdown, ShutdownCause, contained};

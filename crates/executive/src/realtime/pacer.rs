@@ -11,6 +11,7 @@ pub struct Pacer<T = SystemTime> {
     time: T,
     period_ns: u64,
     next: SteadyTime,
+    late_ns: u64,
     latency: Latency,
 }
 
@@ -26,7 +27,7 @@ impl<T: TimeSource> Pacer<T> {
     pub fn by(time: T, period_s: f64) -> Self {
         let period_ns = (period_s * 1e9).round().max(1.0) as u64;
         let next = time.now().later_by(period_ns);
-        Self { time, period_ns, next, latency: Latency::default() }
+        Self { time, period_ns, next, late_ns: 0, latency: Latency::default() }
     }
 
     /// Sleeps until the start of the next cycle; returns the number of missed cycles, which are skipped.
@@ -36,8 +37,14 @@ impl<T: TimeSource> Pacer<T> {
         let missed = late / self.period_ns;
         self.next = self.next.later_by((missed + 1) * self.period_ns);
         let missed = u32::try_from(missed).unwrap_or(u32::MAX);
+        self.late_ns = late;
         self.latency.add(late, missed);
         missed
+    }
+
+    /// Returns the lateness of the start of this cycle, ns.
+    pub fn late_ns(&self) -> u64 {
+        self.late_ns
     }
 
     /// Returns the lateness of the cycles so far.
@@ -114,6 +121,7 @@ impl<D: Devices, T: TimeSource> Devices for Paced<D, T> {
             self.devices.exchange(orders, reports);
         }
         (reports.missed, reports.late) = (missed, late);
+        reports.late_ns = self.pacer.late_ns();
     }
 
     fn rides_out(&self) -> Slack {

@@ -165,6 +165,12 @@ impl Library {
         set.map_err(|e| self.failed(e))
     }
 
+    /// Takes the lock for writing and gives it back, to know whether the library can be written. Waits some seconds for
+    /// another program.
+    pub fn check_writable(&self) -> Result<(), Error> {
+        self.db.execute_batch("BEGIN IMMEDIATE; ROLLBACK").map_err(|e| self.failed(e))
+    }
+
     /// Faults that SQLite finds in the file; empty if it is whole.
     pub fn integrity(&self) -> Result<Vec<Message>, Error> {
         let found: Vec<String> = self.all("PRAGMA integrity_check", (), |row| row.get(0))?;

@@ -18,9 +18,10 @@ use super::event::happening;
 use super::hub::Hub;
 use super::refusals::{Refusals, Repeatable};
 use super::stored_message::stored;
-use crate::log;
+use seamwright_log as log;
 use crate::refusal::action_word;
 use crate::syslog::Syslog;
+use crate::wire::QueueView;
 use seamwright_message::Message;
 use seamwright_record::library::{Alarm, AuditEntry, PendingEntry};
 use seamwright_record::{DataFolder, Error, Moment, WaitingFile};
@@ -197,7 +198,8 @@ impl Writer {
                 work.entries.iter().all(|entry| self.write(&single(entry)))
             }
             Err(e) if is_of_entry(&e) => {
-                log::warning(&format!("the library refuses an entry of the audit log: {e}: {:?}", work.entries));
+                let refused = Message::new("server-log-entry-refused").message("reason", e.message());
+                log::warn(&refused.text("entry", format!("{:?}", work.entries)));
                 self.shared.waiting().queues.lose_first(work.class);
                 true
             }
@@ -223,7 +225,6 @@ impl Writer {
         if self.failing.is_none_or(|told| told.elapsed() >= REMIND) {
             let message = Message::new("server-event-audit-fails").message("reason", e.message());
             event(&self.hub, message.count("n", count));
-            log::warning(&format!("the audit log cannot be written: {e}; {count} entries wait"));
             self.failing = Some(Instant::now());
         }
         self.keep();
@@ -258,7 +259,7 @@ impl Writer {
         let Some(file) = self.file.as_mut().filter(|file| !file.is_empty()) else { return };
         if let Err(e) = file.clear() {
             // The next start finds that the library has them.
-            log::warning(&format!("entries that waited are stored, but their file cannot be emptied: {e}"));
+            log::warn(&Message::new("server-log-waiting-file").message("reason", e.message()));
         }
     }
 
@@ -279,7 +280,7 @@ impl Writer {
         self.keep();
         let lost = self.shared.waiting().queues.not_kept_len();
         if closes && lost > 0 {
-            log::warning(&format!("{lost} entries of the audit log are lost: neither library nor file took them"));
+            log::warn(&Message::new("server-event-audit-left-out").count("n", lost));
         }
         (flushes, closes)
     }
@@ -381,6 +382,13 @@ impl Archive {
         self.change(|waiting| waiting.queues.add(class, item));
     }
 
+    /// Alarms and orders that wait for the disk.
+    pub(crate) fn queue(&self) -> QueueView {
+        let (waiting, capacity) = (self.0.0.waiting(), 2 * self.0.0.room);
+        let waiting = waiting.alarms.len() + waiting.orders.len();
+        QueueView { name: "audit".to_owned(), waiting, most: None, capacity }
+    }
+
     /// Waits until everything is on the disk, at most [`PATIENCE`]: at the end of the program.
     pub(crate) fn flush(&self) {
         self.wait(false);
@@ -451,7 +459,6 @@ impl Archive {
             let again = Message::new("server-audit-raised-again");
             return self.repeatable("", Message::new("server-audit-panel"), alarm.name, again);
         }
-        log::warning(&format!("alarm: {}", plain(&alarm.name.to_string())));
         self.add(Class::Alarms, PendingEntry::Alarm { weld, alarm: Box::new(alarm) });
     }
 

@@ -8,6 +8,7 @@ use super::progress::{Left, Parts, Progress, ToWeld};
 use super::recorder::Recorder;
 use super::standstill::Stillness;
 use super::supervisor::{News, Supervisor};
+use super::tally::Tally;
 use super::unavailable_commands::Readiness;
 use crate::http::adopted;
 use crate::refusal::{Lack, lack};
@@ -18,6 +19,7 @@ use seamwright_cell::{Program, fingerprint};
 use seamwright_executive::realtime::{RealtimeRights, Shown, Shutdown};
 use seamwright_executive::{Ask, Command, Missing, Mode, Note, ProcessState, Raised};
 use seamwright_machine::{Clamped, Machine, MachineDevices};
+use seamwright_log as log;
 use seamwright_message::Message;
 use seamwright_record::{DataFolder, Plan};
 use std::collections::{BTreeMap, HashMap, VecDeque};
@@ -115,6 +117,7 @@ pub(super) struct Desk {
     /// The cell was asked to end, and has ended.
     expects_end: bool,
     ended: bool,
+    tally: Tally,
     missed: u32,
     /// Maximum number of cycles missed at once.
     longest: u32,
@@ -174,6 +177,7 @@ impl Desk {
             footing: None,
             expects_end: false,
             ended: false,
+            tally: Tally::default(),
             longest: 0,
             missed: 0,
             left,
@@ -202,7 +206,7 @@ impl Desk {
                 self.cell.send(&Request::Shutdown);
             }
             if asked.is_some_and(|asked| asked.elapsed() > SHUTDOWN) {
-                eprintln!("error: the cycle does not come to its end: check that arc, gas and drives are off");
+                log::error(&Message::new("server-log-cycle-hangs"));
                 self.cell.kill();
                 break;
             }
@@ -216,7 +220,7 @@ impl Desk {
             self.recorder.close();
         }));
         if closed.is_err() {
-            eprintln!("error: the record of the last weld was not closed: the next start makes it whole");
+            log::error(&Message::new("server-log-record-open"));
         }
         self.cell.wait();
         let line = |(name, why): (&String, &Message)| {
@@ -228,8 +232,6 @@ impl Desk {
     /// Reports which real-time rights the cycle lacks.
     fn tell_footing(&mut self, footing: RealtimeRights) {
         if !footing.is_whole() {
-            let text = footing.to_string();
-            eprintln!("note: the cycle runs without real-time rights: {text}");
             self.tell(happening(Message::new("server-event-no-realtime").message("reason", footing.message())));
         }
         self.footing = Some(footing);
@@ -300,6 +302,7 @@ impl Desk {
             Report::Note((t, note)) => self.handle_note(t, note),
             Report::Rights(rights) => self.tell_footing(rights),
             Report::Lines(lines) => self.hub.set_lines(lines),
+            Report::Queues(queues) => self.tally.queue_fill(queues),
             Report::Prepared { outcome: Ok(()), .. } => {}
             Report::Prepared { outcome: Err(why), .. } => self.unprepared(why),
             Report::DevicesReleased => self.devices_released(),
@@ -308,7 +311,7 @@ impl Desk {
                 // A cell that ends by itself, by a signal for instance, is gone as soon as its connection is.
                 self.ended = self.expects_end;
                 if failed {
-                    eprintln!("error: the cycle has failed");
+                    log::error(&Message::new("server-log-cycle-failed"));
                 }
             }
         }
@@ -378,7 +381,6 @@ impl Desk {
 
     /// The cell has died: a new one takes its place, off and without a program. Nothing else starts by itself.
     fn lost(&mut self, why: &Message, shutdown: &Shutdown) {
-        eprintln!("error: the cell has died: {why}");
         self.tell(happening(Message::new("server-event-cell-lost").message("reason", why.clone())));
         self.recorder.stopped_by(why);
         self.recorder.end();
@@ -401,7 +403,6 @@ impl Desk {
         match self.cell.restart().and_then(|()| self.cell.start_of_cell().machine.read()) {
             Ok(machine) => self.forget_program(machine),
             Err(why) => {
-                eprintln!("error: no new cell: {why}");
                 self.tell(happening(Message::new("server-event-cell-not-restarted").message("reason", why.clone())));
                 of_devices(self, &why);
                 self.ended = true;
@@ -465,6 +466,7 @@ impl Desk {
         if self.adopts {
             self.adopt(shown);
         }
+        self.tally.cycle(shown);
         self.missed = self.missed.saturating_add(shown.reports.missed);
         self.longest = self.longest.max(shown.reports.missed);
         if let Some(trouble) = self.recorder.row(&self.names, shown)
@@ -512,6 +514,7 @@ impl Desk {
             };
             let set = std::array::from_fn(|i| shown.orders.set[i].position);
             self.hub.show(self.names.status(shown, extra), set);
+            self.hub.set_tally(self.tally.clone());
         }
     }
 

@@ -1,4 +1,5 @@
 use crate::wire::EventView;
+use seamwright_log::{self as log, Level};
 use seamwright_message::Message;
 
 /// Kinds of events by the codes of their messages.
@@ -49,6 +50,17 @@ const KINDS: [(&str, &str); 44] = [
     ("server-event-teach-ended", "teach"),
 ];
 
+/// Events that are failures: data are lost, or outputs are not known to be safe.
+const FAILURES: [&str; 7] = [
+    "server-event-safe-unconfirmed",
+    "server-event-journal-damaged",
+    "server-event-weld-lost",
+    "server-event-record-not-whole",
+    "server-event-record-fails",
+    "server-event-not-recorded",
+    "server-event-audit-fails",
+];
+
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Happening {
     message: Message,
@@ -69,6 +81,22 @@ fn kind(message: &Message) -> Option<&'static (&'static str, &'static str)> {
 impl Happening {
     pub(crate) fn by(self, user: Option<String>) -> Self {
         Self { user, ..self }
+    }
+
+    /// Writes it to the log.
+    pub(super) fn log(&self) {
+        log::event(self.level(), &self.message, self.user.as_deref());
+    }
+
+    fn level(&self) -> Level {
+        match (&*self.message.code, kind(&self.message).map(|(_, what)| *what)) {
+            ("server-event-shelved" | "server-event-unshelved", _) => Level::Info,
+            (code, _) if FAILURES.contains(&code) => Level::Error,
+            (_, Some("alarm")) => Level::Warn,
+            // They may be many.
+            (_, Some("refused")) => Level::Debug,
+            _ => Level::Info,
+        }
     }
 
     pub(super) fn view(self, number: u64, t: f64, at: String) -> EventView {

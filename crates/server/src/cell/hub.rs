@@ -1,14 +1,16 @@
 use super::display_distances::Around;
 use super::event::Happening;
+use super::tally::Tally;
 use crate::limits::{
     MAX_PAGES, MAX_PAGES_OF_USER, MAX_VIEWER_PAGES, MAX_WAITING_MESSAGES, PAGES_KEPT_FOR_OPERATORS, RECENT_EVENTS,
 };
 use crate::view::written;
-use crate::wire::{AlarmView, EventView, FromCell, NearView, RefusedView, Role, Status, TeachView, WorkView};
+use crate::wire::{AlarmView, CountView, EventView, FromCell, NearView, RefusedView, Role, Status, TeachView, WorkView};
 use seamwright_executive::devices::modbus::Traffic;
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;
-use std::collections::{HashMap, VecDeque};
+use seamwright_record::library::WeldResult;
+use std::collections::{BTreeMap, HashMap, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::{mpsc, watch};
@@ -30,6 +32,9 @@ pub(crate) struct Hub {
     near: Mutex<Option<NearView>>,
     /// Time of the last status of the cycle.
     shown: Mutex<Option<Instant>>,
+    tally: Mutex<Tally>,
+    /// Recorded welds by the name of their result.
+    welds: Mutex<BTreeMap<&'static str, u64>>,
     told: Mutex<Told>,
 }
 
@@ -117,7 +122,7 @@ impl Hub {
         Some((station, from, self.status.subscribe()))
     }
 
-    #[cfg(test)]
+    /// Number of open pages.
     pub(crate) fn clients(&self) -> usize {
         self.lock().clients.len()
     }
@@ -149,6 +154,32 @@ impl Hub {
         self.shown.lock().unwrap_or_else(PoisonError::into_inner).map(|shown| shown.elapsed())
     }
 
+    pub(super) fn set_tally(&self, tally: Tally) {
+        *self.tally.lock().unwrap_or_else(PoisonError::into_inner) = tally;
+    }
+
+    pub(crate) fn tally(&self) -> Tally {
+        self.tally.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Counts a recorded weld.
+    pub(super) fn count_weld(&self, result: WeldResult) {
+        *self.welds.lock().unwrap_or_else(PoisonError::into_inner).entry(result.name()).or_default() += 1;
+    }
+
+    /// Number of recorded welds since the start, by result.
+    pub(crate) fn welds(&self) -> Vec<CountView> {
+        use WeldResult::{Deviating, Good, Interrupted, Stopped};
+        let welds = self.welds.lock().unwrap_or_else(PoisonError::into_inner);
+        let count = |result: WeldResult| welds.get(result.name()).copied().unwrap_or(0);
+        let row = |result: WeldResult| CountView { name: result.name().to_owned(), count: count(result) };
+        [Good, Deviating, Stopped, Interrupted].map(row).to_vec()
+    }
+
+    pub(crate) fn listed_alarms(&self) -> Vec<AlarmView> {
+        self.lock().alarms.clone()
+    }
+
     /// Set-points of the axes, mm or rad, if all axes are referenced.
     pub(crate) fn set_points(&self) -> Option<Joints> {
         let latest = self.latest.lock().unwrap_or_else(PoisonError::into_inner);
@@ -162,6 +193,7 @@ impl Hub {
     }
 
     pub(crate) fn event(&self, t: f64, happened: Happening) {
+        happened.log();
         let mut told = self.lock();
         told.numbers += 1;
         let event = happened.view(told.numbers, t, written(Moment::now()));

@@ -18,6 +18,7 @@ mod standstill;
 mod start;
 mod stored_message;
 mod supervisor;
+mod tally;
 mod unavailable_commands;
 mod urgent;
 
@@ -26,7 +27,7 @@ pub(crate) use desk::{Loading, NotLoaded, ToDesk};
 pub(crate) use display_distances::Around;
 pub(crate) use event::happening;
 pub(crate) use hub::{Connected, Hub, Refusal, Text};
-pub(crate) use names::WHY;
+pub(crate) use names::{WHY, mode as mode_name};
 pub(crate) use start::Cell;
 pub(crate) use stored_message::from_stored;
 pub(crate) use unavailable_commands::executive_command;

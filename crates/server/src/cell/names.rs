@@ -195,7 +195,7 @@ pub(super) struct Extra<'a> {
     pub(super) stands: bool,
 }
 
-pub(super) fn mode(mode: Mode) -> &'static str {
+pub(crate) fn mode(mode: Mode) -> &'static str {
     match mode {
         Mode::DryRun => "dry_run",
         other => other.name(),

@@ -175,6 +175,7 @@ impl Recorder {
             let t = hub.latest().map_or(0.0, |s| s.t);
             match finish(open, &folder) {
                 Ok(result) => {
+                    hub.count_weld(result);
                     hub.event(
                         t,
                         happening(

@@ -66,6 +66,7 @@ impl Cell {
         hub.set_machine(&machine);
         hub.set_around(Arc::new(Around::new(&machine, &Clamped::default())?));
         for weld in &interrupted {
+            hub.count_weld(weld.weld.result);
             hub.event(
                 0.0,
                 happening(Message::new("server-event-record-interrupted").number("weld", weld.weld.id as f64, 0)),

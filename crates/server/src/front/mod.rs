@@ -9,8 +9,10 @@ mod bodies;
 mod connection_slots;
 mod memory_limit;
 mod rate_limits;
+mod refusal_log;
 mod stream;
 
+use crate::diagnostics::{Ended, log_readiness};
 use crate::http::{Panel, Refused, URGENT, app, cookie, urgent_app};
 use crate::limits::{
     BODY_TIME, HEAD_TIME, MAX_HEAD_BYTES, MAX_HEADERS, READ_RATE_BYTES_PER_S, READ_TIME, STRANGER_BODY_TIME,
@@ -86,7 +88,12 @@ const STREAMED: &str = "/api/restore";
 /// their own.
 pub(crate) async fn answer(listener: TcpListener, tls: Option<Encryption>, panel: Arc<Panel>, work: Handle) {
     let rest = app(&panel);
-    Front::new(panel, rest, work, PATIENCE).accept(listener, tls).await;
+    let front = Front::new(panel, rest, work, PATIENCE);
+    tokio::select! {
+        () = front.accept(listener, tls) => {}
+        () = refusal_log::sum_up(&front.panel.diagnostics.counts) => {}
+        () = log_readiness(&front.panel) => {}
+    }
 }
 
 /// State shared by all connections.
@@ -111,9 +118,9 @@ struct Connection {
 }
 
 /// A handler's task, aborted when its receiver is dropped.
-struct Ends<T>(JoinHandle<T>);
+struct Aborted<T>(JoinHandle<T>);
 
-impl<T> Drop for Ends<T> {
+impl<T> Drop for Aborted<T> {
     fn drop(&mut self) {
         self.0.abort();
     }
@@ -142,26 +149,31 @@ impl Front {
             let held = Held::new(stream, place.clone(), self.patience.read, deadline.clone());
             let (front, tls, connection) =
                 (Arc::clone(self), tls.as_ref().map(Encryption::current), Connection { from, place, deadline });
+            let open = self.panel.diagnostics.counts.open();
             tokio::spawn(async move {
-                let ends = connection.place.clone();
-                tokio::select! {
-                    () = ends.ends() => {}
-                    () = front.greet(held, tls, connection) => {}
-                }
+                let (ends, counts) = (connection.place.clone(), Arc::clone(&front.panel.diagnostics.counts));
+                let how = tokio::select! {
+                    () = ends.ends() => Ended::Displaced,
+                    how = front.greet(held, tls, connection) => how,
+                };
+                counts.ended(how);
+                drop(open);
             });
         }
     }
 
-    async fn greet(self: Arc<Self>, held: Held, tls: Option<Arc<ServerConfig>>, connection: Connection) {
+    async fn greet(self: Arc<Self>, held: Held, tls: Option<Arc<ServerConfig>>, connection: Connection) -> Ended {
         match tls {
             None => self.speak(held, connection).await,
             Some(tls) => {
                 let handshake = TlsAcceptor::from(tls).accept(held);
-                if let Ok(Ok(stream)) = tokio::time::timeout(self.patience.head, handshake).await {
-                    self.speak(stream, connection).await;
-                }
+                let Ok(Ok(stream)) = tokio::time::timeout(self.patience.head, handshake).await else {
+                    return Ended::Handshake;
+                };
+                self.speak(stream, connection).await;
             }
         }
+        Ended::InOrder
     }
 
     async fn speak(self: Arc<Self>, stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static, of: Connection) {
@@ -181,6 +193,7 @@ impl Front {
     async fn answer(&self, request: Request<Incoming>, of: &Connection) -> Response<Body> {
         of.deadline.set(None);
         let response = self.respond(request, of).await;
+        self.panel.diagnostics.counts.answered(response.status().as_u16());
         if let Some(size) = answers::size(response.body()).filter(|size| *size > 0) {
             of.deadline.set(Some(tokio::time::Instant::now() + self.patience.to_read(size)));
         }
@@ -241,7 +254,7 @@ impl Front {
 
     /// Answers on the other runtime. The work is aborted if the client goes.
     async fn pass_on(&self, request: Request<Body>) -> Response<Body> {
-        let mut answering = Ends(self.work.spawn(hand(self.rest.clone(), request)));
+        let mut answering = Aborted(self.work.spawn(hand(self.rest.clone(), request)));
         let answered = (&mut answering.0).await;
         answered.unwrap_or_else(|_| Refused::server(Message::new("server-failed")).into_response())
     }

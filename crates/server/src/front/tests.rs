@@ -119,6 +119,8 @@ async fn stop_is_heard_while_handlers_block_their_threads() {
     }
     let well = all(fronted.say(&fronted.head("GET", "/healthz", "connection: close\r\n")).await).await;
     assert!(well.starts_with("HTTP/1.1 200") && well.contains("cycle_age_s"), "{well}");
+    let metrics = all(fronted.say(&fronted.head("GET", "/metrics", "connection: close\r\n")).await).await;
+    assert!(metrics.starts_with("HTTP/1.1 200") && metrics.contains("\nseamwright_ready "), "{metrics}");
     let mut page = crate::tests::page(&fronted.address, &owner).await;
     page.order("stop").await;
     drop((held, stuck));

@@ -3,13 +3,13 @@ use super::guard::{TOKEN, cookie, cookie_name, device_name, named_cookie};
 use super::panel::{Panel, Shared};
 use crate::cell::Change;
 use crate::limits::MAX_LOGIN_BYTES;
-use crate::log;
 use crate::users::{NEEDS, OWNER, Origin, Session, may};
 use crate::wire::{Login, Role, SessionView};
 use axum::extract::{ConnectInfo, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{AppendHeaders, IntoResponse, Response};
 use axum::{Extension, Json};
+use seamwright_log as log;
 use seamwright_message::{Message, Unit};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
@@ -112,6 +112,7 @@ pub(super) async fn login(
     let name = if login.user.is_empty() { OWNER.to_owned() } else { login.user };
     let right = checked(&panel, &from, &headers, &name, login.password).await?;
     let station = panel_at(address(&from));
+    panel.diagnostics.counts.login(right.is_some());
     let (archive, command) = (&panel.cell.archive, Message::new("server-audit-log-in"));
     if right.is_some() {
         archive.audit(&name, station, command, Change::default(), Message::new("server-audit-logged-in"));
@@ -131,7 +132,8 @@ pub(super) async fn login(
         panel.sessions.end(&cookie);
         return Err(wrong());
     }
-    log::info(&format!("{name} logged in from {}", address(&from)));
+    let logged_in = Message::new("server-log-logged-in").text("user", &name);
+    log::info(&logged_in.text("address", address(&from).to_string()));
     let mut set = vec![(header::SET_COOKIE, set_cookie(&panel, cookie_name(panel.tls), &cookie, ""))];
     let device = named_cookie(&headers, device_name(panel.tls));
     if device.and_then(|cookie| panel.devices.of(cookie, &name)).is_none() {

@@ -7,6 +7,7 @@ mod cell_views;
 mod choices;
 mod client;
 mod declarations;
+mod diagnostics;
 mod edit;
 #[doc(hidden)]
 pub mod fuzzing;
@@ -17,6 +18,7 @@ mod jobs;
 mod jog;
 mod loading;
 mod login;
+mod monitor_access;
 mod openapi;
 mod panel;
 mod placement;

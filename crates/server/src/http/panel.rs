@@ -2,6 +2,7 @@ use super::answer::Refused;
 use super::work_limit::{Turn, Turns};
 use crate::cell::{Cell, Change};
 use crate::limits::{BACKING_UP, CHECKING, DRAWING, LOADING, MAX_ARCHIVE_BYTES, READING, SAVING};
+use crate::diagnostics::Diagnostics;
 use crate::planner::Planner;
 use crate::teaching::{Cameras, Teaching};
 use crate::users::{Accounts, Checks, Devices, OWNER, Session, Sessions, Tries};
@@ -79,6 +80,7 @@ pub(crate) struct Panel {
     pub(crate) teaching: Teaching,
     /// Addresses allowed as source of camera frames.
     pub(crate) cameras: Cameras,
+    pub(crate) diagnostics: Diagnostics,
     plans: AtomicU64,
 }
 
@@ -108,6 +110,7 @@ impl Panel {
             most_archive: MAX_ARCHIVE_BYTES,
             teaching: Teaching::default(),
             cameras: Cameras::default(),
+            diagnostics: Diagnostics::default(),
             plans: AtomicU64::new(0),
         }
     }

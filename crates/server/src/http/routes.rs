@@ -3,16 +3,16 @@ use super::declarations::Declarations;
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
-    assets, audit, cell_views, choices, edit, health, jobs, login, openapi, plan, records, restore, sensors, setup,
-    socket, stop, teach, users,
+    assets, audit, cell_views, choices, diagnostics, edit, health, jobs, login, monitor_access, openapi, plan, records,
+    restore, sensors, setup, socket, stop, teach, users,
 };
 use crate::limits::{MAX_BODY_BYTES, MAX_STRANGER_BODY_BYTES};
 use crate::wire::{
-    AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, FormAnswer,
-    FormText, JobKept, JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView,
-    PlaceAnswer, PlaceText, PlanAnswer, PlanningView, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer,
-    SensorChange, SensorsView, SessionView, Shelving, StandingView, Stopped, TaughtProgram, TaughtView, TeachProgram,
-    ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView, UserChange, UserRow, WorkView,
+    AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DiagnosticsView, DistortionRow, DraftAnswer,
+    EditAnswer, FormAnswer, FormText, JobKept, JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange,
+    ParametersView, PlaceAnswer, PlaceText, PlanAnswer, PlanningView, PostAnswer, PostText, RecordRow, RecordView,
+    SensorAnswer, SensorChange, SensorsView, SessionView, Shelving, StandingView, Stopped, TaughtProgram, TaughtView,
+    TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -78,6 +78,8 @@ pub(super) fn routes() -> Vec<Route> {
         get "/api/machine" "watch" "The machine of the cell" cell_views::machine => MachineView;
         get "/api/machine/of-job" "plan" "The machine that a job names" cell_views::machine_of_job => MachineView;
         get "/api/devices" "watch" "Inputs, outputs and lines to devices" cell_views::devices => Vec<DeviceView>;
+        get "/api/diagnostics" "diagnose" "How cell and server are: cycle, queues, disk, memory, processes"
+            diagnostics::diagnostics => DiagnosticsView;
         get "/api/work" "watch" "The program in the cell" cell_views::work => Option<WorkView>;
         get "/api/alarms/catalogue" "watch" "All alarms" cell_views::catalogue => Vec<AlarmEntry>;
         get "/api/live" "watch" "The socket: status, events, commands" socket::live;
@@ -142,7 +144,7 @@ pub(super) fn routes() -> Vec<Route> {
 }
 
 /// Paths of routes that neither wait nor block: the front end answers them on its own threads.
-pub(crate) const URGENT: [&str; 3] = ["/api/stop", "/api/live", "/healthz"];
+pub(crate) const URGENT: [&str; 6] = ["/api/stop", "/api/live", "/api/diagnostics", "/healthz", "/readyz", "/metrics"];
 
 pub(crate) fn app(panel: &Arc<Panel>) -> Router {
     router(panel, routes())
@@ -160,7 +162,10 @@ fn router(panel: &Arc<Panel>, routes: Vec<Route>) -> Router {
         let handler = route.handler.layer(DefaultBodyLimit::max(most));
         router = router.route(route.path, handler.layer(middleware::from_fn_with_state(need_of, need)));
     }
+    let monitor = || middleware::from_fn_with_state(Arc::clone(panel), monitor_access::monitor);
     router
+        .route("/readyz", get(diagnostics::ready).layer(monitor()))
+        .route("/metrics", get(diagnostics::metrics).layer(monitor()))
         .fallback(assets::serve)
         .layer(middleware::from_fn_with_state(Arc::clone(panel), host))
         // Added after the host check: monitoring tools need not know the panel's name.

@@ -2,8 +2,10 @@
 
 use super::question::Question;
 use super::{Header, Token};
+use crate::diagnostics::{WorkerCounts, WorkerEnd};
 use crate::http::Refused;
 use crate::limits::{MAX_PLAN_BYTES, PLAN_MEMORY_BYTES};
+use seamwright_log as log;
 use seamwright_message::{Message, Unit};
 use std::io::{BufRead as _, BufReader, Read, Write as _};
 use std::path::Path;
@@ -37,6 +39,7 @@ pub(super) fn ask(
     jobs: &Path,
     token: &Token,
     patience: Duration,
+    counts: &WorkerCounts,
 ) -> Result<Vec<u8>, Refused> {
     let failed = |e: std::io::Error| Refused::server(Message::new("server-no-process").text("why", e.to_string()));
     let text = serde_json::to_vec(question).map_err(|e| Refused::server(e.to_string()))?;
@@ -44,6 +47,47 @@ pub(super) fn ask(
     command.arg("answer-one-question").arg("--jobs").arg(jobs);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = Ended(command.spawn().map_err(failed)?);
+    let running = counts.begin(child.0.id(), question.name());
+    log::debug(&of_process("server-log-worker-starts", child.0.id(), question));
+    let pid = child.0.id();
+    let answer = converse(&mut child, text, token, patience);
+    drop(child);
+    report(pid, question, running.since.elapsed(), &answer);
+    running.ends(end_of(&answer));
+    answer
+}
+
+fn of_process(code: &'static str, pid: u32, question: &Question) -> Message {
+    Message::new(code).number("pid", f64::from(pid), 0).text("question", question.name())
+}
+
+/// Logs the end of a process.
+fn report(pid: u32, question: &Question, time: Duration, answer: &Said) {
+    let timed = |code| of_process(code, pid, question).quantity("time", time.as_secs_f64(), Unit::S, 2);
+    match (end_of(answer), answer) {
+        (WorkerEnd::Answered | WorkerEnd::Refused, _) | (_, Ok(_)) => log::debug(&timed("server-log-worker-ended")),
+        (how, Err(refused)) => {
+            let message = timed("server-log-worker-killed").message("reason", refused.message.clone());
+            // A page that asks anew does so with every pause in typing.
+            if how == WorkerEnd::Superseded { log::debug(&message) } else { log::warn(&message) }
+        }
+    }
+}
+
+/// Returns how a process ended, by its answer.
+fn end_of(answer: &Said) -> WorkerEnd {
+    let Err(refused) = answer else { return WorkerEnd::Answered };
+    match &*refused.message.code {
+        "server-superseded" => WorkerEnd::Superseded,
+        "server-planning-time" => WorkerEnd::Late,
+        "server-planning-memory" => WorkerEnd::Memory,
+        _ if refused.status.is_server_error() => WorkerEnd::Failed,
+        _ => WorkerEnd::Refused,
+    }
+}
+
+/// Asks the question and waits.
+fn converse(child: &mut Ended, text: Vec<u8>, token: &Token, patience: Duration) -> Said {
     let pipes = (child.0.stdin.take(), child.0.stdout.take(), child.0.stderr.take());
     let (Some(stdin), Some(stdout), Some(stderr)) = pipes else {
         return Err(Refused::server(Message::new("server-no-pipes")));

@@ -12,6 +12,7 @@ mod worker;
 pub(crate) use question::{JOB, Question, wrong_view};
 pub use worker::answer_one_question;
 
+use crate::diagnostics::WorkerCounts;
 use crate::http::{Refused, Turns};
 use crate::limits::{DRAFT_TIME, MAX_PLANS_OF_USER, PLAN_TIME, PLANNING};
 use axum::http::StatusCode;
@@ -124,6 +125,7 @@ pub(crate) struct Planner {
     /// Loading does not wait for plans that are only viewed.
     loads: Turns,
     running: Arc<Mutex<Table>>,
+    workers: Arc<WorkerCounts>,
 }
 
 #[derive(Debug, Default)]
@@ -158,6 +160,7 @@ impl Planner {
             drafts: Turns::new(PLANNING),
             loads: Turns::new(PLANNING),
             running: Arc::default(),
+            workers: Arc::default(),
         }
     }
 
@@ -171,10 +174,10 @@ impl Planner {
             Sort::Load => (&self.loads, PLAN_TIME),
         };
         let ticket = self.begin(page, sort, question.name())?;
-        let (program, token) = (self.program.clone(), Arc::clone(&ticket.token));
+        let (program, token, workers) = (self.program.clone(), Arc::clone(&ticket.token), Arc::clone(&self.workers));
         let answer = turns.run(move || match &program {
             _ if token.is_cancelled() => Err(superseded()),
-            Some(program) => child::ask(program, &question, &jobs, &token, patience),
+            Some(program) => child::ask(program, &question, &jobs, &token, patience, &workers),
             None => question.answer(&jobs),
         });
         tokio::select! {
@@ -188,6 +191,11 @@ impl Planner {
     #[cfg(test)]
     pub(crate) fn turns(&self) -> [&Turns; 3] {
         [&self.plans, &self.drafts, &self.loads]
+    }
+
+    /// Counts of the processes.
+    pub(crate) fn workers(&self) -> &WorkerCounts {
+        &self.workers
     }
 
     fn begin(&self, page: Page, sort: Sort, name: &'static str) -> Result<Ticket, Refused> {

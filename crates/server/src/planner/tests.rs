@@ -106,8 +106,9 @@ async fn one_user_does_not_take_all_places() {
 #[test]
 fn failures_of_the_process_are_answers() {
     let folder = tempfile::tempdir().unwrap();
+    let counts = WorkerCounts::default();
     let ask = |text: &str, patience: Duration| {
-        child::ask(&program(), &draft(text), folder.path(), &Token::default(), patience)
+        child::ask(&program(), &draft(text), folder.path(), &Token::default(), patience, &counts)
     };
     let (long, short) = (Duration::from_secs(120), Duration::from_millis(200));
     let memory = ask("memory", long).unwrap_err();
@@ -136,6 +137,11 @@ fn failures_of_the_process_are_answers() {
     );
     // A truncated answer is an error.
     assert!(ask("cut", long).is_err());
+    ask("short", long).unwrap();
+    let view = counts.view();
+    let ended: Vec<(&str, u64)> = view.ended.iter().map(|row| (row.name.as_str(), row.count)).collect();
+    let wanted = [("answered", 1), ("refused", 1), ("superseded", 0), ("late", 1), ("memory", 1), ("failed", 2)];
+    assert!(ended == wanted && view.running.is_empty(), "{view:?}");
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

@@ -11,6 +11,7 @@ mod guarded;
 mod limits;
 mod limits_page;
 mod lived;
+mod observed;
 mod recorded;
 mod restored;
 mod sensors;
@@ -41,6 +42,9 @@ use tower::ServiceExt as _;
 
 pub(crate) const HOST: &str = "127.0.0.1:8080";
 pub(crate) const KEY: &str = "0123456789abcdef0123456789abcdef";
+
+/// Token of monitoring tools.
+pub(crate) const MONITOR_TOKEN: &str = "fedcba9876543210";
 
 /// The job of the example ellipse beside the home position of its machine, with little gas after the arc: what is waited for
 /// in real time is short.
@@ -98,6 +102,7 @@ impl Bench {
         let hosts = hosts.iter().map(|h| (*h).to_owned()).collect();
         let mut panel = Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts);
         panel.planner = planner;
+        panel.diagnostics.token = Some(MONITOR_TOKEN.to_owned());
         let panel = Arc::new(panel);
         Self { app: app(&panel), panel, folder: Some(folder), shutdown }
     }

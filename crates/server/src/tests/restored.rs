@@ -113,6 +113,7 @@ async fn says(address: &str, head: &str, body: &[u8]) -> Option<(u16, String)> {
 pub(super) fn settings(data: &Path) -> Settings {
     Settings {
         program: None,
+        monitor_token: None,
         cameras: Vec::new(),
         bind: "127.0.0.1:0".parse().unwrap(),
         names: vec![],

@@ -2,7 +2,7 @@
 
 use super::sessions::secret;
 use crate::limits::{MAX_BROWSERS, MAX_BROWSERS_OF_USER};
-use crate::log;
+use seamwright_log as log;
 use seamwright_message::Message;
 use seamwright_project::files;
 use seamwright_record::{Moment, sha256};
@@ -42,7 +42,8 @@ impl Devices {
     pub(crate) fn open(folder: &Path) -> Self {
         let file = folder.join(FILE);
         let known = read(&file).unwrap_or_else(|why| {
-            log::warning(&format!("{}: {why}: browsers are remembered anew", file.display()));
+            let message = Message::new("server-log-browsers-unknown").text("file", file.display().to_string());
+            log::warn(&message.text("reason", why.to_string()));
             Vec::new()
         });
         let known = known.into_iter().take(MAX_BROWSERS).map(|device| (device.id.clone(), device)).collect();
@@ -95,7 +96,7 @@ impl Devices {
         let text = serde_json::to_string(&all).map_err(|e| e.to_string());
         let written = text.and_then(|text| files::write_secret(&self.file, &text).map_err(|e| e.text()));
         if let Err(why) = written {
-            log::warning(&format!("known browsers are not kept: {why}"));
+            log::warn(&Message::new("server-log-browsers-not-kept").text("reason", why));
         }
     }
 }

@@ -2,7 +2,7 @@ use crate::wire::Role;
 
 /// Minimum role of each action: the single table, checked on the server and shown to the panel. Commands have the names
 /// of [`crate::wire::AskView`].
-pub(crate) const NEEDS: [(&str, Role); 34] = [
+pub(crate) const NEEDS: [(&str, Role); 35] = [
     ("stop", Role::Viewer),
     ("hold", Role::Operator),
     ("switch_on", Role::Operator),
@@ -33,6 +33,7 @@ pub(crate) const NEEDS: [(&str, Role); 34] = [
     ("set_up", Role::Service),
     ("shelve", Role::Service),
     ("audit.read", Role::Service),
+    ("diagnose", Role::Service),
     ("backup", Role::Service),
     ("restore", Role::Admin),
     ("users.read", Role::Admin),

@@ -66,6 +66,12 @@ impl Sessions {
         self.table().get(&sha256(cookie.as_bytes())).filter(|s| s.is_alive(now)).cloned()
     }
 
+    /// Number of sessions.
+    pub(crate) fn count(&self) -> usize {
+        let now = Instant::now();
+        self.table().values().filter(|session| session.is_alive(now)).count()
+    }
+
     pub(crate) fn end(&self, cookie: &str) {
         self.table().remove(&sha256(cookie.as_bytes()));
     }

@@ -5,6 +5,7 @@
 mod cell;
 mod certificate;
 mod choices;
+mod diagnostics;
 mod form;
 mod message;
 mod record;
@@ -17,6 +18,7 @@ mod weld;
 pub use cell::*;
 pub use certificate::*;
 pub use choices::*;
+pub use diagnostics::*;
 pub use form::*;
 pub use message::*;
 pub use record::*;
