@@ -332,4 +332,3 @@ server-monitor-login = anmelden, das Token von `--monitor-token` senden oder von
 server-log-cycle-failed = der Zyklus der Zelle ist ausgefallen
 server-log-entry-refused = die Bibliothek weist einen Eintrag des Prüfprotokolls ab: { $reason }: { $entry }
 server-log-waiting-file = wartende Einträge des Prüfprotokolls sind gespeichert, aber ihre Datei lässt sich nicht leeren: { $reason }
-server-log-syslog-fails = Syslog-Empfänger { $receiver }: { $reason }; { $n } Meldungen warten

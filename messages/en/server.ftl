@@ -791,6 +791,3 @@ server-log-entry-refused = the library refuses an entry of the audit log: { $rea
 server-log-waiting-file = entries of the audit log that waited are stored, but their file cannot be emptied: { $reason }
     .cause = The data folder can be read but not written.
     .cure = Correct the permissions or the disk; the next start finds that the library has the entries.
-server-log-syslog-fails = syslog receiver { $receiver }: { $reason }; { $n } messages wait
-    .cause = The receiver does not answer, or the network to it is down.
-    .cure = Check the address in `--syslog` and the receiver. Messages are sent once it answers.

@@ -332,4 +332,3 @@ server-monitor-login = войдите, передайте токен из `--mon
 server-log-cycle-failed = цикл ячейки отказал
 server-log-entry-refused = библиотека отклоняет запись журнала аудита: { $reason }: { $entry }
 server-log-waiting-file = ожидавшие записи журнала аудита сохранены, но их файл не очищается: { $reason }
-server-log-syslog-fails = приёмник syslog { $receiver }: { $reason }; ожидают сообщений: { $n }

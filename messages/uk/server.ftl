@@ -332,4 +332,3 @@ server-monitor-login = увійдіть, передайте токен з `--mon
 server-log-cycle-failed = цикл комірки відмовив
 server-log-entry-refused = бібліотека відхиляє запис журналу аудиту: { $reason }: { $entry }
 server-log-waiting-file = записи журналу аудиту, що чекали, збережено, але їхній файл не очищується: { $reason }
-server-log-syslog-fails = приймач syslog { $receiver }: { $reason }; чекають повідомлень: { $n }

@@ -332,4 +332,3 @@ server-monitor-login = 请登录、发送 `--monitor-token` 的令牌，或从�
 server-log-cycle-failed = 单元的循环发生故障
 server-log-entry-refused = 库拒绝审计日志的一条记录：{ $reason }：{ $entry }
 server-log-waiting-file = 等待中的审计日志记录已保存，但其文件无法清空：{ $reason }
-server-log-syslog-fails = syslog 接收器 { $receiver }：{ $reason }；{ $n } 条消息等待中

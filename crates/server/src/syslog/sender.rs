@@ -1,7 +1,6 @@
 use super::message::{Origin, formatted, not_sent};
 use super::receiver::{SyslogReceiver, Transport};
 use crate::cell::{Hub, happening};
-use seamwright_log as log;
 use seamwright_message::Message;
 use seamwright_record::library::PendingEntry;
 use std::io::{self, ErrorKind, Read, Write};
@@ -209,8 +208,6 @@ impl Sender {
         if self.told.is_none_or(|told| told.elapsed() >= REMIND) {
             self.told = Some(Instant::now());
             let waiting = self.state.waiting.load(Ordering::Relaxed);
-            let fails = Message::new("server-log-syslog-fails").text("receiver", self.receiver.to_string());
-            log::warn(&fails.message("reason", Message::outside(&e)).count("n", waiting));
             let message = Message::new("server-event-syslog-fails").text("receiver", self.receiver.to_string());
             self.event(message.message("reason", Message::outside(e)).count("n", waiting));
         }
