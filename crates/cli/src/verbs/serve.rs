@@ -51,19 +51,8 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
     };
     let (names, cameras, program) = (args.host.clone(), args.camera.clone(), this_program());
     let syslog = args.syslog.clone();
-    let settings = Settings {
-        bind: args.bind,
-        names,
-        tls,
-        data,
-        machine,
-        values,
-        cameras,
-        program,
-        monitor_token,
-        job,
-        syslog,
-    };
+    let settings =
+        Settings { bind: args.bind, names, tls, data, machine, values, cameras, program, monitor_token, job, syslog };
     let ready = |url: &str| {
         // Errors are ignored: the server runs without a reader of its output, too.
         drop(print_text(&format!("{url}\n")));

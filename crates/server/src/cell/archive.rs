@@ -11,17 +11,17 @@
 //! [`WaitingFile`] of 4 MiB, from which the next start stores it if this program ends before. An event tells the
 //! operator when that begins, every minute, and when it is over.
 
-use super::archive_queue::{Class, Lost, Queues, Work};
+use super::archive_queue::{Class, Lost, MAX_ENTRIES, Queues, Work};
 use super::audit_entry::{Change, entry, plain};
 use super::chattering::Occurrences;
 use super::event::happening;
 use super::hub::Hub;
 use super::refusals::{Refusals, Repeatable};
 use super::stored_message::stored;
-use seamwright_log as log;
 use crate::refusal::action_word;
 use crate::syslog::Syslog;
 use crate::wire::QueueView;
+use seamwright_log as log;
 use seamwright_message::Message;
 use seamwright_record::library::{Alarm, AuditEntry, PendingEntry};
 use seamwright_record::{DataFolder, Error, Moment, WaitingFile};
@@ -384,9 +384,8 @@ impl Archive {
 
     /// Alarms and orders that wait for the disk.
     pub(crate) fn queue(&self) -> QueueView {
-        let (waiting, capacity) = (self.0.0.waiting(), 2 * self.0.0.room);
-        let waiting = waiting.alarms.len() + waiting.orders.len();
-        QueueView { name: "audit".to_owned(), waiting, most: None, capacity }
+        let waiting = self.0.0.waiting().queues.len();
+        QueueView { name: "audit".to_owned(), waiting, most: None, capacity: 2 * MAX_ENTRIES }
     }
 
     /// Waits until everything is on the disk, at most [`PATIENCE`]: at the end of the program.

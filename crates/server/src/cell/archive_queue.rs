@@ -7,7 +7,7 @@ use std::collections::VecDeque;
 
 /// Maximum number of alarms, and of orders, that wait for the disk. Further ones are only counted: a stop never waits
 /// for a disk.
-const MAX_ENTRIES: usize = 65_536;
+pub(super) const MAX_ENTRIES: usize = 65_536;
 /// Maximum memory of each of both, bytes.
 const MAX_BYTES: usize = 16 << 20;
 /// Maximum number of entries of one transaction.

@@ -5,7 +5,9 @@ use crate::limits::{
     MAX_PAGES, MAX_PAGES_OF_USER, MAX_VIEWER_PAGES, MAX_WAITING_MESSAGES, PAGES_KEPT_FOR_OPERATORS, RECENT_EVENTS,
 };
 use crate::view::written;
-use crate::wire::{AlarmView, CountView, EventView, FromCell, NearView, RefusedView, Role, Status, TeachView, WorkView};
+use crate::wire::{
+    AlarmView, CountView, EventView, FromCell, NearView, RefusedView, Role, Status, TeachView, WorkView,
+};
 use seamwright_executive::devices::modbus::Traffic;
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;

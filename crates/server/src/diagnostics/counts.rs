@@ -62,7 +62,7 @@ fn lock<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
     of.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn row(name: impl ToString, count: u64) -> CountView {
+fn row(name: &(impl ToString + ?Sized), count: u64) -> CountView {
     CountView { name: name.to_string(), count }
 }
 

@@ -3,7 +3,6 @@ use crate::http::Panel;
 use crate::wire::{
     AlarmCount, AlarmView, ClientsView, CycleView, DiagnosticsView, DiskView, LineView, RealtimeView, ReportAge, Status,
 };
-use seamwright_executive::Reaction;
 use std::time::Duration;
 
 /// Priorities of alarms, the most urgent first.
@@ -61,18 +60,14 @@ fn reports(status: Option<&Status>) -> Vec<ReportAge> {
 }
 
 fn lines(panel: &Panel) -> Vec<LineView> {
-    let Some(connection) = panel.cell.hub.connection() else { return Vec::new() };
-    let lines = connection.lines.iter().map(|(name, line)| {
-        let traffic = line.get();
-        LineView {
-            name: name.clone(),
-            polls: traffic.polls,
-            missed: traffic.missed,
-            failed: traffic.failed,
-            connections: traffic.connections,
-            away_s: traffic.away_s,
-            trouble: traffic.trouble.map(Into::into),
-        }
+    let lines = panel.cell.hub.lines().into_iter().map(|(name, traffic)| LineView {
+        name,
+        polls: traffic.polls,
+        missed: traffic.missed,
+        failed: traffic.failed,
+        connections: traffic.connections,
+        away_s: traffic.away_s,
+        trouble: traffic.trouble.map(Into::into),
     });
     lines.collect()
 }
@@ -80,7 +75,7 @@ fn lines(panel: &Panel) -> Vec<LineView> {
 /// Counts listed alarms by priority. Shelved ones that are no longer listed do not count.
 fn alarms(list: &[AlarmView]) -> Vec<AlarmCount> {
     let count = |priority: &&str| {
-        let own = || list.iter().filter(|alarm| self::priority(alarm) == *priority);
+        let own = || list.iter().filter(|alarm| alarm.priority == *priority);
         let counted = |states: &[&str]| own().filter(|alarm| states.contains(&alarm.state.as_str())).count() as u32;
         AlarmCount {
             priority: (*priority).to_owned(),
@@ -89,14 +84,4 @@ fn alarms(list: &[AlarmView]) -> Vec<AlarmCount> {
         }
     };
     PRIORITIES.iter().map(count).collect()
-}
-
-/// Returns the priority of an alarm, by the reaction of the cell.
-fn priority(alarm: &AlarmView) -> &'static str {
-    match Reaction::ALL.into_iter().find(|reaction| reaction.name() == alarm.reaction) {
-        Some(Reaction::PowerOff) => PRIORITIES[0],
-        Some(Reaction::Stop) => PRIORITIES[1],
-        Some(Reaction::ProcessOff | Reaction::Hold) => PRIORITIES[2],
-        Some(Reaction::Tell) | None => PRIORITIES[3],
-    }
 }

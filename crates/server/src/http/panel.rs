@@ -1,8 +1,8 @@
 use super::answer::Refused;
 use super::work_limit::{Turn, Turns};
 use crate::cell::{Cell, Change};
-use crate::limits::{BACKING_UP, CHECKING, DRAWING, LOADING, MAX_ARCHIVE_BYTES, READING, SAVING};
 use crate::diagnostics::Diagnostics;
+use crate::limits::{BACKING_UP, CHECKING, DRAWING, LOADING, MAX_ARCHIVE_BYTES, READING, SAVING};
 use crate::planner::Planner;
 use crate::teaching::{Cameras, Teaching};
 use crate::users::{Accounts, Checks, Devices, OWNER, Session, Sessions, Tries};
