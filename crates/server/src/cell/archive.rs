@@ -566,7 +566,8 @@ mod tests {
         let busy = hold(folder.path());
         let begun = Instant::now();
         (0..100).for_each(|i| order(&archive, i));
-        assert!(begun.elapsed() < Duration::from_secs(2));
+        // SQLite waits for 5 s.
+        assert!(begun.elapsed() < Duration::from_secs(4));
         busy.execute_batch("COMMIT").unwrap();
         assert!(archive.close());
         let found = Found::in_folder(folder.path());
@@ -606,7 +607,7 @@ mod tests {
         const THREADS: usize = 8;
         let folder = tempfile::tempdir().unwrap();
         let archive = with_room(folder.path(), 4096);
-        let running = AtomicUsize::new(THREADS);
+        let (running, begun) = (AtomicUsize::new(THREADS), Instant::now());
         let (mut orders, mut alarms) = (0, 0);
         std::thread::scope(|scope| {
             for thread in 0..THREADS {
@@ -636,8 +637,9 @@ mod tests {
         assert_eq!((found.orders(), found.listed.len(), found.left_out()), (orders, alarms, 0));
         let refused: Vec<&AuditEntry> = found.entries.iter().filter(|e| !e.command.starts_with("order ")).collect();
         assert_eq!(refused.iter().map(|e| requests_of(e)).sum::<u64>(), REFUSALS as u64);
-        // 24 places with 3 kinds, and a sum of each.
-        assert!(refused.len() <= 24 * 4, "{}", refused.len());
+        // 24 places with 3 kinds, and a sum of each place a minute.
+        let minutes = begun.elapsed().as_secs() as usize / 60 + 1;
+        assert!(refused.len() <= 24 * (3 + minutes), "{}", refused.len());
         assert!(refused.iter().any(|e| words(e).contains("refused requests, first 20")), "{refused:?}");
     }
 
