@@ -1,6 +1,7 @@
 //! All tests in one program, which is compiled and linked once. Tests that measure resources of the process have
 //! their own.
 
+mod cycle_supervisor;
 mod modbus;
 #[path = "../support/modbus_cell.rs"]
 mod modbus_cell;
