@@ -205,8 +205,8 @@ fn a_frozen_weld_on_a_real_source_goes_off_and_stays_off() {
         );
         assert!(weld["alarms"][0]["cause"].as_str().unwrap().contains("no cycle for"), "{weld}");
         let events = std::fs::read_to_string(out.join("events.jsonl")).unwrap();
-        let alarm = events.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
-        let alarm = alarm.into_iter().find(|event| event["event"] == "alarm").unwrap();
+        let mut events = events.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+        let alarm = events.find(|event| event["event"] == "alarm").unwrap();
         let gap_ms = alarm["gap_ms"].as_f64().unwrap();
         assert!(gap_ms > 0.9 * ms as f64 && gap_ms < ms as f64 + 5000.0, "{alarm}");
         assert!(alarm["of"].as_str().unwrap().ends_with("ms"), "{alarm}");

@@ -24,6 +24,9 @@ impl<D: Devices> DeviceIo<D> {
         let watchdog = self.orders.watchdog.next(late);
         self.orders = Orders { power: self.power, process, seam, watchdog, ..self.orders };
         self.devices.exchange(&self.orders, &mut self.reports);
+        // After a gap that was too long the devices got the process off: it is shown and recorded so.
+        self.orders.process.on &= !self.reports.late;
+        self.orders.watchdog.late |= self.reports.late;
     }
 
     /// Switches all outputs off.

@@ -2,6 +2,7 @@
 //! their own.
 
 mod alarm_reference;
+mod cycle_supervisor;
 mod modbus;
 #[path = "../support/modbus_cell.rs"]
 mod modbus_cell;

@@ -5,7 +5,6 @@ mod beam;
 #[path = "../common/mod.rs"]
 mod common;
 mod corners;
-mod cycle_supervisor;
 mod devices;
 mod elastic;
 mod executive;
