@@ -1,6 +1,6 @@
 # Start and end of the server.
 server-syslog-receiver = not a syslog receiver: { $text }; allowed: udp://HOST:PORT or tcp://HOST:PORT, a port from 1 to 65,535 (without one: 514), IPv6 addresses in brackets
-    .cause = The option `--syslog` has another form, a host that is no name or address, or a port that is none.
+    .cause = The option `--syslog` has another form, an invalid host, or an invalid port.
     .cure = Write for example `--syslog udp://log.shop.example:514`. For an encrypted connection set up a receiver on this computer that passes messages on.
 server-bind = { $option }: { $why }
     .cause = The panel cannot listen to this address: another program uses the port, or the computer lacks the address.
@@ -731,7 +731,7 @@ server-log-refused = refused in { $time }: { $kind }: { $n }
 server-log-worker-starts = process { $pid } starts: { $question }
 server-log-worker-ended = process { $pid } ended after { $time }: { $question }
 server-log-worker-killed = process { $pid } was ended after { $time }: { $question }: { $reason }
-    .cause = The process that answers a page took too long, asked for too much memory, failed, or nobody waits for it any more.
+    .cause = The process that answers a page took too long, asked for too much memory, failed, or its page has gone.
     .cure = Simplify the job if it needs more time or memory than is allowed; report a failure of the program.
 server-log-disk-slow = { $folder }: a small write took { $time }
     .cause = The disk of the data folder is slow, busy or failing.

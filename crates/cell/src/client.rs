@@ -31,7 +31,7 @@ const REQUESTS: usize = 1024;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CellLost;
 
-/// Where the cell runs.
+/// Process or threads of the cell.
 #[derive(Debug)]
 enum Home {
     Process(Child),
@@ -92,7 +92,7 @@ impl CellClient {
         let cell = move || {
             let ready = to.clone();
             let ended = run(&start, listeners, &Shutdown::default(), move || drop(ready.send(Ok(()))));
-            // Nobody listens any more once the cell has been ready.
+            // Once the cell has been ready, the receiver has gone.
             drop(to.send(ended.map(drop)));
         };
         let thread = std::thread::Builder::new().name("cell".into()).spawn(cell).map_err(|e| Message::outside(&e))?;
@@ -100,7 +100,7 @@ impl CellClient {
         Self::connect(folder, Home::Threads(thread))
     }
 
-    /// Connects to the cell that runs with its sockets in `folder`; `None` if there is none.
+    /// Connects to the cell that runs with its sockets in `folder`; `None` if no cell runs there.
     ///
     /// # Errors
     /// If it has another panel, or another version of this program runs it.

@@ -81,7 +81,7 @@ pub(crate) struct Link {
     /// Fill of the queues, the maximum since the last report.
     queues: Vec<QueueFill>,
     lines_sent: Instant,
-    /// Time without a panel, if there is none.
+    /// Start of the time without a panel; `None` with a panel.
     alone: Option<Instant>,
     /// The loss of the panel has been answered.
     is_answered: bool,

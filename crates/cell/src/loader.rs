@@ -42,7 +42,7 @@ enum Stage {
     },
 }
 
-/// What the link is to do next.
+/// Next task of the link.
 pub(crate) enum Step {
     /// Nothing yet.
     Wait,

@@ -23,7 +23,7 @@ const SHUTDOWN: Duration = Duration::from_secs(15);
 /// Capacity of the queues of programs to and from the cycle.
 const PROGRAMS: usize = 4;
 
-/// What a cell starts with.
+/// Inputs of a cell's start.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CellStart {
     /// Its machine.

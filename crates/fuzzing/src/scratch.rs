@@ -2,7 +2,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// A folder for readers of files, the same for the whole process. It stays at its end: whoever starts the process sets
+/// A folder for readers of files, the same for the whole process. It stays at its end: the starter of the process sets
 /// `TMPDIR` to a folder that it removes.
 static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
     TempDir::with_prefix("seamwright-fuzz-").map(TempDir::keep).unwrap_or_else(|e| panic!("no temporary folder: {e}"))

@@ -1,4 +1,4 @@
-//! Queue of lines to the thread that writes them: nobody waits for standard error.
+//! Queue of lines to the thread that writes them: no caller waits for standard error.
 
 use crate::format::Format;
 use std::io::{self, Write};

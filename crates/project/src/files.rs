@@ -272,7 +272,7 @@ mod tests {
         assert!(read_up_to(&path, 10).is_err());
     }
 
-    /// Backups have the hashes of passwords: nobody else may read them, also where they replace a file of others.
+    /// Backups have the hashes of passwords: other users must not read them, also where they replace a file of others.
     #[cfg(unix)]
     #[test]
     fn secrets_written_in_pieces_are_readable_by_their_owner_only() {

@@ -1,5 +1,5 @@
-//! Reports to the service manager (systemd), if it has started the panel. Errors are ignored: without a manager there is
-//! nobody to report to.
+//! Reports to the service manager (systemd), if it has started the panel. Errors are ignored: there may be
+//! no manager.
 
 use sd_notify::NotifyState;
 

@@ -1,4 +1,4 @@
-//! The processes of panel and cell: each dies, freezes or ends while the cell welds, and the device tells what was on.
+//! The processes of panel and cell: each dies, freezes or ends while the cell welds, and the device shows what was on.
 
 use crate::common::write;
 use crate::modbus_server::TestServer;

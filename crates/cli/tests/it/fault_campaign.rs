@@ -54,7 +54,7 @@ const MODES: [Mode; 6] = [Mode::Ready, Mode::Jog, Mode::Teach, Mode::DryRun, Mod
 /// Time from a fault to arc and gas off at the device: notice, crater and post-flow of the job, and a poll of a loaded
 /// computer.
 const OFF_WITHIN: Duration = Duration::from_secs(12);
-/// Maximum time of STOP to its acknowledgement on a computer that runs all of this campaign at once; alone it is some
+/// Maximum time of STOP to its acknowledgement on a computer that runs all of these faults at once; alone it is some
 /// milliseconds.
 const STOP_WITHIN: Duration = Duration::from_millis(500);
 

@@ -102,8 +102,11 @@ fn what_cannot_be_served_is_told() {
     let told = bad(2, &["serve", "--data", &data, "--job", &broken]);
     assert!(told.contains("title"), "{told}");
     for receiver in ["log.shop.example:514", "udp://", "tcp://log:0", "tls://log:6514"] {
-        let told = bad(2, &["serve", "--data", &data, "--syslog", receiver]);
-        assert!(told.contains("--syslog") && told.contains(receiver) && told.contains("udp://HOST:PORT"), "{told}");
+        let message = bad(2, &["serve", "--data", &data, "--syslog", receiver]);
+        assert!(
+            message.contains("--syslog") && message.contains(receiver) && message.contains("udp://HOST:PORT"),
+            "{message}"
+        );
     }
     let users = folder.path().join("cell/users.json");
     std::fs::write(users, "{").unwrap();

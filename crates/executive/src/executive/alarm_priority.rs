@@ -2,7 +2,7 @@
 //! follows from both.
 //!
 //! The consequence is that of no operator action *after the reaction of the cell*: the cell has already switched off
-//! what endangers people or part. The priority tells the operator what to do first.
+//! what endangers people or part. The priority gives the operator the order of actions.
 
 use super::alarm::{Alarm, Reaction};
 use seamwright_message::named_enum;

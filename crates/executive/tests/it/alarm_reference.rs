@@ -19,7 +19,7 @@ is made from the table in `crates/executive/src/executive/alarm_priority.rs`; do
 
 const PRIORITY: &str = "## Priority
 
-The priority tells what to do first. It follows from two facts: the severity of the consequence if the operator does not
+The priority gives the order of actions. It follows from two facts: the severity of the consequence if the operator does not
 act, and the time within which an action still averts it. Both count *after* the reaction of the cell, which has already
 switched off what endangers people or part.
 

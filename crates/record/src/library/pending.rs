@@ -96,7 +96,7 @@ impl PendingEntry {
         serde_json::to_vec(&Written::from(self)).unwrap_or_default()
     }
 
-    /// Returns the entry of such bytes; `None` if they are none.
+    /// Returns the entry of such bytes; `None` for other bytes.
     pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
         serde_json::from_slice::<Written>(bytes).ok().map(Self::from)
     }

@@ -1,4 +1,4 @@
-//! Audit log and alarm archive, written by a separate thread: nobody waits for a disk.
+//! Audit log and alarm archive, written by a separate thread, so that the cell never waits for a disk.
 //!
 //! | what comes | room | if the room is full |
 //! |---|---|---|
@@ -8,7 +8,7 @@
 //!
 //! Alarms go to the library first, then orders, then sums of refusals. An entry stays in its queue until the library
 //! has it. While the library does not take it (disk full, database locked, disk gone), it also goes into a
-//! [`WaitingFile`] of 4 MiB, from which the next start stores it if this program ends before. An event tells the
+//! [`WaitingFile`] of 4 MiB, from which the next start stores it if this program ends before. An event informs the
 //! operator when that begins, every minute, and when it is over.
 
 use super::archive_queue::{Class, Lost, MAX_ENTRIES, Queues, Work};
@@ -34,7 +34,7 @@ use std::time::{Duration, Instant};
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Delay between attempts while disk or library cannot be written.
 const AGAIN: Duration = Duration::from_millis(200);
-/// Interval of the events that tell the operator of a failing audit log.
+/// Interval of the events about a failing audit log.
 const REMIND: Duration = Duration::from_secs(60);
 /// Time of a write to the library after which its disk counts as hanging: more than SQLite's wait for a lock.
 const HANGS: Duration = Duration::from_secs(8);
@@ -80,7 +80,7 @@ struct Waiting {
     closes: bool,
     /// Begin of the write to the library that is going on.
     writes_since: Option<Instant>,
-    /// Number of entries lost, of which the operator has been told.
+    /// Number of entries lost, that events have reported.
     told_lost: u64,
 }
 
@@ -137,7 +137,7 @@ struct Writer {
     hub: Arc<Hub>,
     /// `None`: another program has it open, or the disk does not allow it.
     file: Option<WaitingFile>,
-    /// Time of the last event that tells of a failure, while the library takes no entries.
+    /// Time of the last event about a failure, while the library takes no entries.
     failing: Option<Instant>,
     /// Maximum number of entries that waited since it fails.
     waited: usize,
@@ -218,7 +218,7 @@ impl Writer {
         }
     }
 
-    /// Tells the operator that the library takes no entries, and puts them into the file.
+    /// Reports to the operator that the library takes no entries, and puts them into the file.
     fn fails(&mut self, e: &Error) {
         let count = self.shared.waiting().queues.len();
         self.waited = self.waited.max(count);
@@ -243,7 +243,7 @@ impl Writer {
         }
     }
 
-    /// Tells the operator that the library takes entries again.
+    /// Reports to the operator that the library takes entries again.
     fn works(&mut self) {
         if self.failing.take().is_some() {
             let waited = std::mem::take(&mut self.waited);
@@ -263,8 +263,8 @@ impl Writer {
         }
     }
 
-    /// Waits until the next attempt. At the end of the program there is none: the next start stores what is in the file.
-    /// Returns the clients to be told, and whether the library is to be closed.
+    /// Waits until the next attempt. At the end of the program it gives up: the next start stores the entries of the file.
+    /// Returns the clients to be informed, and whether the library is to be closed.
     fn gives_up(&mut self) -> (Vec<Sender<()>>, bool) {
         let waiting = self.shared.waiting();
         let waited = self.shared.came.wait_timeout_while(waiting, AGAIN, |waiting| !waiting.ends());
@@ -293,7 +293,7 @@ impl Writer {
     }
 }
 
-/// Returns the entry that tells of lost ones.
+/// Returns the entry about lost ones.
 fn left_out(lost: Lost) -> AuditEntry {
     let result = Message::new("server-audit-left-out").count("n", lost.count as usize);
     let result = result.text("first", lost.first.to_string()).text("last", lost.last.to_string());
@@ -312,7 +312,7 @@ fn event(hub: &Hub, message: Message) {
     hub.event(hub.latest().map_or(0.0, |status| status.t), happening(message));
 }
 
-/// Tells the operator of a write that does not return, and of lost entries, until the archive ends.
+/// Reports a write that does not return, and lost entries, to the operator until the archive ends.
 fn watch(shared: &Weak<Shared>, hub: &Weak<Hub>) {
     let mut told: Option<Instant> = None;
     while let (Some(shared), Some(hub)) = (shared.upgrade(), hub.upgrade()) {
@@ -547,7 +547,7 @@ mod tests {
     }
 
     /// Codes of the events that the operator saw.
-    fn told(hub: &Hub) -> Vec<String> {
+    fn messages(hub: &Hub) -> Vec<String> {
         let (station, mut from, _) = hub.connect("ada", crate::wire::Role::Operator).unwrap();
         let mut codes = Vec::new();
         while let Ok(text) = from.try_recv() {
@@ -643,7 +643,7 @@ mod tests {
         assert!(refused.iter().any(|e| words(e).contains("refused requests, first 20")), "{refused:?}");
     }
 
-    /// Another program locks the library for longer than SQLite waits: the operator is told, and nothing is lost. Killed
+    /// Another program locks the library for longer than SQLite waits: an event reports it, and nothing is lost. Killed
     /// meanwhile, the next start finds everything.
     #[test]
     fn a_locked_library_loses_nothing() {
@@ -656,7 +656,7 @@ mod tests {
             archive.alarm(None, alarm(&format!("alarm {i}")));
         }
         let begun = Instant::now();
-        while !told(&hub).contains(&"audit_fails".to_owned()) {
+        while !messages(&hub).contains(&"audit_fails".to_owned()) {
             assert!(begun.elapsed() < Duration::from_secs(60));
             std::thread::sleep(Duration::from_millis(50));
         }
@@ -677,7 +677,7 @@ mod tests {
         assert!(archive.close());
         let found = Found::in_folder(folder.path());
         assert_eq!((found.orders(), found.listed.len(), found.left_out()), (301, 300, 0));
-        assert!(told(&hub).contains(&"audit_stored".to_owned()));
+        assert!(messages(&hub).contains(&"audit_stored".to_owned()));
         assert!(DataFolder::open(copy.path()).unwrap().recover().unwrap().is_empty());
         let found = Found::in_folder(copy.path());
         assert!(found.orders() >= 300 && found.listed.len() == 300, "{} {}", found.orders(), found.listed.len());
@@ -709,7 +709,7 @@ mod tests {
             }
         }
         let begun = Instant::now();
-        while !told(&hub).contains(&"audit_fails".to_owned()) {
+        while !messages(&hub).contains(&"audit_fails".to_owned()) {
             assert!(begun.elapsed() < Duration::from_secs(60));
             std::thread::sleep(Duration::from_millis(10));
         }
@@ -717,7 +717,7 @@ mod tests {
         room.busy_timeout(Duration::from_secs(60)).unwrap();
         room.execute("DELETE FROM document", ()).unwrap();
         let begun = Instant::now();
-        while !told(&hub).contains(&"audit_stored".to_owned()) {
+        while !messages(&hub).contains(&"audit_stored".to_owned()) {
             assert!(begun.elapsed() < Duration::from_secs(60));
             std::thread::sleep(Duration::from_millis(10));
         }
@@ -763,7 +763,7 @@ mod tests {
         assert_eq!(again.iter().map(|e| requests_of(e)).sum::<u64>(), 490, "{again:?}");
     }
 
-    /// A write that does not return is told to the operator.
+    /// An event reports a write that does not return.
     #[test]
     fn a_hanging_disk_is_told() {
         let folder = tempfile::tempdir().unwrap();
@@ -772,7 +772,7 @@ mod tests {
         // As if the write had begun long ago.
         archive.change(|waiting| waiting.writes_since = Instant::now().checked_sub(2 * HANGS));
         let begun = Instant::now();
-        while !told(&hub).contains(&"audit_hangs".to_owned()) {
+        while !messages(&hub).contains(&"audit_hangs".to_owned()) {
             assert!(begun.elapsed() < Duration::from_secs(60));
             std::thread::sleep(Duration::from_millis(10));
         }

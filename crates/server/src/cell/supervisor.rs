@@ -29,7 +29,7 @@ pub(super) struct Supervisor {
     restarts: VecDeque<Instant>,
 }
 
-/// What has come from the cell.
+/// Something that has come from the cell.
 pub(super) enum News {
     Report(Report),
     /// It has gone without a report of its end.
@@ -51,7 +51,7 @@ impl Supervisor {
         matches!(self.client.first(), Some(Report::Hello { program: Some(_), .. }))
     }
 
-    /// Returns what the cell starts with.
+    /// Returns the inputs of the cell's start.
     pub(super) fn start_of_cell(&self) -> &CellStart {
         &self.start
     }

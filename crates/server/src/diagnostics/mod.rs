@@ -29,7 +29,7 @@ use std::time::{Duration, Instant};
 /// Metrics are made anew at most once in this time: many requests cost little.
 const FRESH: Duration = Duration::from_millis(200);
 
-/// What the server counts and observes beside the cell.
+/// Counts and observations of the server beside the cell.
 pub(crate) struct Diagnostics {
     pub(crate) counts: Arc<Counts>,
     pub(crate) started: Instant,

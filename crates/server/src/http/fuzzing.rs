@@ -1,4 +1,4 @@
-//! What requests and sockets read, without a cell behind them. For the fuzz targets; no part of the interface.
+//! Readers of requests and sockets, without a cell behind them. For the fuzz targets; no part of the interface.
 
 use super::client::number;
 use super::edit::{Edit, edited};

@@ -17,7 +17,7 @@ const PATIENCE: Duration = Duration::from_secs(5);
 /// Delay before the first new attempt; each further one doubles it.
 const MIN_DELAY: Duration = Duration::from_millis(500);
 const MAX_DELAY: Duration = Duration::from_secs(30);
-/// Interval of the events that tell the operator of an unreachable receiver.
+/// Interval of the events about an unreachable receiver.
 const REMIND: Duration = Duration::from_secs(60);
 /// Time without an error after which a receiver counts as reached: UDP reports only the message after a lost one.
 const CALM: Duration = Duration::from_secs(2);
@@ -135,7 +135,7 @@ impl Connection {
     }
 }
 
-/// Fails if the receiver has closed the connection: a write would not tell.
+/// Fails if the receiver has closed the connection, which a write does not notice.
 fn still_open(stream: &mut TcpStream) -> io::Result<()> {
     stream.set_nonblocking(true)?;
     let read = stream.read(&mut [0; 64]);
@@ -156,7 +156,7 @@ struct Sender {
     connection: Option<Connection>,
     /// Time of the last error, since the receiver was last reached.
     failed: Option<Instant>,
-    /// Time of the last event that tells of an error.
+    /// Time of the last event about an error.
     told: Option<Instant>,
 }
 
@@ -330,7 +330,7 @@ mod tests {
         }
     }
 
-    /// A receiver that cannot be reached delays nobody; what finds no room is counted and told to operator and receiver.
+    /// A receiver that cannot be reached delays no caller; messages without room are counted and reported to operator and receiver.
     #[test]
     fn nobody_waits_for_a_receiver_and_what_is_not_sent_is_counted() {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();

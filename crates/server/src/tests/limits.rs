@@ -59,7 +59,7 @@ fn of(everybody: &[(Role, Visitor)], wanted: Role) -> Visitor {
     everybody.iter().find(|(role, _)| *role == wanted).unwrap().1.clone()
 }
 
-/// Slow heads, unfinished logins, slow bodies of a user, and answers that nobody reads: 300 at once.
+/// Slow heads, unfinished logins, slow bodies of a user, and answers without a reader: 300 at once.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn three_hundred_slow_clients_keep_nobody_out() {
     let served = Served::new().await;

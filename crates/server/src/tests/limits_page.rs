@@ -604,7 +604,7 @@ fn records() -> Section {
 }
 
 fn cell_queues() -> Section {
-    let intro = "The cycle waits for nobody: queues between it, the disk and the panel have a fixed size.";
+    let intro = "The cycle never waits: queues between it, the disk and the panel have a fixed size.";
     let rows = vec![
         elsewhere(
             "Alarms, and orders, that wait for the disk",

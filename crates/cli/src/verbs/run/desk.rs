@@ -350,7 +350,7 @@ impl Desk {
         alarm.about(detail, &axes, &conditions)
     }
 
-    /// What an alarm is about, the length of its gap included.
+    /// Object of an alarm, or the length of its gap.
     fn about_raised(&self, raised: &Raised) -> Option<Message> {
         let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
         let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();

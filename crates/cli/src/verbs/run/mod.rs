@@ -232,7 +232,7 @@ fn real(
                     places.tell(position);
                 }
                 if shutdown.cause() == Some(ShutdownCause::CycleStopped) {
-                    // Said at once: the cycle may never end.
+                    // Reported at once: the cycle may never end.
                     desk.ended_by(ShutdownCause::CycleStopped);
                 }
                 give_up_late(shutdown, &mut waits);
