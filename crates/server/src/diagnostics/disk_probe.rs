@@ -28,46 +28,53 @@ pub(super) struct Look {
 }
 
 #[derive(Debug)]
-struct Shared {
-    /// The last look, and the end of it; before the first one the start.
+struct State {
     last: Option<Look>,
+    /// End of the last look; before the first one the start.
     at: Instant,
     ends: bool,
     has_ended: bool,
+}
+
+#[derive(Debug)]
+struct Shared {
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+impl Shared {
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 /// The thread that looks; it ends with this.
 #[derive(Debug)]
 pub(super) struct DiskProbe {
     folder: PathBuf,
-    shared: Arc<(Mutex<Shared>, Condvar)>,
-}
-
-fn lock(shared: &Mutex<Shared>) -> MutexGuard<'_, Shared> {
-    shared.lock().unwrap_or_else(PoisonError::into_inner)
+    shared: Arc<Shared>,
 }
 
 impl DiskProbe {
     pub(super) fn start(folder: &Path) -> Self {
-        let shared = Shared { last: None, at: Instant::now(), ends: false, has_ended: false };
-        let shared = Arc::new((Mutex::new(shared), Condvar::new()));
+        let state = State { last: None, at: Instant::now(), ends: false, has_ended: false };
+        let shared = Arc::new(Shared { state: Mutex::new(state), changed: Condvar::new() });
         let (its_folder, its) = (folder.to_owned(), Arc::clone(&shared));
         let started = std::thread::Builder::new().name("panel-disk".to_owned()).spawn(move || run(&its_folder, &its));
         if started.is_err() {
-            lock(&shared.0).has_ended = true;
+            shared.state().has_ended = true;
         }
         Self { folder: folder.to_owned(), shared }
     }
 
     /// Ends the thread and closes the library. Returns false if the disk keeps it from that.
     pub(super) fn close(&self) -> bool {
-        let (shared, changed) = &*self.shared;
-        let mut now = lock(shared);
+        let mut now = self.shared.state();
         now.ends = true;
-        changed.notify_all();
+        self.shared.changed.notify_all();
         let begun = Instant::now();
         while !now.has_ended && begun.elapsed() < PATIENCE {
-            now = changed.wait_timeout(now, PATIENCE).unwrap_or_else(PoisonError::into_inner).0;
+            now = self.shared.changed.wait_timeout(now, PATIENCE).unwrap_or_else(PoisonError::into_inner).0;
         }
         now.has_ended
     }
@@ -78,7 +85,7 @@ impl DiskProbe {
 
     /// Returns the last look, and the time since it ended; before the first one the time since the start.
     pub(super) fn last(&self) -> (Option<Look>, Duration) {
-        let now = lock(&self.shared.0);
+        let now = self.shared.state();
         (now.last.clone(), now.at.elapsed())
     }
 
@@ -96,25 +103,23 @@ impl DiskProbe {
 
 impl Drop for DiskProbe {
     fn drop(&mut self) {
-        lock(&self.shared.0).ends = true;
-        self.shared.1.notify_all();
+        self.shared.state().ends = true;
+        self.shared.changed.notify_all();
     }
 }
 
-fn run(folder: &Path, (shared, changed): &(Mutex<Shared>, Condvar)) {
+fn run(folder: &Path, shared: &Shared) {
     let mut data = None;
     loop {
         let look = look(folder, &mut data);
-        let mut now = lock(shared);
+        let mut now = shared.state();
         (now.last, now.at) = (Some(look), Instant::now());
-        if !now.ends {
-            now = changed.wait_timeout_while(now, PERIOD, |now| !now.ends).unwrap_or_else(PoisonError::into_inner).0;
-        }
-        if now.ends {
-            drop(now);
+        let waited = shared.changed.wait_timeout_while(now, PERIOD, |now| !now.ends);
+        let ends = waited.unwrap_or_else(PoisonError::into_inner).0.ends;
+        if ends {
             drop(data);
-            lock(shared).has_ended = true;
-            return changed.notify_all();
+            shared.state().has_ended = true;
+            return shared.changed.notify_all();
         }
     }
 }

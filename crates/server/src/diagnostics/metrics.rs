@@ -163,7 +163,7 @@ pub(crate) fn text(view: &DiagnosticsView) -> String {
         match &metric.values {
             Values::Gauge(values) | Values::Counter(values) => {
                 for Sample { label, value } in values(view) {
-                    line(&mut page, metric.name, (metric.label, &label), value);
+                    line(&mut page, metric.name, metric.label, &label, value);
                 }
             }
             Values::Histogram(of) => histogram(&mut page, metric.name, of(view)),
@@ -177,13 +177,14 @@ fn histogram(page: &mut String, name: &str, latency: &LatencyView) {
     let mut count = 0;
     for (limit, own) in limits.zip(&latency.counts) {
         count += own;
-        line(page, &format!("{name}_bucket"), ("le", &limit), count as f64);
+        line(page, &format!("{name}_bucket"), "le", &limit, count as f64);
     }
-    line(page, &format!("{name}_sum"), ("", ""), latency.sum_s);
-    line(page, &format!("{name}_count"), ("", ""), count as f64);
+    line(page, &format!("{name}_sum"), "", "", latency.sum_s);
+    line(page, &format!("{name}_count"), "", "", count as f64);
 }
 
-fn line(page: &mut String, name: &str, (label, of): (&str, &str), value: f64) {
+/// Adds a sample; `label` is the name of its label or empty, `of` the value of the label.
+fn line(page: &mut String, name: &str, label: &str, of: &str, value: f64) {
     page.push_str(name);
     if !label.is_empty() {
         let escaped = of.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n");
@@ -300,7 +301,7 @@ pub(crate) mod tests {
     #[test]
     fn labels_are_escaped_and_numbers_plain() {
         let mut page = String::new();
-        line(&mut page, "x_total", ("device", "a\\b\"c\nd"), 1e-6);
+        line(&mut page, "x_total", "device", "a\\b\"c\nd", 1e-6);
         assert_eq!(page, "x_total{device=\"a\\\\b\\\"c\\nd\"} 0.000001\n");
         let text = format!("# HELP x_total x\n# TYPE x_total counter\n{page}");
         let families = parse(&text);
