@@ -244,6 +244,11 @@ fn check_headers(file: &mut (impl Read + Seek), from: &Path, most: usize) -> Res
     for entry in archive.entries_with_seek().map_err(failed)?.raw(true) {
         let entry = entry.map_err(failed)?;
         let kind = entry.header().entry_type();
+        if kind.is_gnu_sparse() {
+            // It would take more room than the archive.
+            let name = String::from_utf8_lossy(&entry.path_bytes()).into_owned();
+            return Err(damaged(Message::new("record-archive-foreign").text("name", name)));
+        }
         entries += usize::from(kind.is_file() || kind.is_dir());
         if !kind.is_file() && entry.size() > MAX_NAME_BYTES {
             let max = (MAX_NAME_BYTES >> 10) as f64;
