@@ -77,7 +77,7 @@ record-no-trace = keine Aufzeichnung: { $why }
 record-own-parquet = eine von Seamwright geschriebene Parquet-Datei
 record-own-trace = eine von Seamwright geschriebene Aufzeichnung
 record-column-kind = Spalte { $column } enthält { $kind }
-record-trace-groups = Zeilengruppen mit mehr als { $max } Zeilen oder verschieden lange Spalten
+record-trace-groups = Zeilengruppen mit mehr als { $max } Zeilen oder Spalten verschiedener oder negativer Länge
 record-no-column = { $path }: es gibt keine Spalte { $column }
 record-row-length =
     { $path }: eine Zeile mit { $n ->

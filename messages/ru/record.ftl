@@ -77,7 +77,7 @@ record-no-trace = это не запись хода: { $why }
 record-own-parquet = файл Parquet, записанный Seamwright
 record-own-trace = запись хода, созданная Seamwright
 record-column-kind = столбец { $column } содержит { $kind }
-record-trace-groups = группы более чем из { $max } строк или столбцы разной длины
+record-trace-groups = группы более чем из { $max } строк или столбцы разной или отрицательной длины
 record-no-column = { $path }: столбца { $column } нет
 record-row-length =
     { $path }: строка из { $n ->

@@ -77,7 +77,7 @@ record-no-trace = це не запис ходу: { $why }
 record-own-parquet = файл Parquet, записаний Seamwright
 record-own-trace = запис ходу, створений Seamwright
 record-column-kind = стовпець { $column } містить { $kind }
-record-trace-groups = групи більш ніж із { $max } рядків або стовпці різної довжини
+record-trace-groups = групи більш ніж із { $max } рядків або стовпці різної або від'ємної довжини
 record-no-column = { $path }: стовпця { $column } немає
 record-row-length =
     { $path }: рядок із { $n ->

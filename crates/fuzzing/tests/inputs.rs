@@ -34,7 +34,7 @@ fn soak() -> u32 {
     env::var("SEAMWRIGHT_SOAK").ok().map_or(1, |times| times.parse().unwrap())
 }
 
-/// Starts a process that reads inputs. Returns what was wrong, and keeps the input.
+/// Starts a process that reads inputs. Returns what was wrong; keeps a new input.
 fn fault(target: &Target, inputs: &str) -> Option<String> {
     let folder = TempDir::with_prefix("fuzz-").unwrap();
     let output = fs::File::create(folder.path().join("output")).unwrap();
@@ -61,6 +61,9 @@ fn fault(target: &Target, inputs: &str) -> Option<String> {
     let read = |name: &str| fs::read(folder.path().join(name)).unwrap_or_default();
     let (name, input) = (String::from_utf8_lossy(&read("name")).into_owned(), read("input"));
     let output = String::from_utf8_lossy(&read("output")).into_owned();
+    if inputs == "kept" {
+        return Some(format!("{} with {name}: {status}\n{output}", target.name));
+    }
     // The next run finds it there.
     let kept = format!("{}/../../fuzz/regressions/{}", env!("CARGO_MANIFEST_DIR"), target.name);
     let hash = input.iter().fold(7u64, |hash, byte| hash.wrapping_mul(31).wrapping_add(u64::from(*byte)));

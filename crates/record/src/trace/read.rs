@@ -4,6 +4,7 @@ use crate::error::{Doing, Error};
 use parquet::basic::{LogicalType, Type as PhysicalType};
 use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
+use parquet::file::metadata::ColumnChunkMetaData;
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use seamwright_message::Message;
 use std::fs::File;
@@ -79,7 +80,13 @@ impl Trace {
         let mut values = vec![0.0; names.len()];
         for group in 0..self.reader.num_row_groups() {
             let group = self.reader.get_row_group(group).map_err(failed)?;
-            if !(0..=ROW_GROUP as i64).contains(&group.metadata().num_rows()) {
+            // The decoder panics on negative positions and lengths of columns.
+            let is_placed = |column: &ColumnChunkMetaData| {
+                let start = column.dictionary_page_offset().unwrap_or(column.data_page_offset());
+                start >= 0 && column.compressed_size() >= 0 && column.data_page_offset() >= 0
+            };
+            let is_whole = group.metadata().columns().iter().all(is_placed);
+            if !is_whole || !(0..=ROW_GROUP as i64).contains(&group.metadata().num_rows()) {
                 return Err(self.unfit_groups());
             }
             let columns = places.iter().map(|i| column(&*group, *i, self.columns[*i].kind));
