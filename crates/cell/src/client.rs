@@ -129,7 +129,13 @@ impl CellClient {
             let mut inbox = Inbox::default();
             while matches!(inbox.read(&mut from), Ok(true)) {
                 while let Ok(Some(report)) = inbox.next(MAX_REPORT) {
+                    let ended = matches!(report, Report::Ended { .. });
                     if to_desk.send(report).is_err() {
+                        return;
+                    }
+                    if ended {
+                        // The cell waits for this end. It fails if the cell has gone already.
+                        drop(from.shutdown(std::net::Shutdown::Both));
                         return;
                     }
                 }

@@ -26,6 +26,8 @@ const MAX_COMMANDS: usize = 512;
 const LINES: Duration = Duration::from_millis(200);
 /// The cell switches off and ends without a panel for this long, once nothing moves.
 const ABANDONED: Duration = Duration::from_secs(60);
+/// Maximum time of the panel to read the last reports.
+const LAST_REPORTS: Duration = Duration::from_secs(2);
 /// Number in the command of a load that only releases devices; programs count from 1.
 const RELEASES: u32 = 0;
 
@@ -136,11 +138,13 @@ impl Link {
             self.report_release(device, outcome);
         }
         self.report(&Report::Ended { failed });
+        // A socket that is closed with unread requests takes the last reports with it: the panel closes first.
         let begin = Instant::now();
-        while self.panel.as_ref().is_some_and(|panel| panel.outbox.waiting() > 0)
-            && begin.elapsed() < Duration::from_secs(2)
-        {
+        while self.panel.is_some() && begin.elapsed() < LAST_REPORTS {
             self.flush();
+            if self.requests().is_err() {
+                self.lose();
+            }
             std::thread::sleep(Duration::from_millis(1));
         }
     }

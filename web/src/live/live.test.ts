@@ -177,7 +177,7 @@ describe('STOP', () => {
   const ok = { ok: true, why: null };
   const lost = Promise.resolve({ ok: false, why: null });
   const refused = (): Promise<never> => Promise.reject(new Error('no connection'));
-  const stopped = (mode: string, cycle_age_s: number | null = 0.01): Promise<Stopped> => Promise.resolve({ mode, cycle_age_s });
+  const stopped = (mode: string, cycle_age_s: number | null = 0.01): Promise<Stopped> => Promise.resolve({ mode, cycle_age_s, cycle: 1 });
 
   test('after which the cell is seen to stand is reached, and needs no second way', async () => {
     const request = vi.fn(() => never);
@@ -299,7 +299,7 @@ describe('STOP', () => {
     expect(stopping.fate).toBe('failed');
     await vi.advanceTimersByTimeAsync(1500);
     expect(stopping.fate).toBe('failed');
-    arrive({ mode: 'weld', cycle_age_s: 0.01 });
+    arrive({ mode: 'weld', cycle_age_s: 0.01, cycle: 1 });
     await vi.advanceTimersByTimeAsync(0);
     expect(stopping.fate).toBe('late');
     stopping.seen('ready');

@@ -235,8 +235,9 @@ fn alarms_and_events_come_back() {
     let event = Event { at, text: Message::new("cell-ask-hold"), place: Place::default() };
     data.library().add_event(Some(id), &event).unwrap();
     assert_eq!(data.library().events(id).unwrap(), [event]);
-    // A weld that is not there has no alarms.
-    assert!(data.library().add_alarm(Some(77), &alarm("arc lost")).is_err());
+    // An alarm is kept, without its weld, if the library does not have that.
+    data.library().add_alarm(Some(77), &alarm("arc lost")).unwrap();
+    assert_eq!(data.library().alarms(77).unwrap(), []);
 }
 
 /// An alarm on the panel's list stays there, also for the next program, until it is acknowledged.

@@ -142,10 +142,18 @@ fn severity(result: &Message) -> Severity {
     match result.code.as_ref() {
         "server-audit-left-out" => Severity::Error,
         code if code.starts_with("server-audit-refused") => Severity::Warning,
-        code if ["text", "server-audit-", "server-event-", "panel-"].iter().any(|of| code.starts_with(of)) => {
-            Severity::Notice
-        }
+        code if is_outcome(code) => Severity::Notice,
         _ => Severity::Warning,
+    }
+}
+
+/// Returns true for codes of outcomes and events; all others are reasons.
+fn is_outcome(code: &str) -> bool {
+    let mut words = code.split('-');
+    match words.next() {
+        Some("server") => matches!(words.next(), Some("audit" | "event")),
+        Some("panel") => true,
+        _ => code.starts_with("text"),
     }
 }
 

@@ -575,7 +575,7 @@ fn records() -> Section {
             "Free room on the disk for a weld",
             "twice its raw trace and 64 MiB",
             "the weld is refused",
-            ("crates/record/src/data_folder.rs", "const SPARE: u64 = 64 << 20;"),
+            ("crates/record/src/disk.rs", "pub const SPARE_BYTES: u64 = 64 << 20;"),
             &["crates/record/tests/it/welds.rs::no_room_no_weld"],
         ),
         elsewhere(
@@ -608,20 +608,20 @@ fn cell_queues() -> Section {
     let rows = vec![
         elsewhere(
             "Alarms, and orders, that wait for the disk",
-            "4,096 each",
+            "65,536 entries and 16 MiB each",
             "counted, and the count is written",
-            ("crates/server/src/cell/archive.rs", "const MAX_WAITING: usize = 4096;"),
+            ("crates/server/src/cell/archive_queue.rs", "const MAX_ENTRIES: usize = 65_536;"),
             &[
-                "cell/archive.rs::nobody_waits_for_the_disk",
-                "cell/archive.rs::refusals_take_no_room_of_alarms_and_orders",
+                "cell/archive.rs::what_is_repeated_takes_no_room_of_alarms_and_orders",
+                "cell/archive.rs::a_flood_of_refusals_displaces_nothing_and_is_summed_exactly",
             ],
         ),
         elsewhere(
-            "Kinds of refusals that are summed up in a minute",
-            "64",
-            "further kinds are summed up together",
-            ("crates/server/src/cell/refusals.rs", "const MAX_KINDS: usize = 64;"),
-            &["cell/refusals.rs::made_up_names_take_bounded_memory_and_entries"],
+            "Sources of refusals that are summed up in a minute",
+            "64 sources with 8 kinds each",
+            "further ones are summed up together",
+            ("crates/server/src/cell/refusals.rs", "const MAX_SOURCES: usize = 64;"),
+            &["cell/refusals.rs::made_up_sources_and_kinds_take_bounded_memory_and_entries"],
         ),
         elsewhere(
             "Active alarms",

@@ -220,5 +220,7 @@ async fn diagnostics_are_those_of_the_metrics() {
     let answer = served.bench.raw(request("/metrics", None, &[])).await;
     let bytes = answer.into_body().collect().await.unwrap().to_bytes();
     let families = parse(std::str::from_utf8(&bytes).unwrap());
-    assert!(families.len() > 30 && families.values().filter(|family| family.samples.is_empty()).count() < 10);
+    // Those of real devices and of passed events have no samples here.
+    let empty: Vec<&String> = families.iter().filter(|(_, f)| f.samples.is_empty()).map(|(name, _)| name).collect();
+    assert!(families.len() > 30 && empty.len() < 16, "{} {empty:?}", families.len());
 }
