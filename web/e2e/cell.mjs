@@ -30,13 +30,14 @@ export async function startCell(job = 'saddle') {
   process.on('exit', () => child.kill('SIGKILL'));
   const address = await new Promise((found, fails) => {
     let said = '';
-    const take = (chunk) => {
-      said += chunk;
-      const match = /http:\/\/\S+/.exec(said);
+    let printed = '';
+    // The address with the key of the first run is printed on standard output; lines of the log have it without the key.
+    child.stdout.on('data', (chunk) => {
+      printed += chunk;
+      const match = /http:\/\/\S+(?=\s)/.exec(printed);
       if (match) found(match[0]);
-    };
-    child.stdout.on('data', take);
-    child.stderr.on('data', take);
+    });
+    child.stderr.on('data', (chunk) => (said += chunk));
     child.on('error', fails);
     child.on('exit', (code) => fails(new Error(`the cell ended with ${code}: ${said}`)));
     setTimeout(() => fails(new Error(`the cell said no address: ${said}`)), WAITS_MS).unref();

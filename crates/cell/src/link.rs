@@ -41,6 +41,38 @@ struct Panel {
     knows_rights: bool,
 }
 
+/// Of the cycles at rest only one in this number crosses to the panel: they differ in their time alone.
+const AT_REST: u32 = 10;
+
+/// Thins out the cycles of a cell that rests.
+#[derive(Default)]
+struct Resting {
+    /// Cycles since the last one that was passed on, and what of them must not be lost.
+    held: u32,
+    missed: u32,
+    late_ns: u64,
+    late: bool,
+    mode: Option<Mode>,
+}
+
+impl Resting {
+    /// Returns the cycle to be passed on, with the missed cycles and the maximum lateness of those before it.
+    fn pass(&mut self, mut shown: Shown) -> Option<Shown> {
+        let rests = !shown.mode.moves() && shown.mode != Mode::Hold && shown.phase.is_none() && shown.orders.rests();
+        let same = self.mode == Some(shown.mode);
+        self.missed = self.missed.saturating_add(shown.reports.missed);
+        self.late_ns = self.late_ns.max(shown.reports.late_ns);
+        self.late |= shown.reports.late;
+        self.held += 1;
+        if rests && same && self.held < AT_REST {
+            return None;
+        }
+        (shown.reports.missed, shown.reports.late_ns, shown.reports.late) = (self.missed, self.late_ns, self.late);
+        *self = Self { mode: Some(shown.mode), ..Self::default() };
+        Some(shown)
+    }
+}
+
 /// Ends of the queues of the cycle, and what the link needs to know of the cell.
 pub(crate) struct LinkStart {
     pub(crate) listener: UnixListener,
@@ -78,6 +110,7 @@ pub(crate) struct Link {
     alarms: AlarmList,
     releases: SafeOutputs,
     now: Option<Shown>,
+    resting: Resting,
     /// Number of cycles that the panel did not read in time.
     left_out: u64,
     /// Fill of the queues, the maximum since the last report.
@@ -103,6 +136,7 @@ impl Link {
             alarms: AlarmList::default(),
             releases: SafeOutputs::new(),
             now: None,
+            resting: Resting::default(),
             left_out: 0,
             queues: Vec::new(),
             lines_sent: Instant::now(),
@@ -254,6 +288,7 @@ impl Link {
             self.report(&Report::Note((t, note)));
         }
         while let Ok(shown) = self.start.outside.cycles.pop() {
+            let Some(shown) = self.resting.pass(shown) else { continue };
             match self.panel.as_ref().map(|panel| panel.outbox.waiting()) {
                 Some(waiting) if waiting < MAX_WAITING_FOR_CYCLES => {
                     let lost = shown.lost + self.left_out;

@@ -3,8 +3,8 @@
 //! [`serve()`] starts the cell of [`Settings`] and serves its panel until a signal ends it. [`wire`] has the messages
 //! in both directions; the panel's types are generated from them. [`Tls`] encrypts the connections.
 //!
-//! - The cycle's thread gets programs (`Prepared`, built elsewhere) through one queue and returns them through another.
-//! - The desk, a thread of its own, turns cycles and notes into status, events, records and the list of alarms, and
+//! - The cell is a process of its own (`seamwright_cell`), which is watched and replaced if it dies (`cell/supervisor.rs`).
+//! - The desk, a thread of its own, turns its cycles and notes into status, events, records and the list of alarms, and
 //!   passes commands on.
 //! - Stops do not queue. Neither stops nor sockets share a thread with handlers: these run on another runtime. Work on
 //!   files, library and plans runs on threads of lower priority (`http/work_limit.rs`).

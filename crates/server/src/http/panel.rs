@@ -18,8 +18,7 @@ use tokio::sync::watch;
 /// The user who restores all data, and the turn that excludes others.
 pub(crate) type Restores = Option<Arc<(String, Turn)>>;
 
-/// Jobs being planned in this process to be loaded. They may use all memory of the system: no machine may move
-/// meanwhile.
+/// Jobs on their way to the cell: no machine may start meanwhile.
 #[derive(Default)]
 pub(crate) struct Loads(Arc<()>);
 

@@ -154,6 +154,7 @@ pub struct Stopped {
     pub cycle_age_s: Option<f64>,
     /// Number of the cycle in which the cell acted on the stop, counted from its start; none if no cycle has acted within
     /// half a second.
+    #[ts(type = "number | null")]
     pub cycle: Option<u64>,
 }
 
