@@ -269,6 +269,17 @@ impl Loaded {
         self.machine_file.as_ref().and_then(|file| file.parent()).unwrap_or(Path::new("."))
     }
 
+    /// The text of the machine file, or of the supplied machine.
+    ///
+    /// # Errors
+    /// A machine file that has become unreadable.
+    pub fn machine_text(&self) -> Result<String, Failure> {
+        match &self.machine_file {
+            Some(path) => files::read(path),
+            None => Ok(shipped(&self.welding.program.value.machine).map_or_else(String::new, |s| s.text.to_owned())),
+        }
+    }
+
     /// Refuses motions with more set-points than any weld has, and periods that step over a whole pass.
     pub fn check_count(&self, motion: &WeldMotion, period_s: f64) -> Result<(), Failure> {
         let total: f64 = motion.passes.iter().map(PassMotion::total_s).sum();

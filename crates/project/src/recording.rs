@@ -1,10 +1,8 @@
 //! Data recorded of a weld beside its rows.
 
 use crate::failure::Failure;
-use crate::files;
 use crate::load::Loaded;
 use seamwright_executive::Place;
-use seamwright_machine::shipped;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Procedure, Program};
@@ -75,10 +73,7 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
     let failed = |e: &dyn std::fmt::Display| Failure::Environment(Message::outside(e));
     let text = program.to_toml().map_err(|e| failed(&e))?;
     let file = std::path::Path::new(document.file()).file_name().map(|n| n.to_string_lossy().into_owned());
-    let machine = match &loaded.machine_file {
-        Some(path) => files::read(path)?,
-        None => shipped(&program.machine).map_or(String::new(), |s| s.text.to_owned()),
-    };
+    let machine = loaded.machine_text()?;
     let procedure = match &program.procedure {
         Some(p) => Some((p.number.clone(), p.to_toml().map_err(|e| failed(&e))?)),
         None => None,

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::planning::Planning;
+use seamwright_document::DocumentError;
 use seamwright_executive::tracking::RESERVE;
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_message::Message;
@@ -24,6 +25,16 @@ pub struct Part {
 }
 
 impl Part {
+    /// Returns the part with this deviation from the plan, as in [`Distortion::read`]: its passes are tracked. Without
+    /// one it lies as planned.
+    ///
+    /// # Errors
+    /// Text that describes no deviation.
+    pub fn distorted(text: Option<&str>) -> Result<Self, DocumentError> {
+        let distortion = text.map(|text| Distortion::read("distortion", text)).transpose()?;
+        Ok(Self { tracking: distortion.is_some(), distortion, replay: None })
+    }
+
     /// Conditions of its welding.
     pub fn conditions<'a>(&'a self, seed: u64, faults: &'a [Fault], around: &'a Surroundings<'a>) -> Conditions<'a> {
         Conditions {

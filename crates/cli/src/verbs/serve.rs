@@ -2,7 +2,6 @@ use crate::args::serve::{QuestionArgs, ServeArgs};
 use crate::refusals::{not_json, refused};
 use crate::rows::print_text;
 use seamwright_cell::MachineSource;
-use seamwright_machine::shipped;
 use seamwright_message::Message;
 use seamwright_project::examples::EXAMPLES;
 use seamwright_project::failure::Failure;
@@ -75,13 +74,9 @@ pub(super) fn named_machine(name: &str) -> Result<MachineSource, Failure> {
 
 /// The machine of a job.
 fn machine_of(loaded: &Loaded) -> Result<MachineSource, Failure> {
-    let text = match &loaded.machine_file {
-        Some(path) => files::read(path)?,
-        None => shipped(&loaded.machine.name).map_or_else(String::new, |file| file.text.to_owned()),
-    };
     let name =
         loaded.machine_file.as_ref().map_or_else(|| loaded.machine.name.clone(), |file| file.display().to_string());
-    Ok(MachineSource { name, text, folder: loaded.folder().to_owned() })
+    Ok(MachineSource { name, text: loaded.machine_text()?, folder: loaded.folder().to_owned() })
 }
 
 /// Minimum length of a token: shorter ones can be guessed.

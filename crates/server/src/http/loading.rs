@@ -12,7 +12,6 @@ use seamwright_project::recording::{Header, Who, record_plan};
 use seamwright_project::run_rows;
 use seamwright_project::simulated_part::Part;
 use seamwright_record::{Plan, sha256};
-use seamwright_simulation::tracking::Distortion;
 use std::path::Path as FilePath;
 use std::sync::Arc;
 
@@ -32,7 +31,7 @@ pub(crate) fn planned(load: &Load, text: &str, jobs: &FilePath) -> Result<Vec<u8
     let loaded = load_foreign(checked(&load.job)?, text, jobs)?;
     let part = simulated_part(load.distortion.as_deref())?;
     part.check_devices(&loaded.machine)?;
-    let motion = encode_motion(&part.plan(&loaded)?).map_err(Refused::server)?;
+    let motion = encode_motion(&part.plan(&loaded)?).map_err(Refused::input)?;
     let Ready { loaded, program, view, record, .. } = ready(load, text, jobs, motion.clone(), 0)?;
     let around = Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?;
     try_program(program).map_err(Refused::input)?;
@@ -111,9 +110,7 @@ fn overlap(load: &Load) -> Result<f64, Refused> {
 }
 
 fn simulated_part(distortion: Option<&str>) -> Result<Part, Refused> {
-    let distortion = distortion.map(|text| Distortion::read("distortion", text)).transpose();
-    let distortion = distortion.map_err(|e| Refused::input(document_message(&e)))?;
-    Ok(Part { tracking: distortion.is_some(), distortion, replay: None })
+    Part::distorted(distortion).map_err(|e| Refused::input(document_message(&e)))
 }
 
 /// Describes an error without its line: the line belongs to a text that the user does not see.
