@@ -88,7 +88,7 @@ pub(crate) fn error_at(file: &str, text: &str, path: &str, message: Message, all
     DocumentError { message, allowed, ..build(file, text, &span_of(text, path), path.to_owned()) }
 }
 
-/// An error at a place of a text that cannot be parsed: without a key.
+/// An error at a place of an unparsable text: without a key.
 pub(crate) fn error_at_span(
     file: &str,
     text: &str,

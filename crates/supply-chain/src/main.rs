@@ -1,6 +1,6 @@
 //! Checks the third-party packages of this repository by the rules of `deny.toml`.
 //!
-//! Exit codes: 0 no violation; 1 violations; 2 wrong usage, or a file that cannot be read.
+//! Exit codes: 0 no violation; 1 violations; 2 wrong usage, or an unreadable file.
 
 use seamwright_supply_chain::{Cargo, CargoLock, Error, NpmLock, Rules, Tree, Violation};
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ Checks third-party packages by the rules of deny.toml. Without options: those of
   --npm-lock FILE    instead of web/package-lock.json and web/e2e/package-lock.json
   --rules FILE       instead of deny.toml
 
-Exit codes: 0 no violation; 1 violations; 2 wrong usage, or a file that cannot be read.
+Exit codes: 0 no violation; 1 violations; 2 wrong usage, or an unreadable file.
 ";
 
 /// Files to read instead of those of the repository.

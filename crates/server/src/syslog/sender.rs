@@ -77,7 +77,7 @@ impl Syslog {
         }
     }
 
-    /// Waits a moment until everything is sent, at the end of the program; not for a receiver that cannot be reached.
+    /// Waits a moment until everything is sent, at the end of the program; not for an unreachable receiver.
     pub(crate) fn flush(&self) {
         let begun = Instant::now();
         let is_busy = || self.state.waiting.load(Ordering::Relaxed) > 0 && !self.state.fails.load(Ordering::Relaxed);
@@ -330,7 +330,7 @@ mod tests {
         }
     }
 
-    /// A receiver that cannot be reached delays no caller; messages without room are counted and reported to operator and receiver.
+    /// An unreachable receiver delays no caller; messages without room are counted and reported to operator and receiver.
     #[test]
     fn nobody_waits_for_a_receiver_and_what_is_not_sent_is_counted() {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
