@@ -273,3 +273,4 @@ cell-process-code = ihr Prozess endete mit Code { $code }
 cell-safe-not-asked = es wurde nicht gefragt
 cell-outputs-unconfirmed = Gerät { $device }: seine Ausgänge sind nicht als sicher bestätigt: { $why }
 cell-does-not-end = der Zyklus kommt nicht zum Ende: prüfen, ob Lichtbogen, Gas und Antriebe aus sind
+cell-program-too-large = die geplante Bewegung hat { $size }, mehr als die { $max }, die eine Zelle annimmt

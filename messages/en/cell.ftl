@@ -541,3 +541,6 @@ cell-outputs-unconfirmed = device { $device }: its outputs are not confirmed to 
 cell-does-not-end = the cycle does not come to its end: check that arc, gas and drives are off
     .cause = The thread of the cycle hangs in a device for more than 15 s after the request to end.
     .cure = Switch off at the machine; then check the named devices.
+cell-program-too-large = the planned motion has { $size }, more than the { $max } that a cell takes
+    .cause = The job has so many passes or such long ones that its set-points do not fit into one program.
+    .cure = Divide the job into several, each with some of the passes.

@@ -263,3 +263,4 @@ cell-process-code = её процесс завершился с кодом { $co
 cell-safe-not-asked = запроса не было
 cell-outputs-unconfirmed = устройство { $device }: безопасность выходов не подтверждена: { $why }
 cell-does-not-end = цикл не завершается: проверьте, что дуга, газ и приводы выключены
+cell-program-too-large = запланированное движение занимает { $size }, больше допустимых { $max }

@@ -263,3 +263,4 @@ cell-process-code = її процес завершився з кодом { $code
 cell-safe-not-asked = запиту не було
 cell-outputs-unconfirmed = пристрій { $device }: безпечність виходів не підтверджено: { $why }
 cell-does-not-end = цикл не завершується: перевірте, що дугу, газ і приводи вимкнено
+cell-program-too-large = заплановане переміщення займає { $size }, більше за дозволені { $max }

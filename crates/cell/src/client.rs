@@ -1,10 +1,9 @@
 //! The panel's side of the link: starts a cell and talks to it.
 
 use crate::frame::{Inbox, encode};
-use crate::protocol::{MAX_REPORT, Report, Request, VERSION};
+use crate::protocol::{MAX_REPORT, PANEL_LOST_S, Report, Request, VERSION};
 use crate::run::{CellStart, run};
 use crate::sockets::{self, Listeners};
-use crate::stop::StopLine;
 use seamwright_executive::realtime::Shutdown;
 use seamwright_message::Message;
 use std::io::{BufRead as _, BufReader, Write as _};
@@ -23,6 +22,8 @@ const READY: Duration = Duration::from_secs(60);
 const GONE: Duration = Duration::from_secs(5);
 /// Reports that wait for the panel; beyond that the cell leaves cycles out.
 const REPORTS: usize = 4096;
+/// Period of [`Request::Beat`] while there is nothing else to be sent.
+const BEAT: Duration = Duration::from_millis((100.0 * PANEL_LOST_S) as u64);
 /// Requests that wait for the cell: it reads them every millisecond.
 const REQUESTS: usize = 1024;
 
@@ -48,7 +49,6 @@ pub struct CellClient {
     first: Mutex<Option<Report>>,
     reports: Mutex<Receiver<Report>>,
     requests: SyncSender<Vec<u8>>,
-    stop: StopLine,
     home: Mutex<Home>,
     pid: Option<u32>,
 }
@@ -59,19 +59,19 @@ impl CellClient {
     /// # Errors
     /// If it cannot be started, or its machine or devices are invalid.
     pub fn in_process(program: &Path, folder: &Path, start: &CellStart) -> Result<Self, Message> {
-        let failed = |e: &std::io::Error| Message::new("cell-no-process").message("why", Message::outside(e));
         let text = serde_json::to_vec(start).map_err(|e| Message::outside(&e))?;
         let mut command = Command::new(program);
         command.arg("cell").arg("--sockets").arg(folder).arg("--start-on-input");
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
-        let mut child = command.spawn().map_err(|e| failed(&e))?;
+        let mut child = command.spawn().map_err(|e| no_process(&e))?;
         let said = child.stdin.take().zip(child.stdout.take());
-        let ready = said.ok_or_else(|| failed(&std::io::ErrorKind::BrokenPipe.into())).and_then(|(mut to, from)| {
-            // A process that has already ended reports the reason itself.
-            drop(to.write_all(&text));
-            drop(to);
-            ready(BufReader::new(from))
-        });
+        let ready =
+            said.ok_or_else(|| no_process(&std::io::ErrorKind::BrokenPipe.into())).and_then(|(mut to, from)| {
+                // A process that has already ended reports the reason itself.
+                drop(to.write_all(&text));
+                drop(to);
+                ready(BufReader::new(from))
+            });
         if let Err(why) = ready {
             // It has ended, or is of no use.
             drop(child.kill());
@@ -105,10 +105,8 @@ impl CellClient {
     /// # Errors
     /// If it has another panel, or another version of this program runs it.
     pub fn found(folder: &Path) -> Result<Option<Self>, Message> {
-        if UnixStream::connect(sockets::panel(folder)).is_err() {
-            return Ok(None);
-        }
-        let client = Self::connect(folder, Home::Gone)?;
+        let Ok(stream) = UnixStream::connect(sockets::panel(folder)) else { return Ok(None) };
+        let client = Self::over(stream, Home::Gone).map_err(|e| no_process(&e))?;
         let reports = client.reports.lock().unwrap_or_else(PoisonError::into_inner);
         match reports.recv_timeout(GONE) {
             Ok(hello @ Report::Hello { version: VERSION, process, .. }) => {
@@ -121,9 +119,13 @@ impl CellClient {
     }
 
     fn connect(folder: &Path, home: Home) -> Result<Self, Message> {
-        let failed = |e: std::io::Error| Message::new("cell-no-process").message("why", Message::outside(&e));
-        let mut stream = UnixStream::connect(sockets::panel(folder)).map_err(failed)?;
-        let mut from = stream.try_clone().map_err(failed)?;
+        let stream = UnixStream::connect(sockets::panel(folder));
+        stream.and_then(|stream| Self::over(stream, home)).map_err(|e| no_process(&e))
+    }
+
+    /// Talks over `stream`, in a thread for each direction.
+    fn over(mut stream: UnixStream, home: Home) -> std::io::Result<Self> {
+        let mut from = stream.try_clone()?;
         let (to_desk, reports) = sync_channel(REPORTS);
         let reads = move || {
             let mut inbox = Inbox::default();
@@ -143,8 +145,16 @@ impl CellClient {
         };
         let (requests, to_send) = sync_channel::<Vec<u8>>(REQUESTS);
         let writes = move || {
-            while let Ok(bytes) = to_send.recv() {
-                if stream.write_all(&bytes).is_err() {
+            let mut beat = Vec::new();
+            // Its encoding never fails; without it the cell would only answer to the loss of a panel.
+            drop(encode(&Request::Beat, &mut beat));
+            loop {
+                let next = match to_send.recv_timeout(BEAT) {
+                    Ok(bytes) => bytes,
+                    Err(RecvTimeoutError::Timeout) => beat.clone(),
+                    Err(RecvTimeoutError::Disconnected) => break,
+                };
+                if stream.write_all(&next).is_err() {
                     return;
                 }
             }
@@ -152,19 +162,14 @@ impl CellClient {
             drop(stream.shutdown(std::net::Shutdown::Both));
         };
         let named = |name: &str| std::thread::Builder::new().name(name.into());
-        named("from-cell").spawn(reads).map_err(failed)?;
-        named("to-cell").spawn(writes).map_err(failed)?;
+        named("from-cell").spawn(reads)?;
+        named("to-cell").spawn(writes)?;
         let pid = if let Home::Process(child) = &home { Some(child.id()) } else { None };
         let (reports, home) = (Mutex::new(reports), Mutex::new(home));
         let first = Mutex::new(None);
-        let client = Self { first, reports, requests, stop: StopLine::new(folder), home, pid };
+        let client = Self { first, reports, requests, home, pid };
         client.send(&Request::Hello { version: VERSION });
         Ok(client)
-    }
-
-    /// Returns the line of STOP.
-    pub fn stop_line(&self) -> &StopLine {
-        &self.stop
     }
 
     /// Returns the number of the cell's process; `None` in threads of this one.
@@ -256,6 +261,10 @@ impl CellClient {
             }
         }
     }
+}
+
+fn no_process(error: &std::io::Error) -> Message {
+    Message::new("cell-no-process").message("why", Message::outside(error))
 }
 
 /// Kills a process by its number. It is that of a cell whose socket is still open, so it has not been given to another.

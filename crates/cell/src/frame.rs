@@ -23,23 +23,30 @@ pub(crate) fn encode(message: &impl Serialize, to: &mut Vec<u8>) -> io::Result<(
 }
 
 /// Received bytes, up to the next whole frame.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Inbox {
     bytes: Vec<u8>,
     /// Bytes that have been decoded.
     done: usize,
+    /// Room for one read.
+    chunk: Box<[u8]>,
+}
+
+impl Default for Inbox {
+    fn default() -> Self {
+        Self { bytes: Vec::new(), done: 0, chunk: vec![0; READ].into_boxed_slice() }
+    }
 }
 
 impl Inbox {
     /// Reads what has come. Returns false at the end of the stream.
     pub(crate) fn read(&mut self, from: &mut impl Read) -> io::Result<bool> {
-        self.bytes.drain(..std::mem::take(&mut self.done));
-        let begin = self.bytes.len();
-        self.bytes.resize(begin + READ, 0);
-        let result = from.read(&mut self.bytes[begin..]);
-        self.bytes.truncate(begin + result.as_ref().copied().unwrap_or(0));
-        match result {
-            Ok(count) => Ok(count > 0),
+        match from.read(&mut self.chunk) {
+            Ok(count) => {
+                self.bytes.drain(..std::mem::take(&mut self.done));
+                self.bytes.extend_from_slice(&self.chunk[..count]);
+                Ok(count > 0)
+            }
             Err(e) if matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted | ErrorKind::TimedOut) => {
                 Ok(true)
             }
@@ -115,7 +122,7 @@ mod tests {
         vec![
             Request::Hello { version: VERSION },
             Request::Beat,
-            command(Ask::Override(f64::NAN.copysign(1.0).max(0.25))),
+            command(Ask::Override(0.25)),
             command(Ask::AcknowledgeOne(seamwright_executive::Alarm::ALL[3], 7)),
             Request::RecordFails(true),
             Request::Shutdown,

@@ -9,7 +9,7 @@ use crate::protocol::{MAX_REQUEST, PANEL_LOST_S, Report, Request, Unprepared, VE
 use crate::safe_outputs::SafeOutputs;
 use rtrb::{Consumer, Producer, PushError};
 use seamwright_executive::realtime::{Outside, QueueFill, RealtimeRights, Shown, Shutdown, ShutdownCause, Urgent};
-use seamwright_executive::{AlarmList, Ask, Command, Mode, Note, Origin};
+use seamwright_executive::{AlarmList, Ask, Command, Mode, Note, Origin, ProcessState};
 use seamwright_machine::PanelLost;
 use std::collections::VecDeque;
 use std::io;
@@ -41,7 +41,8 @@ struct Panel {
     knows_rights: bool,
 }
 
-/// Of the cycles at rest only one in this number crosses to the panel: they differ in their time alone.
+/// Of the cycles at rest with the process off only one in this number crosses to the panel: they differ in their time
+/// alone.
 const AT_REST: u32 = 10;
 
 /// Thins out the cycles of a cell that rests.
@@ -58,8 +59,10 @@ struct Resting {
 impl Resting {
     /// Returns the cycle to be passed on, with the missed cycles and the maximum lateness of those before it.
     fn pass(&mut self, mut shown: Shown) -> Option<Shown> {
-        let rests = !shown.mode.moves() && shown.mode != Mode::Hold && shown.phase.is_none() && shown.orders.rests();
-        let same = self.mode == Some(shown.mode);
+        let process = &shown.orders.process;
+        let is_off = shown.process == ProcessState::Off && !process.on && !process.gas;
+        let rests = is_off && !shown.mode.moves() && shown.phase.is_none() && shown.orders.rests();
+        let same = self.mode == Some(shown.mode) && shown.mode != Mode::Hold;
         self.missed = self.missed.saturating_add(shown.reports.missed);
         self.late_ns = self.late_ns.max(shown.reports.late_ns);
         self.late |= shown.reports.late;
@@ -147,8 +150,9 @@ impl Link {
 
     /// Handles what has come from both sides.
     pub(crate) fn step(&mut self) {
-        self.accept();
+        // The end of a connection is heard before the next one is accepted.
         self.hear();
+        self.accept();
         self.pass_on();
         self.prepare();
         self.report_devices();
@@ -247,7 +251,7 @@ impl Link {
             Request::Hello { .. } | Request::Beat => {}
             Request::Command(command) if matches!(command.ask, Ask::Load) => {}
             Request::Command(command) if self.commands.len() < MAX_COMMANDS => self.commands.push_back(command),
-            // The panel keeps fewer than that in its own queue.
+            // The cycle takes one a period: so many wait only if it stands, and then the panel replaces this cell.
             Request::Command(_) => {}
             Request::Load(program) => {
                 let number = program.number;
@@ -344,7 +348,10 @@ impl Link {
                 let outcome = self.give(number, prepared);
                 self.report(&Report::Prepared { number, outcome });
             }
-            Step::Refuse(number, why) => self.report(&Report::Prepared { number, outcome: Err(why) }),
+            Step::Refuse(number, why) => {
+                self.sent = None;
+                self.report(&Report::Prepared { number, outcome: Err(why) });
+            }
         }
     }
 
@@ -423,5 +430,57 @@ fn cell_now<'a>(connection: &'a Connection, now: Option<&Shown>) -> CellNow<'a> 
         connection,
         at: now.filter(is_referenced).map(|shown| std::array::from_fn(|i| shown.orders.set[i].position)),
         is_off: now.is_none_or(|shown| shown.mode == Mode::Off),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use seamwright_executive::{Orders, Place, Reports, Status};
+
+    fn shown(cycle: u64, mode: Mode) -> Shown {
+        let status = Status {
+            t: cycle as f64 * 1e-3,
+            mode,
+            place: Place::default(),
+            phase: None,
+            speed: 0.0,
+            steady: false,
+            welded_mm: 0.0,
+            process: ProcessState::Off,
+            armed: false,
+            feed_override: 1.0,
+            tracked: [None; 2],
+        };
+        let reports = Reports { missed: (cycle % 3) as u32, late_ns: cycle * 7 % 100, ..Reports::default() };
+        Shown { status, orders: Orders::default(), reports, cycle, lost: 0 }
+    }
+
+    /// Thinned cycles lose neither missed cycles nor the maximum lateness, and every change of mode crosses at once.
+    #[test]
+    fn cycles_at_rest_are_thinned_and_nothing_is_lost() {
+        let mut resting = Resting::default();
+        let cycles: Vec<Shown> = (1..=1000).map(|i| shown(i, if i < 500 { Mode::Ready } else { Mode::Idle })).collect();
+        let crossed: Vec<Shown> = cycles.iter().filter_map(|cycle| resting.pass(*cycle)).collect();
+        assert!((100..105).contains(&crossed.len()), "{}", crossed.len());
+        let missed = |of: &[Shown]| of.iter().map(|shown| shown.reports.missed).sum::<u32>() + resting.missed;
+        assert_eq!(missed(&crossed), missed(&cycles) - resting.missed);
+        let most = |of: &[Shown]| of.iter().map(|shown| shown.reports.late_ns).max();
+        assert_eq!(most(&crossed), most(&cycles));
+        assert!(crossed.iter().any(|shown| shown.cycle == 500), "the change of mode");
+    }
+
+    #[test]
+    fn cycles_of_motion_hold_and_process_all_cross() {
+        let mut resting = Resting::default();
+        for mode in [Mode::Weld, Mode::DryRun, Mode::Jog, Mode::Hold] {
+            assert!((1..100).all(|i| resting.pass(shown(i, mode)).is_some()), "{mode:?}");
+        }
+        let mut gas = shown(1, Mode::Ready);
+        gas.orders.process.gas = true;
+        assert!((0..100).all(|_| resting.pass(gas).is_some()));
+        let mut moves = shown(1, Mode::Ready);
+        moves.orders.set[0].velocity = 1.0;
+        assert!((0..100).all(|_| resting.pass(moves).is_some()));
     }
 }

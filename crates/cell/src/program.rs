@@ -2,16 +2,16 @@
 
 use crate::devices::Connection;
 use crate::prepared_task::{Prepared, fingerprint};
+use crate::protocol::MAX_REQUEST;
 use crate::task::{Planned, Task};
 use seamwright_executive::Place;
 use seamwright_machine::Joints;
-use seamwright_message::Message;
+use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_project::failure::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::simulated_part::Part;
 use seamwright_record::sha256;
-use seamwright_simulation::tracking::Distortion;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -38,7 +38,7 @@ pub struct Program {
     pub from: Option<Place>,
     /// Returned unread to a panel that finds this cell running: what it needs to show the program.
     pub about: String,
-    /// Deviation of a simulated part from the plan, as in [`Distortion::read`]; its passes are tracked.
+    /// Deviation of a simulated part from the plan, see [`Part::distorted`].
     pub distortion: Option<String>,
 }
 
@@ -73,12 +73,21 @@ mod bytes {
     }
 }
 
+/// Maximum size of an encoded motion, bytes: with its job it must fit into a request.
+const MAX_MOTION: usize = MAX_REQUEST - (16 << 20);
+
 /// Encodes a motion for another process.
 ///
 /// # Errors
-/// In words; never for a planned motion.
+/// A motion that is too large to be sent to a cell.
 pub fn encode_motion(motion: &WeldMotion) -> Result<Vec<u8>, Message> {
-    rmp_serde::to_vec_named(motion).map_err(|e| Message::verbatim(e.to_string()))
+    let bytes = rmp_serde::to_vec_named(motion).map_err(|e| Message::verbatim(e.to_string()))?;
+    if bytes.len() <= MAX_MOTION {
+        return Ok(bytes);
+    }
+    let mib = |bytes: usize| bytes as f64 / f64::from(1 << 20);
+    let message = Message::new("cell-program-too-large").value("size", mib(bytes.len()).ceil(), Unit::MiB);
+    Err(message.value("max", mib(MAX_MOTION), Unit::MiB))
 }
 
 /// Decodes the motion of [`encode_motion`] and checks that `loaded` can be run by it: [`WeldMotion::verify`].
@@ -93,16 +102,6 @@ pub fn decode_motion(bytes: &[u8], loaded: &Loaded) -> Result<WeldMotion, Messag
     }
     motion.verify(&loaded.machine)?;
     Ok(motion)
-}
-
-/// Returns the simulated part with this deviation from the plan.
-///
-/// # Errors
-/// Text that describes none.
-pub(crate) fn part(distortion: Option<&str>) -> Result<Part, Message> {
-    let distortion = distortion.map(|text| Distortion::read("distortion", text)).transpose();
-    let distortion = distortion.map_err(|e| Failure::from(e).message())?;
-    Ok(Part { tracking: distortion.is_some(), distortion, replay: None })
 }
 
 impl Program {
@@ -120,7 +119,7 @@ impl Program {
             return Err(Message::new("cell-program-changed").text("job", job));
         }
         let motion = decode_motion(&motion, &loaded)?;
-        let part = part(distortion.as_deref())?;
+        let part = Part::distorted(distortion.as_deref()).map_err(|e| Failure::from(e).message())?;
         let values = loaded.welding.program.value.process_values();
         let at = at.filter(|(connection, _)| connection.serves(&machine, &values));
         let at = at.map_or(loaded.machine.home(), |(_, at)| at);

@@ -27,7 +27,7 @@ pub enum PanelLost {
     /// It is held on its path, as by the operator: the crater is filled.
     #[default]
     Hold,
-    /// It goes on to its end.
+    /// It goes on to its end. Nothing of it is recorded until there is a panel again.
     Continue,
 }
 

@@ -96,10 +96,8 @@ pub(crate) fn until(settings: &Settings, ready: impl FnOnce(&str), shutdown: &Sh
         work.shutdown_timeout(PATIENCE);
         runtime.shutdown_timeout(PATIENCE);
         let restores = restores?;
-        match shutdown.cause() {
-            Some(ShutdownCause::Panic) => return Err(Error::System(Message::new("server-panicked"))),
-            Some(cause @ ShutdownCause::CycleStopped) => return Err(Error::System(cause.message())),
-            _ => {}
+        if shutdown.cause() == Some(ShutdownCause::Panic) {
+            return Err(Error::System(Message::new("server-panicked")));
         }
         let Some(user) = restores else { return Ok(()) };
         let kept = replace_by_checked(data).map_err(record)?;

@@ -263,11 +263,16 @@ fn a_weld_whose_panel_is_killed_is_held_and_found_again() {
     assert_eq!(panel.cell().as_ref(), Some(&cell), "the cell lives");
     let next = Panel::start(Path::new(&panel.data), "job.toml");
     assert_eq!(next.cell().as_ref(), Some(&cell), "it is the same");
-    let page = Page::open(&next);
+    let mut page = Page::open(&next);
     page.until(|status| status["mode"] == "hold");
     let work = next.says(&format!("GET /api/work HTTP/1.1\r\ncookie: {}\r\n", next.cookie), "");
     assert!(work.contains("\"job.toml\""), "{work}");
-    assert!(is_off(&server) || !server.bank().coils[0]);
+    assert!(!server.bank().coils[0]);
+    // It goes on in a record of its own.
+    page.send(&json!({ "kind": "take_control", "over": false }));
+    page.order("arm");
+    page.order("resume");
+    page.until(|status| status["mode"] == "weld" && status["recording"] == 2);
     // The end of the second panel ends the cell in order.
     signal("-TERM", &next.child.id().to_string());
     eventually("the end of the cell", || !Path::new("/proc").join(&cell).exists());

@@ -10,16 +10,15 @@ use super::standstill::Stillness;
 use super::supervisor::{News, Supervisor};
 use super::tally::Tally;
 use super::unavailable_commands::Readiness;
-use crate::http::adopted;
 use crate::refusal::{Lack, lack};
 use crate::service_manager;
 use crate::wire::{FromCell, Shelving, WorkView};
+use seamwright_cell::Program;
 use seamwright_cell::protocol::{Report, Request, Unprepared};
-use seamwright_cell::{Program, fingerprint};
 use seamwright_executive::realtime::{RealtimeRights, Shown, Shutdown};
-use seamwright_executive::{Ask, Command, Missing, Mode, Note, ProcessState, Raised};
+use seamwright_executive::{Ask, Command, Missing, Mode};
 use seamwright_log as log;
-use seamwright_machine::{Clamped, Machine, MachineDevices};
+use seamwright_machine::Machine;
 use seamwright_message::Message;
 use seamwright_record::{DataFolder, Plan};
 use std::collections::{BTreeMap, HashMap, VecDeque};
@@ -97,27 +96,30 @@ pub(super) struct Desk {
     /// The running weld.
     pub(super) welding: Option<Welding>,
     /// Devices without a confirmation of their safe outputs, with the reason.
-    unconfirmed: BTreeMap<String, Message>,
-    waiting: VecDeque<Command>,
+    pub(super) unconfirmed: BTreeMap<String, Message>,
+    pub(super) waiting: VecDeque<Command>,
     /// Missing conditions reported so far, by station and command number.
     pub(super) lacks: HashMap<(u32, u32), Vec<Lack>>,
-    loading: Option<Box<Pending>>,
+    pub(super) loading: Option<Box<Pending>>,
     /// Number of the last program.
-    programs: u32,
+    pub(super) programs: u32,
     /// The program was found in a running cell, whose first cycle has not come yet.
-    adopts: bool,
-    now: Option<Shown>,
+    pub(super) adopts: bool,
+    pub(super) now: Option<Shown>,
     shown: Instant,
     /// Time of the last report to the service manager.
     reported: Instant,
     stillness: Stillness,
-    readiness: Option<Readiness>,
+    pub(super) readiness: Option<Readiness>,
     /// Real-time rights granted to the cycle.
     pub(super) footing: Option<RealtimeRights>,
-    /// The cell was asked to end, and has ended.
-    expects_end: bool,
-    ended: bool,
-    tally: Tally,
+    /// The cell was asked to end.
+    pub(super) expects_end: bool,
+    /// It has ended, and no other takes its place.
+    pub(super) ended: bool,
+    /// Why no other takes its place.
+    pub(super) failure: Option<Message>,
+    pub(super) tally: Tally,
     missed: u32,
     /// Maximum number of cycles missed at once.
     longest: u32,
@@ -138,7 +140,7 @@ pub(super) struct Welding {
     /// It was left before its end.
     pub(super) is_left: bool,
     /// A cycle of this weld has arrived: earlier ones may still be in the queue when it starts.
-    runs: bool,
+    pub(super) runs: bool,
 }
 
 /// Audit log, alarms and weld records of a cell, with the data that earlier runs left in them.
@@ -177,6 +179,7 @@ impl Desk {
             footing: None,
             expects_end: false,
             ended: false,
+            failure: None,
             tally: Tally::default(),
             longest: 0,
             missed: 0,
@@ -189,7 +192,7 @@ impl Desk {
     }
 
     /// Runs until the cell ends, or does not end in time after a requested `shutdown`. Then closes records. Returns one
-    /// line for each device that has not confirmed its safe outputs.
+    /// line for a cell that could not be replaced, and for each device that has not confirmed its safe outputs.
     pub(super) fn run(mut self, shutdown: &Shutdown) -> Vec<String> {
         let mut asked: Option<Instant> = None;
         // After a panic of its own the desk only waits: the panic requests a shutdown, so the cell ends by itself.
@@ -226,11 +229,12 @@ impl Desk {
         let line = |(name, why): (&String, &Message)| {
             format!("device `{name}`: its outputs are not confirmed to be safe: {why}")
         };
-        self.unconfirmed.iter().map(line).collect()
+        let failure = self.failure.iter().map(ToString::to_string);
+        failure.chain(self.unconfirmed.iter().map(line)).collect()
     }
 
     /// Reports which real-time rights the cycle lacks.
-    fn tell_footing(&mut self, footing: RealtimeRights) {
+    pub(super) fn tell_footing(&mut self, footing: RealtimeRights) {
         if !footing.is_whole() {
             self.tell(happening(Message::new("server-event-no-realtime").message("reason", footing.message())));
         }
@@ -248,7 +252,6 @@ impl Desk {
     }
 
     fn look(&mut self, shutdown: &Shutdown) {
-        self.cell.beat();
         self.expects_end |= self.quits || shutdown.is_requested();
         while !self.ended
             && let Some(news) = self.cell.news()
@@ -295,144 +298,6 @@ impl Desk {
         }
     }
 
-    fn handle_report(&mut self, report: Report) {
-        match report {
-            Report::Hello { program, alarms, .. } => self.greeted(program.as_deref(), &alarms),
-            Report::Cycle(shown) => self.cycle(&shown),
-            Report::Note((t, note)) => self.handle_note(t, note),
-            Report::Rights(rights) => self.tell_footing(rights),
-            Report::Lines(lines) => self.hub.set_lines(lines),
-            Report::Queues(queues) => self.tally.queue_fill(queues),
-            Report::Prepared { outcome: Ok(()), .. } => {}
-            Report::Prepared { outcome: Err(why), .. } => self.unprepared(why),
-            Report::DevicesReleased => self.devices_released(),
-            Report::Released { device, outcome } => self.released(device, outcome),
-            Report::Ended { failed } => {
-                // A cell that ends by itself, by a signal for instance, is gone as soon as its connection is.
-                self.ended = self.expects_end;
-                if failed {
-                    log::error(&Message::new("server-log-cycle-failed"));
-                }
-            }
-        }
-    }
-
-    /// The cell has answered: a new one has neither a program nor alarms, one that was found running may have both.
-    fn greeted(&mut self, program: Option<&Program>, alarms: &[Raised]) {
-        for raised in alarms {
-            self.mirror.update(&Note::Alarm(*raised), "");
-        }
-        if !alarms.is_empty() {
-            self.hub.alarms(self.mirror.views(&self.names));
-        }
-        let Some(program) = program else { return };
-        self.programs = program.number;
-        match adopted(program) {
-            Ok(loading) => {
-                let Loading { machine, view, around, plan, passes, overlap_mm, .. } = loading;
-                self.hub.set_machine(&machine);
-                let to_weld = ToWeld::new(plan, passes, view.from).with_overlap(overlap_mm);
-                self.names = names_of(*machine, program, &view);
-                self.to_weld = Some(to_weld);
-                self.tell(happening(Message::new("server-event-cell-found").text("job", &view.title)));
-                self.hub.set_around(around);
-                self.hub.set_work(Some(view));
-                self.adopts = true;
-            }
-            // It goes on; a new load shows its job.
-            Err(why) => self.tell(happening(Message::new("server-event-not-loaded").message("reason", why.message))),
-        }
-    }
-
-    /// The first cycle of a cell that was found running: a weld goes on in a new record.
-    fn adopt(&mut self, shown: &Shown) {
-        self.adopts = false;
-        let welds =
-            matches!(shown.mode, Mode::Weld | Mode::Hold) && (shown.armed || shown.process != ProcessState::Off);
-        if let Some(of) = self.to_weld.as_mut().filter(|_| welds) {
-            let done = shown.place.pass.saturating_sub(of.start.0 as usize);
-            of.passes = of.passes.saturating_sub(done);
-            self.welding = Some(Welding::default());
-            self.begin_record();
-        }
-    }
-
-    /// The cell has the machine of the program that is being loaded, without devices and program.
-    fn devices_released(&mut self) {
-        let Some(pending) = &self.loading else { return };
-        let (mut machine, around) = (pending.names.machine.clone(), Arc::clone(&pending.around));
-        machine.devices = MachineDevices::default();
-        self.recorder.end();
-        self.without_program(machine, around);
-    }
-
-    /// A device was released: it has confirmed its safe outputs, or has not.
-    fn released(&mut self, device: String, outcome: Result<(), Message>) {
-        match outcome {
-            // A device that was reconnected and is safe now is removed.
-            Ok(()) => drop(self.unconfirmed.remove(&device)),
-            Err(why) => {
-                let message = Message::new("server-event-safe-unconfirmed").text("device", &device);
-                self.tell(happening(message.message("reason", why.clone())));
-                self.unconfirmed.insert(device, why);
-            }
-        }
-    }
-
-    /// The cell has died: a new one takes its place, off and without a program. Nothing else starts by itself.
-    fn lost(&mut self, why: &Message, shutdown: &Shutdown) {
-        self.tell(happening(Message::new("server-event-cell-lost").message("reason", why.clone())));
-        self.recorder.stopped_by(why);
-        self.recorder.end();
-        self.welding = None;
-        if let Some(pending) = self.loading.take() {
-            let lost = lack("silent_cycle", Message::new("server-cell-silent"));
-            drop(pending.answer.send(Err(NotLoaded::Lack(lost))));
-        }
-        self.waiting.clear();
-        let of_devices = |desk: &mut Self, why: &Message| {
-            for device in &desk.names.machine.devices.modbus {
-                desk.unconfirmed.insert(device.name.clone(), why.clone());
-            }
-        };
-        if self.expects_end {
-            of_devices(self, why);
-            self.ended = true;
-            return;
-        }
-        match self.cell.restart().and_then(|()| self.cell.start_of_cell().machine.read()) {
-            Ok(machine) => self.forget_program(machine),
-            Err(why) => {
-                self.tell(happening(Message::new("server-event-cell-not-restarted").message("reason", why.clone())));
-                of_devices(self, &why);
-                self.ended = true;
-                shutdown.request(seamwright_executive::realtime::ShutdownCause::Asked);
-            }
-        }
-    }
-
-    /// Goes back to the machine of the start, without a program.
-    fn forget_program(&mut self, machine: Machine) {
-        (self.now, self.readiness) = (None, None);
-        // It was valid at the start.
-        if let Ok(around) = Around::new(&machine, &Clamped::default()) {
-            self.without_program(machine, Arc::new(around));
-        }
-        self.tell(happening(Message::new("server-event-cell-restarted")));
-    }
-
-    fn without_program(&mut self, machine: Machine, around: Arc<Around>) {
-        self.mirror.forget();
-        self.hub.set_machine(&machine);
-        self.hub.set_around(around);
-        self.hub.set_lines(Vec::new());
-        let fingerprint = fingerprint(&machine);
-        self.names = Names { machine, fingerprint, values: 0, heads: 0 };
-        self.hub.alarms(self.mirror.views(&self.names));
-        self.hub.set_work(None);
-        self.to_weld = None;
-    }
-
     /// Refuses a start, and returns false, if it would weld finished passes without confirmation.
     fn may_start(&mut self, command: &Command) -> bool {
         let Some(of) = &self.to_weld else { return true };
@@ -462,7 +327,7 @@ impl Desk {
         }));
     }
 
-    fn cycle(&mut self, shown: &Shown) {
+    pub(super) fn cycle(&mut self, shown: &Shown) {
         if self.adopts {
             self.adopt(shown);
         }
@@ -559,7 +424,7 @@ impl Desk {
     }
 
     /// The cell could not prepare the program.
-    fn unprepared(&mut self, why: Unprepared) {
+    pub(super) fn unprepared(&mut self, why: Unprepared) {
         let Some(pending) = self.loading.take() else { return };
         let why = match why {
             Unprepared::Busy => NotLoaded::Lack(lack("moving", Message::new("server-loading"))),
@@ -613,7 +478,7 @@ impl Desk {
     }
 }
 
-fn names_of(machine: Machine, program: &Program, view: &WorkView) -> Names {
+pub(super) fn names_of(machine: Machine, program: &Program, view: &WorkView) -> Names {
     Names { machine, fingerprint: program.machine.clone(), values: view.values.len(), heads: view.tracked }
 }
 
@@ -623,10 +488,10 @@ fn needs_off() -> Lack {
 
 /// A program that the cell has been given but not yet taken.
 pub(super) struct Pending {
-    names: Names,
+    pub(super) names: Names,
     view: Arc<WorkView>,
-    around: Arc<Around>,
+    pub(super) around: Arc<Around>,
     to_weld: ToWeld,
     user: String,
-    answer: Loaded,
+    pub(super) answer: Loaded,
 }

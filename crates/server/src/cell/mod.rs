@@ -4,6 +4,7 @@ mod alarms;
 mod archive;
 mod archive_queue;
 mod audit_entry;
+mod cell_reports;
 mod chattering;
 mod desk;
 mod display_distances;

@@ -30,8 +30,10 @@ impl Desk {
             Note::Mode(from, to) => {
                 self.tell(happening(mode_changes(from, to)));
                 if to == Mode::Weld && from != Mode::Hold {
-                    self.welding = Some(Welding::default());
-                    self.begin_record();
+                    self.begin_weld(Place::default());
+                } else if to == Mode::Weld && self.welding.is_none() {
+                    // It was held while the panel changed.
+                    self.begin_weld(self.now.map_or_else(Place::default, |now| now.place));
                 }
                 if !matches!(to, Mode::Weld | Mode::Hold) {
                     self.weld_is_over();
@@ -88,12 +90,21 @@ impl Desk {
         }
     }
 
-    pub(super) fn begin_record(&mut self) {
+    /// A weld begins, or is found at a position: then the passes before it are finished.
+    pub(super) fn begin_weld(&mut self, at: Place) {
+        let start = self.to_weld.as_ref().map_or(1, |of| of.start.0 as usize);
+        let passes = at.pass.saturating_sub(start);
+        self.welding = Some(Welding { passes, ..Welding::default() });
+        self.begin_record(passes);
+    }
+
+    /// Begins the record of a weld of which this number of passes is finished.
+    fn begin_record(&mut self, finished: usize) {
         self.left_before = self.left.take();
         let Some(of) = &self.to_weld else { return };
         let welder = self.hub.holder().unwrap_or_default();
         let missing: Vec<&str> = self.footing.iter().flat_map(RealtimeRights::missing).collect();
-        match self.recorder.begin(&of.plan, of.passes, &welder, &missing) {
+        match self.recorder.begin(&of.plan, of.passes.saturating_sub(finished), &welder, &missing) {
             Ok(()) => {
                 // Trouble of the previous record has been reported; this record is complete so far.
                 self.cell.send(&Request::RecordFails(false));

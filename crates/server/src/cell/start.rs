@@ -105,8 +105,8 @@ impl Cell {
         Ok(Self { hub, archive, urgent, desk, has_program, thread: Mutex::new(Some(thread)) })
     }
 
-    /// Stops, switches the power off, and waits for the end. Returns one line for each device that has not confirmed
-    /// its safe outputs.
+    /// Stops, switches the power off, and waits for the end. Returns one line for a cell that could not be replaced, and
+    /// for each device that has not confirmed its safe outputs.
     pub(crate) fn end(&self) -> Vec<String> {
         // Sending fails only if the desk has already ended.
         drop(self.desk.send(ToDesk::Quit));

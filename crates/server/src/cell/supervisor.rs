@@ -1,6 +1,6 @@
 //! Starts the cell, watches that it lives, and starts it again, off and without a program, if it has died.
 
-use seamwright_cell::protocol::{CELL_SILENT_S, PANEL_LOST_S, Report, Request};
+use seamwright_cell::protocol::{CELL_SILENT_S, Report, Request};
 use seamwright_cell::{CellClient, CellStart, fingerprint};
 use seamwright_message::Message;
 use std::collections::VecDeque;
@@ -10,10 +10,10 @@ use std::time::{Duration, Instant};
 /// Maximum number of starts after the first one in [`WITHIN`]: a cell that dies more often is not started again.
 const MAX_RESTARTS: usize = 3;
 const WITHIN: Duration = Duration::from_secs(600);
-/// Period of signs of life.
-const BEAT: Duration = Duration::from_millis((100.0 * PANEL_LOST_S) as u64);
 /// The cell is killed and started again without a cycle for this long: its devices' outputs become safe by that.
 const FROZEN: Duration = Duration::from_millis((2000.0 * CELL_SILENT_S) as u64);
+/// Time between two looks beyond which this process itself has stood still.
+const OWN_GAP: Duration = Duration::from_millis(500);
 /// Time for its first cycle.
 const FIRST: Duration = Duration::from_secs(20);
 
@@ -23,9 +23,11 @@ pub(super) struct Supervisor {
     /// `None`: threads of this process.
     program: Option<PathBuf>,
     client: CellClient,
-    beat: Instant,
-    /// Time of the last cycle that came, and whether one has.
-    heard: (Instant, bool),
+    /// Time of the last cycle that came, or of the start.
+    heard: Instant,
+    has_heard: bool,
+    /// Time of the last look for news.
+    looked: Instant,
     restarts: VecDeque<Instant>,
 }
 
@@ -42,8 +44,9 @@ impl Supervisor {
             Some(client) => client,
             None => started(&start, &sockets, program.as_ref())?,
         };
-        let heard = (Instant::now(), false);
-        Ok(Self { start, sockets, program, client, beat: Instant::now(), heard, restarts: VecDeque::new() })
+        let now = Instant::now();
+        let restarts = VecDeque::new();
+        Ok(Self { start, sockets, program, client, heard: now, has_heard: false, looked: now, restarts })
     }
 
     /// Returns true if the cell was found running, with a program.
@@ -61,30 +64,26 @@ impl Supervisor {
         self.client.send(request)
     }
 
-    /// Shows the cell that the panel lives.
-    pub(super) fn beat(&mut self) {
-        if self.beat.elapsed() >= BEAT {
-            self.beat = Instant::now();
-            // A cell that has gone is noticed by the next report.
-            self.client.send(&Request::Beat);
-        }
-    }
-
     /// Returns the next news, if there is any.
     pub(super) fn news(&mut self) -> Option<News> {
+        if self.looked.elapsed() > OWN_GAP {
+            // This process stood still itself: what the cell has sent meanwhile is still to come.
+            self.heard = Instant::now();
+        }
+        self.looked = Instant::now();
         match self.client.report() {
             Ok(Some(report)) => {
                 if matches!(report, Report::Cycle(_)) {
-                    self.heard = (Instant::now(), true);
+                    (self.heard, self.has_heard) = (Instant::now(), true);
                 }
                 Some(News::Report(report))
             }
             Ok(None) => {
-                let patience = if self.heard.1 { FROZEN } else { FIRST };
-                if self.heard.0.elapsed() > patience && self.client.process().is_some() {
+                let patience = if self.has_heard { FROZEN } else { FIRST };
+                if self.heard.elapsed() > patience && self.client.process().is_some() {
                     // The end of its connection is the next news.
                     self.client.kill();
-                    self.heard.0 = Instant::now();
+                    self.heard = Instant::now();
                 }
                 None
             }
@@ -107,7 +106,7 @@ impl Supervisor {
         }
         self.restarts.push_back(Instant::now());
         self.client = started(&self.start, &self.sockets, self.program.as_ref())?;
-        self.heard = (Instant::now(), false);
+        (self.heard, self.has_heard, self.looked) = (Instant::now(), false, Instant::now());
         Ok(())
     }
 
