@@ -132,6 +132,8 @@ record-problem-changed = { $path }: seit der Aufzeichnung geändert
 
 # Notes of a weld.
 record-notes = { $first }; { $then }
+record-interrupted = unterbrochen: { $cause }
+record-rows-late = die Platte war zu langsam
 record-rows-lost =
     { $n ->
         [one] { $n } Zeile

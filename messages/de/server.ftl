@@ -269,6 +269,7 @@ server-event-left-before = Schweißung { $weld } wurde durch Ausfall von Strom o
 server-event-stopped-by = Die Zelle wurde gestoppt durch { $cause }
 server-event-cycles-missed = { $cycles } Takte wurden ausgelassen, bis zu { $longest } am Stück
 server-event-no-realtime = Der Takt läuft ohne Echtzeitrechte: { $reason }
+server-event-safe-by-panel = { $device }: das Panel hat die sicheren Ausgänge geschrieben, Lichtbogen oder Strahl zuerst, weil die Zelle schweigt
 server-event-safe-unconfirmed = { $device }: Sichere Ausgänge sind nicht bestätigt: { $reason }
 server-event-journal-damaged = Das Positionsjournal ist beschädigt: Eine durch Stromausfall abgebrochene Schweißung wäre nicht bekannt; Werkstück prüfen, dann referenzieren
 server-event-weld-lost = Schweißung { $weld } hat Dateien, steht aber nicht in der Bibliothek: Die Bibliothek ist beschädigt, der Eintrag ging verloren

@@ -257,6 +257,12 @@ record-problem-changed = { $path }: changed since it was recorded
 # Notes of a weld.
 record-notes = { $first }; { $then }
     .cause = Several things happened to the record of one weld; each part is explained under its own code.
+record-interrupted = interrupted: { $cause }
+    .cause = The process that welded and wrote the record ended without closing it, for the reason given. The record has the rows up to that moment.
+    .cure = Look at the seam where the record ends before the weld is continued.
+record-rows-late = the disk was too slow
+    .cause = Rows of the trace came faster than the disk took them, and more waited than memory is kept for.
+    .cure = Check the disk of the data folder: its health, and other programs that write to it.
 record-rows-lost =
     { $n ->
         [one] { $n } row

@@ -636,6 +636,9 @@ server-event-cycles-missed = { $cycles } cycles were missed, up to { $longest } 
 server-event-no-realtime = the cycle runs without real-time rights: { $reason }
     .cause = The system did not grant the cycle real-time priority, locked memory or its processor.
     .cure = Grant them as `docs/how-to/latency.md` describes, before welding metal.
+server-event-safe-by-panel = { $device }: the panel wrote its safe outputs, arc or beam first, because the cell is silent
+    .cause = The cell had no cycle for a second, or has ended and no other takes its place. The panel wrote over a connection of its own, and the device confirmed it.
+    .cure = Look at the weld and at what held the cell up: the events before this one name it.
 server-event-safe-unconfirmed = { $device }: its outputs are not confirmed to be safe: { $reason }
     .cause = The device did not answer when its outputs were set to their safe states: cable, power or network failed.
     .cure = Check at the machine at once that arc, gas and drives are off.
@@ -718,7 +721,7 @@ server-cell-dies-often = the cell has died { $n } times within ten minutes
 
 # Process of the cell.
 server-event-cell-found = found a running cell with its program: { $job }
-    .cause = The cell has outlived its panel. A weld goes on in a new record; the record before it is closed as interrupted.
+    .cause = The cell has outlived its panel. A weld goes on in its record.
     .cure = Look at the mode and the alarms, then go on.
 # Log.
 server-log-starts = Seamwright { $version } serves { $address }

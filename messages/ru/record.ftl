@@ -133,6 +133,8 @@ record-problem-changed = { $path }: изменено после записи
 
 # Notes of a weld.
 record-notes = { $first }; { $then }
+record-interrupted = прервано: { $cause }
+record-rows-late = диск был слишком медленным
 record-rows-lost = потеряно строк записи хода: { $n }: { $why }
 record-incomplete = запись неполная: { $why }
 record-no-figures = показателей нет: { $why }

@@ -269,6 +269,7 @@ server-event-left-before = сварка { $weld } прервана сбоем п
 server-event-stopped-by = ячейка остановлена: { $cause }
 server-event-cycles-missed = пропущено тактов: { $cycles }, до { $longest } подряд
 server-event-no-realtime = такт работает без прав реального времени: { $reason }
+server-event-safe-by-panel = { $device }: панель сама записала безопасное состояние выходов, сначала дугу или луч, потому что ячейка молчит
 server-event-safe-unconfirmed = { $device }: безопасное состояние выходов не подтверждено: { $reason }
 server-event-journal-damaged = журнал положений повреждён: шов, прерванный отключением питания, был бы неизвестен; осмотрите деталь, затем выполните поиск референтных точек
 server-event-weld-lost = у сварки { $weld } есть файлы, но её нет в библиотеке: библиотека повреждена, запись утрачена

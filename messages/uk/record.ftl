@@ -133,6 +133,8 @@ record-problem-changed = { $path }: змінено після запису
 
 # Notes of a weld.
 record-notes = { $first }; { $then }
+record-interrupted = перервано: { $cause }
+record-rows-late = диск був надто повільним
 record-rows-lost = втрачено рядків запису ходу: { $n }: { $why }
 record-incomplete = запис неповний: { $why }
 record-no-figures = показників немає: { $why }

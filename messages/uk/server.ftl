@@ -269,6 +269,7 @@ server-event-left-before = зварювання { $weld } перервано з�
 server-event-stopped-by = комірку зупинено через { $cause }
 server-event-cycles-missed = пропущено тактів: { $cycles }, до { $longest } поспіль
 server-event-no-realtime = такт працює без прав реального часу: { $reason }
+server-event-safe-by-panel = { $device }: панель сама записала безпечний стан виходів, спершу дугу або промінь, бо комірка мовчить
 server-event-safe-unconfirmed = { $device }: безпечний стан виходів не підтверджено: { $reason }
 server-event-journal-damaged = журнал положень пошкоджено: шов, перерваний зникненням живлення, був би невідомий; огляньте деталь, потім виконайте пошук баз
 server-event-weld-lost = зварювання { $weld } має файли, але його немає в бібліотеці: вона пошкоджена, запис утрачено

@@ -123,6 +123,8 @@ record-problem-changed = { $path }：记录后被更改
 
 # Notes of a weld.
 record-notes = { $first }；{ $then }
+record-interrupted = 中断：{ $cause }
+record-rows-late = 磁盘太慢
 record-rows-lost = 丢失 { $n } 行轨迹记录：{ $why }
 record-incomplete = 记录不完整：{ $why }
 record-no-figures = 没有统计值：{ $why }

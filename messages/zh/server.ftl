@@ -269,6 +269,7 @@ server-event-left-before = 焊接 { $weld } 因断电或程序故障中断：继
 server-event-stopped-by = 单元被停止：{ $cause }
 server-event-cycles-missed = 错过 { $cycles } 个周期，最长连续 { $longest }
 server-event-no-realtime = 控制周期没有实时权限：{ $reason }
+server-event-safe-by-panel = { $device }：单元无响应，面板已自行写入安全输出，先关电弧或束流
 server-event-safe-unconfirmed = { $device }：未确认输出处于安全状态：{ $reason }
 server-event-journal-damaged = 位置日志已损坏：无法得知因断电中断的焊接；请检查工件，然后回零
 server-event-weld-lost = 焊接 { $weld } 有文件但不在记录库中：记录库已损坏，该条目已丢失

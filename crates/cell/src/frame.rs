@@ -124,7 +124,7 @@ mod tests {
             Request::Beat,
             command(Ask::Override(0.25)),
             command(Ask::AcknowledgeOne(seamwright_executive::Alarm::ALL[3], 7)),
-            Request::RecordFails(true),
+            Request::NoRecord,
             Request::Shutdown,
         ]
     }

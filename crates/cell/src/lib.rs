@@ -8,6 +8,7 @@
 //! | start a cell as a process of its own, or in threads of this one, and talk to it | [`CellClient`] |
 //! | stop a cell, whatever else happens | [`StopLine`] |
 //! | see what crosses between the two sides | [`protocol`] |
+//! | read random bytes as these messages, in tests | [`fuzzing`] |
 //!
 //! # Processes
 //!
@@ -23,6 +24,7 @@
 //! | cycle | the executive, in real time: no allocation, lock or system call but the wait |
 //! | link | the socket of the panel: commands in, cycles and notes out; prepared programs to the cycle |
 //! | stop | the socket of STOP, which depends on nothing else |
+//! | record | trace, log and journal of the weld that runs |
 //! | preparation | reads and checks a program, connects its devices; one at a time |
 //!
 //! # Units
@@ -35,12 +37,14 @@ mod client;
 mod cycle;
 mod devices;
 mod frame;
+pub mod fuzzing;
 mod link;
 mod loader;
 mod machine_source;
 mod prepared_task;
 mod program;
 pub mod protocol;
+mod recorder;
 mod run;
 mod safe_outputs;
 mod sockets;

@@ -6,11 +6,13 @@ use crate::loader::{CellNow, Loader, Step};
 use crate::prepared_task::Prepared;
 use crate::program::Program;
 use crate::protocol::{MAX_REQUEST, PANEL_LOST_S, Report, Request, Unprepared, VERSION};
+use crate::recorder::{RecordNews, Recorder};
 use crate::safe_outputs::SafeOutputs;
 use rtrb::{Consumer, Producer, PushError};
 use seamwright_executive::realtime::{Outside, QueueFill, RealtimeRights, Shown, Shutdown, ShutdownCause, Urgent};
 use seamwright_executive::{AlarmList, Ask, Command, Mode, Note, Origin, ProcessState};
-use seamwright_machine::PanelLost;
+use seamwright_machine::{Machine, PanelLost};
+use seamwright_message::Message;
 use std::collections::VecDeque;
 use std::io;
 use std::os::unix::net::{UnixListener, UnixStream};
@@ -88,6 +90,7 @@ pub(crate) struct LinkStart {
     pub(crate) panel_lost: PanelLost,
     pub(crate) machine: String,
     pub(crate) shutdown: Shutdown,
+    pub(crate) recorder: Recorder,
 }
 
 /// A task that the cycle has not yet taken.
@@ -96,9 +99,9 @@ struct Pending {
     number: u32,
     /// Its own devices, if it brings some.
     connection: Option<Connection>,
-    panel_lost: PanelLost,
+    machine: Arc<Machine>,
     /// See [`crate::fingerprint`].
-    machine: String,
+    fingerprint: String,
 }
 
 pub(crate) struct Link {
@@ -156,6 +159,7 @@ impl Link {
         self.pass_on();
         self.prepare();
         self.report_devices();
+        self.report_record();
         self.watch_panel();
         while let Some(command) = self.commands.front() {
             if self.start.outside.commands.push(*command).is_err() {
@@ -174,6 +178,9 @@ impl Link {
         let last: Vec<_> = self.releases.come().chain(crate::safe_outputs::released(&main)).collect();
         for (device, outcome) in last {
             self.report_release(device, outcome);
+        }
+        for news in self.start.recorder.close(LAST_REPORTS) {
+            self.tell_record(news);
         }
         self.report(&Report::Ended { failed });
         // A socket that is closed with unread requests takes the last reports with it: the panel closes first.
@@ -199,7 +206,8 @@ impl Link {
         self.is_answered = false;
         let (machine, program) = (self.start.machine.clone(), self.program.clone());
         let alarms = self.alarms.iter().copied().collect();
-        self.report(&Report::Hello { version: VERSION, process: std::process::id(), machine, program, alarms });
+        let (process, recording) = (std::process::id(), self.start.recorder.weld());
+        self.report(&Report::Hello { version: VERSION, process, machine, program, alarms, recording });
     }
 
     fn report(&mut self, report: &Report) {
@@ -265,8 +273,16 @@ impl Link {
                     Err(why) => self.report(&Report::Prepared { number, outcome: Err(why) }),
                 }
             }
-            Request::RecordFails(true) => self.start.outside.fail(),
-            Request::RecordFails(false) => self.start.outside.mend(),
+            Request::Record(start) => {
+                let weld = start.files.weld;
+                // Trouble of the record before has been reported; this one is complete so far.
+                self.start.outside.mend();
+                if !self.start.recorder.begin(start) {
+                    self.tell_record(RecordNews::Fails(weld, Message::new("record-rows-late")));
+                    self.report(&Report::Recorded { weld });
+                }
+            }
+            Request::NoRecord => self.start.outside.fail(),
             Request::Shutdown => self.start.shutdown.request(ShutdownCause::Asked),
         }
     }
@@ -289,19 +305,22 @@ impl Link {
                 }
             }
             self.alarms.follow(&note);
+            if !self.start.recorder.note(t, &note) {
+                self.start.outside.fail();
+            }
             self.report(&Report::Note((t, note)));
         }
         while let Ok(shown) = self.start.outside.cycles.pop() {
+            if !self.start.recorder.cycle(&shown) {
+                self.start.outside.fail();
+            }
             let Some(shown) = self.resting.pass(shown) else { continue };
             match self.panel.as_ref().map(|panel| panel.outbox.waiting()) {
                 Some(waiting) if waiting < MAX_WAITING_FOR_CYCLES => {
                     let lost = shown.lost + self.left_out;
                     self.report(&Report::Cycle(Box::new(Shown { lost, ..shown })));
                 }
-                Some(_) => {
-                    self.left_out += 1;
-                    self.start.outside.fail();
-                }
+                Some(_) => self.left_out += 1,
                 None => {}
             }
             self.now = Some(shown);
@@ -322,7 +341,8 @@ impl Link {
     fn loaded(&mut self, number: u32, taken: bool) {
         let Some(pending) = self.pending.take_if(|pending| pending.number == number) else { return };
         if taken {
-            (self.start.panel_lost, self.start.machine) = (pending.panel_lost, pending.machine);
+            (self.start.panel_lost, self.start.machine) = (pending.machine.on_panel_lost, pending.fingerprint);
+            self.start.recorder.program(pending.machine);
             if let Some(connection) = pending.connection {
                 self.start.connection = connection;
             }
@@ -357,7 +377,7 @@ impl Link {
 
     fn give(&mut self, number: u32, prepared: Box<Prepared>) -> Result<(), Unprepared> {
         let connection = prepared.devices.as_ref().map(|devices| devices.to().clone());
-        let (panel_lost, machine) = (prepared.machine().on_panel_lost, prepared.fingerprint().to_owned());
+        let (machine, fingerprint) = (Arc::new(prepared.machine().clone()), prepared.fingerprint().to_owned());
         if let Err(PushError::Full(mut prepared)) = self.start.next.push(prepared) {
             // The cycle stands.
             if let Some(devices) = prepared.devices.take() {
@@ -365,7 +385,7 @@ impl Link {
             }
             return Err(Unprepared::Busy);
         }
-        self.pending = Some(Pending { number, connection, panel_lost, machine });
+        self.pending = Some(Pending { number, connection, machine, fingerprint });
         self.commands.push_back(Command { origin: Origin::default(), number, ask: Ask::Load });
         Ok(())
     }
@@ -391,9 +411,25 @@ impl Link {
         }
     }
 
-    fn report_release(&mut self, device: String, outcome: Result<(), seamwright_message::Message>) {
+    fn report_record(&mut self) {
+        while let Some(news) = self.start.recorder.news() {
+            self.tell_record(news);
+        }
+    }
+
+    fn tell_record(&mut self, news: RecordNews) {
+        match news {
+            RecordNews::Ended(weld) => self.report(&Report::Recorded { weld }),
+            RecordNews::Fails(weld, why) => {
+                self.start.outside.fail();
+                self.report(&Report::RecordFails { weld, why });
+            }
+        }
+    }
+
+    fn report_release(&mut self, device: String, outcome: Result<(), Message>) {
         if let Err(why) = &outcome {
-            let message = seamwright_message::Message::new("cell-outputs-unconfirmed").text("device", &device);
+            let message = Message::new("cell-outputs-unconfirmed").text("device", &device);
             crate::run::print(&message.message("why", why.clone()));
         }
         self.report(&Report::Released { device, outcome });

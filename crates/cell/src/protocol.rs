@@ -5,6 +5,7 @@
 //! first message of each side carries [`VERSION`].
 
 use crate::program::Program;
+pub use crate::recorder::RecordStart;
 use seamwright_executive::devices::modbus::Traffic;
 use seamwright_executive::realtime::{Noted, QueueFill, RealtimeRights, Shown};
 use seamwright_executive::{Command, Raised};
@@ -12,7 +13,7 @@ use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 
 /// Version of the protocol. Both sides must have the same: they are one program, but one may have been replaced.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 /// Maximum size of a request, bytes: a program with its motion.
 pub const MAX_REQUEST: usize = 64 << 20;
 /// Maximum size of a report, bytes: the first one has a program.
@@ -37,8 +38,11 @@ pub enum Request {
     /// A program for the executive, which takes it at rest. Answered by [`Report::Prepared`]; if that is positive, the
     /// executive accepts or refuses [`seamwright_executive::Ask::Load`] in a note.
     Load(Box<Program>),
-    /// The record has lost data (true), or a new record is complete so far (false).
-    RecordFails(bool),
+    /// The weld that begins or runs is to be recorded; a record that is open ends. Cycles from the start of the weld on
+    /// are in it.
+    Record(Box<RecordStart>),
+    /// The weld that runs has no record: an alarm.
+    NoRecord,
     /// Process off, axes at rest, power off, devices safe; then the cell ends.
     Shutdown,
 }
@@ -58,6 +62,8 @@ pub enum Report {
         program: Option<Box<Program>>,
         /// Alarms that are listed.
         alarms: Vec<Raised>,
+        /// Number of the weld that is being recorded.
+        recording: Option<i64>,
     },
     /// A cycle, in order. Cycles that the panel does not read in time are left out: their numbers have gaps.
     Cycle(Box<Shown>),
@@ -75,6 +81,18 @@ pub enum Report {
         number: u32,
         /// Why it cannot be run.
         outcome: Result<(), Unprepared>,
+    },
+    /// Rows of this weld's record are lost; reported once for each record.
+    RecordFails {
+        /// Its number in the library.
+        weld: i64,
+        /// Why.
+        why: Message,
+    },
+    /// The files of this weld are written and free: its record can be closed.
+    Recorded {
+        /// Its number in the library.
+        weld: i64,
     },
     /// The real devices of the last program are released, so that others can be connected: until then the cell has the
     /// machine of the program that is being prepared, on simulated devices and without a program.

@@ -6,6 +6,7 @@ use crate::link::{Link, LinkStart};
 use crate::loader::Loader;
 use crate::machine_source::MachineSource;
 use crate::prepared_task::Prepared;
+use crate::recorder::Recorder;
 use crate::sockets::Listeners;
 use crate::stop;
 use crate::task::Task;
@@ -62,6 +63,7 @@ pub fn run(
         cycle::run(task, devices, port, swap, &its_rights, &its_shutdown);
     };
     let cycle = std::thread::Builder::new().name("cycle".into()).spawn(cycle).map_err(|e| Message::outside(&e))?;
+    let recorder = Recorder::start(Arc::new(machine.clone())).map_err(|e| Message::outside(&e))?;
     let mut link = Link::new(LinkStart {
         listener: listeners.panel,
         outside,
@@ -73,6 +75,7 @@ pub fn run(
         panel_lost: machine.on_panel_lost,
         machine: fingerprint,
         shutdown: shutdown.clone(),
+        recorder,
     });
     ready();
     let mut asked: Option<Instant> = None;

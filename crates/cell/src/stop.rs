@@ -2,7 +2,8 @@
 //! all other clients.
 //!
 //! One line per request: `stop` or `hold`. One line per answer: `stopped CYCLE` or `held CYCLE` with the number of the
-//! cycle that acted, or `silent` if no cycle has acted in time.
+//! cycle that acted, or `silent` if no cycle has acted in time. `here` is answered by `here`: it keeps a connection open,
+//! so that a stop needs no look at a disk that may hang.
 
 use crate::sockets;
 use seamwright_executive::Ask;
@@ -85,8 +86,12 @@ fn answer(client: UnixStream, urgent: &Urgent) -> io::Result<()> {
         let (ask, word) = match line.trim_end() {
             "stop" => (Ask::Stop, "stopped"),
             "hold" => (Ask::Hold, "held"),
+            "here" => {
+                client.write_all(b"here\n")?;
+                continue;
+            }
             _ => {
-                client.write_all(b"allowed: stop, hold\n")?;
+                client.write_all(b"allowed: stop, hold, here\n")?;
                 continue;
             }
         };
@@ -105,15 +110,26 @@ fn answer(client: UnixStream, urgent: &Urgent) -> io::Result<()> {
 }
 
 /// Stops or holds the cell in a folder, past all queues.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct StopLine {
     path: PathBuf,
+    /// The connection of the last request.
+    kept: Option<UnixStream>,
 }
 
 impl StopLine {
+    /// Time within which [`StopLine::keep`] must be called, for its connection to stay open.
+    pub const KEEP: Duration = Duration::from_millis(PATIENCE.as_millis() as u64 / 2);
+
     /// Creates a line to the cell whose sockets are in `folder`.
     pub fn new(folder: &Path) -> Self {
-        Self { path: sockets::stop(folder) }
+        Self { path: sockets::stop(folder), kept: None }
+    }
+
+    /// Keeps the line open. Without a cell it is opened by the next call.
+    pub fn keep(&mut self) {
+        // The next request opens it anew.
+        drop(self.say("here"));
     }
 
     /// Requests a stop or a hold and waits, at most a second, for the number of the cycle that acted; `None` for other
@@ -121,20 +137,42 @@ impl StopLine {
     ///
     /// # Errors
     /// If there is no cell, or its cycle stands.
-    pub fn ask(&self, ask: &Ask) -> io::Result<Option<u64>> {
+    pub fn ask(&mut self, ask: &Ask) -> io::Result<Option<u64>> {
         let word = match ask {
             Ask::Stop => "stop",
             Ask::Hold => "hold",
             _ => return Ok(None),
         };
-        let mut line = UnixStream::connect(&self.path)?;
-        line.set_write_timeout(Some(2 * ACTS))?;
-        line.set_read_timeout(Some(2 * ACTS))?;
-        writeln!(line, "{word}")?;
-        let mut answer = String::new();
-        BufReader::new(line.take(64)).read_line(&mut answer)?;
+        let answer = self.say(word)?;
         let cycle = answer.split_whitespace().nth(1).and_then(|cycle| cycle.parse().ok());
         cycle.map(Some).ok_or_else(|| io::Error::new(io::ErrorKind::TimedOut, "no cycle has acted"))
+    }
+
+    /// Sends a line and reads the answer; a connection whose cell has gone is replaced.
+    fn say(&mut self, word: &str) -> io::Result<String> {
+        if let Some(kept) = self.kept.take() {
+            match self.say_over(kept, word) {
+                // It lives, but does not answer: a new connection would not help.
+                Err(e) if matches!(e.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut) => return Err(e),
+                Err(_) => {}
+                answer => return answer,
+            }
+        }
+        let line = UnixStream::connect(&self.path)?;
+        line.set_write_timeout(Some(2 * ACTS))?;
+        line.set_read_timeout(Some(2 * ACTS))?;
+        self.say_over(line, word)
+    }
+
+    fn say_over(&mut self, mut line: UnixStream, word: &str) -> io::Result<String> {
+        line.write_all(format!("{word}\n").as_bytes())?;
+        let mut answer = String::new();
+        BufReader::new((&line).take(64)).read_line(&mut answer)?;
+        if answer.is_empty() {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        }
+        self.kept = Some(line);
+        Ok(answer)
     }
 }
 
@@ -150,7 +188,7 @@ mod tests {
         let listeners = Listeners::bind(folder.path()).unwrap();
         let (mut port, outside) = seamwright_executive::realtime::live(&Default::default());
         let _listens = listen(listeners.stop, &outside.urgent()).unwrap();
-        let line = StopLine::new(folder.path());
+        let mut line = StopLine::new(folder.path());
         assert_eq!(line.ask(&Ask::Stop).unwrap_err().kind(), io::ErrorKind::TimedOut);
         let taken = seamwright_executive::Port::command(&mut port, 0.0).map(|command| command.ask);
         assert_eq!(taken, Some(Ask::Stop));
@@ -167,8 +205,12 @@ mod tests {
         assert_eq!(line.ask(&Ask::Hold).unwrap(), Some(1));
         assert_eq!(line.ask(&Ask::Stop).unwrap(), Some(1));
         assert_eq!(line.ask(&Ask::Reset).unwrap(), None);
+        // A kept line needs no file: that of its socket may be on a disk that hangs.
+        line.keep();
+        std::fs::remove_file(sockets::stop(folder.path())).unwrap();
+        assert_eq!(line.ask(&Ask::Stop).unwrap(), Some(1));
         end.store(true, Ordering::Relaxed);
-        assert_eq!(cycle.join().unwrap(), [Ask::Hold, Ask::Stop]);
+        assert_eq!(cycle.join().unwrap(), [Ask::Hold, Ask::Stop, Ask::Stop]);
     }
 
     #[test]
@@ -182,7 +224,7 @@ mod tests {
         wrong.write_all(b"jump\n").unwrap();
         let mut answer = String::new();
         BufReader::new(wrong).read_line(&mut answer).unwrap();
-        assert_eq!(answer, "allowed: stop, hold\n");
+        assert_eq!(answer, "allowed: stop, hold, here\n");
         assert_eq!(seamwright_executive::Port::command(&mut port, 0.0), None);
         // Connections beyond the limit that send nothing are stops: better one too many than none.
         let held: Vec<_> =

@@ -22,6 +22,7 @@
 //! 2. `fuzz/src/bin/NAME.rs`, one line.
 
 mod archives;
+mod cell;
 mod corpora;
 mod mutation;
 mod panel;
@@ -34,6 +35,7 @@ mod texts;
 mod words;
 
 pub use archives::{ARCHIVE, LIBRARY, RAW_TRACE, TRACE};
+pub use cell::{CELL_MOTION, CELL_REPORT, CELL_REQUEST};
 pub use corpora::{KeptInput, kept_inputs};
 pub use mutation::{Random, mutate, mutate_text};
 pub use panel::{REQUEST_BODY, SOCKET_MESSAGE};
@@ -74,5 +76,8 @@ pub const TARGETS: &[&Target] = &[
     // The panel.
     &SOCKET_MESSAGE,
     &REQUEST_BODY,
-    // The protocol between the processes of a cell belongs here.
+    // Between the processes of a cell.
+    &CELL_REQUEST,
+    &CELL_REPORT,
+    &CELL_MOTION,
 ];

@@ -33,6 +33,7 @@ pub mod planning;
 pub mod posting;
 pub mod power_loss;
 mod pulse_file;
+#[cfg(feature = "library")]
 pub mod recording;
 pub mod run_rows;
 pub mod simulated_part;

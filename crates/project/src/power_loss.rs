@@ -4,8 +4,8 @@ use crate::failure::Failure;
 use seamwright_executive::realtime::Shown;
 use seamwright_executive::{Mode, Place};
 use seamwright_message::{Message, Unit};
+use seamwright_record::Error;
 use seamwright_record::journal::{Journal, Position};
-use seamwright_record::{DataFolder, Error};
 use std::path::Path;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -54,7 +54,7 @@ impl Watch {
 /// If a weld was left and `from` gives no position.
 pub fn check(data: Option<&Path>, from: Option<Place>) -> Result<(), Failure> {
     let Some(folder) = data.filter(|folder| folder.exists()) else { return Ok(()) };
-    let journal = DataFolder::open(folder)?.journal()?;
+    let journal = Journal::open(folder)?;
     if from.is_some() {
         return Ok(());
     }
@@ -202,28 +202,26 @@ mod tests {
     #[test]
     fn dropped_places_free_the_journal_and_stay_in_it() {
         let folder = tempfile::tempdir().unwrap();
-        let data = DataFolder::open(folder.path()).unwrap();
-        let places = writer(data.journal().unwrap());
+        let places = writer(Journal::open(folder.path()).unwrap());
         places.tell(position(7));
         drop(places);
-        assert_eq!(data.journal().unwrap().last(), Some(position(7)));
+        assert_eq!(Journal::open(folder.path()).unwrap().last(), Some(position(7)));
     }
 
     #[test]
     fn the_end_of_a_weld_clears_its_own_place_only() {
         let folder = tempfile::tempdir().unwrap();
-        let data = DataFolder::open(folder.path()).unwrap();
-        let places = writer(data.journal().unwrap());
+        let places = writer(Journal::open(folder.path()).unwrap());
         places.tell(position(7));
         places.over(7).unwrap();
         places.tell(position(8));
         places.over(7).unwrap();
         drop(places);
-        assert_eq!(data.journal().unwrap().last(), Some(position(8)));
-        let places = writer(data.journal().unwrap());
+        assert_eq!(Journal::open(folder.path()).unwrap().last(), Some(position(8)));
+        let places = writer(Journal::open(folder.path()).unwrap());
         places.tell(position(9));
         places.over(9).unwrap();
         drop(places);
-        assert_eq!(data.journal().unwrap().last(), None);
+        assert_eq!(Journal::open(folder.path()).unwrap().last(), None);
     }
 }

@@ -2,8 +2,7 @@
 
 use seamwright_executive::{Ask, Note, Place};
 use seamwright_message::{Argument, Message};
-use seamwright_record::Moment;
-use seamwright_record::library::{Event, Place as Recorded};
+use seamwright_record::{Event, Moment, Place as Recorded};
 
 /// The event of `note` at time `t` (s) with the torch at `here`; `None` for notes that are no event of a weld.
 pub fn event(t: f64, note: &Note, here: Place) -> Option<Event> {

@@ -1,16 +1,19 @@
 use crate::disk::{SPARE_BYTES, disk_room};
 use crate::error::{Doing, Error};
+use crate::event::Event;
 use crate::figures::Figures;
 use crate::hash::sha256_of_file;
 use crate::journal::Journal;
 use crate::library::{AuditCheck, DocumentKind, Library, NewWeld, WeldRecord, WeldResult};
 use crate::moment::Moment;
 use crate::private_files;
-use crate::recording::{Plan, Recording, hash_of, settle};
+use crate::recording::{Plan, Recording, Settled, hash_of, lasted, lost_rows, settle};
 use crate::stored_message::joined;
 use crate::trace::recover::is_written;
 use crate::trace::{self, Trace};
 use crate::waiting_file::{self, WaitingFile};
+use crate::weld_log::{self, Entry, Told, WeldLog};
+use crate::weld_writer::WeldFiles;
 use seamwright_message::{Message, Unit};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -105,7 +108,7 @@ impl DataFolder {
 
     /// Folder of a weld's files.
     pub fn weld_folder(&self, weld: i64) -> PathBuf {
-        self.path.join("welds").join(format!("{weld:06}"))
+        weld_folder(&self.path, weld)
     }
 
     /// The figures of a weld, from its trace.
@@ -127,6 +130,43 @@ impl DataFolder {
     /// # Errors
     /// If the disk is full, or writing fails: the weld must not start then, and its folder and entry are removed.
     pub fn begin(&mut self, plan: &Plan) -> Result<Recording, Error> {
+        let (files, begun) = self.enter(plan)?;
+        let folder = files.folder.clone();
+        let weld = files.weld;
+        Recording::new(files, begun, plan.note.clone()).inspect_err(|_| self.take_back(weld, &folder))
+    }
+
+    /// Starts a weld whose files another process writes, by [`crate::WeldWriter`]. [`DataFolder::close`] ends it.
+    ///
+    /// # Errors
+    /// See [`DataFolder::begin`].
+    pub fn begin_elsewhere(&mut self, plan: &Plan, events: &[Event]) -> Result<WeldFiles, Error> {
+        let (files, _) = self.enter(plan)?;
+        let begun = || {
+            let mut log = WeldLog::open(&files.folder)?;
+            log.write(&Entry::Begun { passes: plan.passes })?;
+            events.iter().try_for_each(|event| log.write(&Entry::Event(event.clone())))?;
+            log.sync()
+        };
+        match begun() {
+            Ok(()) => Ok(files),
+            Err(e) => {
+                self.take_back(files.weld, &files.folder);
+                Err(e)
+            }
+        }
+    }
+
+    /// Adds an entry to the log of a weld that has not been closed.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn log(path: &Path, weld: i64, entry: &Entry) -> Result<(), Error> {
+        WeldLog::open(&weld_folder(path, weld))?.write(entry)
+    }
+
+    /// Enters a weld into the library, with a folder of its own.
+    fn enter(&mut self, plan: &Plan) -> Result<(WeldFiles, Moment), Error> {
         self.check_room(plan)?;
         let text = |kind, (name, text): &(String, String)| self.library.add_document(kind, name, text);
         let new = NewWeld {
@@ -147,14 +187,24 @@ impl DataFolder {
         let id = self.library.begin_weld(&new, last)?;
         let folder = self.weld_folder(id);
         let made = private_files::folder(&folder).map_err(|e| Error::io(&folder, Doing::Create, e));
-        let recording = made.and_then(|()| Recording::new(id, new.begun, folder.clone(), plan));
-        recording.inspect_err(|_| self.take_back(id, &folder))
+        made.inspect_err(|_| self.take_back(id, &folder))?;
+        let files = WeldFiles {
+            weld: id,
+            data: self.path.clone(),
+            folder,
+            columns: plan.columns.clone(),
+            about: plan.about.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect(),
+            most_rows: plan.most_rows,
+            rows: plan.rows,
+        };
+        Ok((files, new.begun))
     }
 
     /// Removes the remains of a weld that failed to start. If that fails too, [`DataFolder::recover`] settles them.
     fn take_back(&self, id: i64, folder: &Path) {
         // The number is new, so no data of another weld are there.
         drop(fs::remove_file(folder.join("trace.raw")));
+        drop(fs::remove_file(folder.join(weld_log::NAME)));
         drop(fs::remove_dir(folder));
         drop(self.library.take_back_weld(id));
     }
@@ -196,7 +246,7 @@ impl DataFolder {
     }
 
     /// Repairs the data after a crash: traces to Parquet, running welds to interrupted ones, and orders and alarms that
-    /// waited for the library into it.
+    /// waited for the library into it. A weld that ended in order without a panel to close its record gets its result.
     pub fn recover(&mut self) -> Result<Vec<Recovered>, Error> {
         self.store_waiting();
         let mut recovered = Vec::new();
@@ -206,13 +256,24 @@ impl DataFolder {
             if (weld.result != WeldResult::Running && !left) || is_written(&folder) {
                 continue;
             }
-            let parts = if left { trace::recover(&folder)? } else { Vec::new() };
-            let rows = parts.iter().map(|p| p.rows).sum();
-            let unread_bytes = parts.iter().map(|p| p.unread_bytes).sum();
-            let weld = self.settle_left(weld, &folder, unread_bytes)?;
-            recovered.push(Recovered { weld, rows, unread_bytes });
+            recovered.push(self.close_left(weld, None)?);
         }
         Ok(recovered)
+    }
+
+    /// Closes the record of a weld whose writer has ended it or has gone: trace to Parquet, figures, and events and
+    /// result from its log. `cause`: why its writer has gone, if it is known.
+    ///
+    /// # Errors
+    /// If the weld is still being written ([`Error::Busy`]), or files or library cannot be written:
+    /// [`DataFolder::recover`] closes it later.
+    pub fn close(&mut self, weld: i64, cause: Option<&Message>) -> Result<WeldRecord, Error> {
+        let folder = self.weld_folder(weld);
+        if is_written(&folder) {
+            return Err(Error::Busy { path: folder });
+        }
+        let weld = self.library.weld(weld)?;
+        self.close_left(weld, cause).map(|closed| closed.weld)
     }
 
     /// Stores the entries that an earlier run could not; a running program stores its own. What the library still does
@@ -230,25 +291,35 @@ impl DataFolder {
         }
     }
 
-    fn settle_left(&mut self, weld: WeldRecord, folder: &Path, unread: u64) -> Result<WeldRecord, Error> {
+    fn close_left(&mut self, weld: WeldRecord, cause: Option<&Message>) -> Result<Recovered, Error> {
+        let folder = self.weld_folder(weld.id);
+        let parts = if folder.exists() { trace::recover(&folder)? } else { Vec::new() };
+        let rows = parts.iter().map(|p| p.rows).sum();
+        let unread_bytes: u64 = parts.iter().map(|p| p.unread_bytes).sum();
+        let log = weld_log::read(&folder)?;
+        let lasted = lasted(&log);
+        let told = Told::of(&log);
         let result = match weld.result {
-            WeldResult::Running => WeldResult::Interrupted,
+            WeldResult::Running if lasted.is_none() => WeldResult::Interrupted,
+            WeldResult::Running => told.result(),
             known => known,
         };
         let recovered = |code| Message::new(code).text("time", Moment::now().to_string());
-        let said = match unread {
-            0 => recovered("record-recovered"),
-            n => recovered("record-recovered-without").quantity("size", n as f64, Unit::Byte, 0),
-        };
-        let note = joined([weld.note, said]);
-        // The weld ended with the last write to its files.
-        let modified = fs::read_dir(folder).into_iter().flatten().flatten();
-        let modified = modified.filter_map(|f| f.metadata().ok()?.modified().ok()).max();
-        let since = modified.and_then(|t| t.duration_since(std::time::UNIX_EPOCH).ok());
-        let last = since.map_or(weld.begun, |d| Moment(i64::try_from(d.as_millis()).unwrap_or(i64::MAX)));
+        let mut notes = vec![weld.note, told.note(), lost_rows(&log).unwrap_or_default()];
+        notes.push(match (lasted, unread_bytes, cause) {
+            (Some(_), 0, _) => Message::default(),
+            (None, 0, Some(cause)) => Message::new("record-interrupted").message("cause", cause.clone()),
+            (_, 0, _) => recovered("record-recovered"),
+            (_, n, _) => recovered("record-recovered-without").quantity("size", n as f64, Unit::Byte, 0),
+        });
+        let last = lasted.map_or_else(|| last_written(&folder, weld.begun), |ms| weld.begun.after_ms(ms));
         // A clock that was set back in between makes no weld end before it began.
         let ended = weld.ended.unwrap_or(last.max(weld.begun));
-        settle(self, weld.id, folder, result, ended, note)
+        // The library has the events of a weld that it knows to be over.
+        let events = if weld.result == WeldResult::Running { told.events } else { Vec::new() };
+        let end = Settled { result, ended, note: joined(notes), events };
+        let weld = settle(self, weld.id, &folder, end)?;
+        Ok(Recovered { weld, rows, unread_bytes })
     }
 
     /// Checks the database, the audit log, and the hash of every file and text that the library names.
@@ -290,6 +361,18 @@ impl DataFolder {
         }
         Ok(Verified { welds: welds.len(), files, audit, problems })
     }
+}
+
+fn weld_folder(data: &Path, weld: i64) -> PathBuf {
+    data.join("welds").join(format!("{weld:06}"))
+}
+
+/// Time of the last write to the files of a weld.
+fn last_written(folder: &Path, begun: Moment) -> Moment {
+    let modified = fs::read_dir(folder).into_iter().flatten().flatten();
+    let modified = modified.filter_map(|f| f.metadata().ok()?.modified().ok()).max();
+    let since = modified.and_then(|t| t.duration_since(std::time::UNIX_EPOCH).ok());
+    since.map_or(begun, |d| Moment(i64::try_from(d.as_millis()).unwrap_or(i64::MAX)))
 }
 
 fn has_raw(folder: &Path) -> Result<bool, Error> {

@@ -51,7 +51,7 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
-    /// A search was ended because it took too long: see [`Interrupt`](crate::library::Interrupt).
+    /// A search was ended because it took too long: see `library::Interrupt`.
     Interrupted {
         /// The library.
         path: PathBuf,
@@ -64,6 +64,7 @@ pub enum Error {
         allowed: Message,
     },
     /// The database refuses for another reason.
+    #[cfg(feature = "library")]
     Database {
         /// The library.
         path: PathBuf,
@@ -110,6 +111,7 @@ impl Error {
             Self::Wrong { what, allowed } => {
                 Message::new("record-invalid").message("what", what.clone()).message("allowed", allowed.clone())
             }
+            #[cfg(feature = "library")]
             Self::Database { path, cause } => at("record-database", path).text("why", cause.to_string()),
         }
     }
@@ -129,6 +131,7 @@ impl Error {
         Self::Full { path: path.to_owned(), why: Message::new("record-disk-full") }
     }
 
+    #[cfg(feature = "library")]
     pub(crate) fn parquet(path: &Path, cause: &parquet::errors::ParquetError) -> Self {
         if let parquet::errors::ParquetError::External(inner) = cause
             && let Some(io) = inner.downcast_ref::<io::Error>()
@@ -147,6 +150,7 @@ impl Error {
         Self::Wrong { what, allowed }
     }
 
+    #[cfg(feature = "library")]
     pub(crate) fn database(path: &Path, cause: rusqlite::Error) -> Self {
         use rusqlite::ErrorCode::{
             CannotOpen, DatabaseBusy, DatabaseCorrupt, DatabaseLocked, DiskFull, NotADatabase, OperationInterrupted,
@@ -167,6 +171,7 @@ impl Error {
         }
     }
 
+    #[cfg(feature = "library")]
     /// True if a table of the library refuses the row itself: another disk or another time would not help.
     pub fn is_constraint(&self) -> bool {
         use rusqlite::ErrorCode::{ConstraintViolation, TooBig, TypeMismatch};
@@ -184,11 +189,9 @@ impl Error {
                     io::ErrorKind::NotFound | io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists
                 )
             }
-            Self::Full { .. }
-            | Self::Damaged { .. }
-            | Self::Busy { .. }
-            | Self::Interrupted { .. }
-            | Self::Database { .. } => false,
+            Self::Full { .. } | Self::Damaged { .. } | Self::Busy { .. } | Self::Interrupted { .. } => false,
+            #[cfg(feature = "library")]
+            Self::Database { .. } => false,
         }
     }
 }

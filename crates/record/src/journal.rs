@@ -45,6 +45,40 @@ pub struct Position {
     pub corrections: [[f64; 2]; 2],
 }
 
+/// State of a journal.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct JournalState {
+    /// See [`Journal::last`].
+    pub last: Option<Position>,
+    /// See [`Journal::is_damaged`].
+    pub damaged: bool,
+}
+
+/// The newest entry of some files.
+#[derive(Default)]
+struct Newest {
+    sequence: u64,
+    state: JournalState,
+}
+
+impl Newest {
+    fn of(files: &mut [(PathBuf, File)]) -> Result<Self, Error> {
+        let mut newest = Self::default();
+        let (mut whole, mut written) = (false, false);
+        for (path, file) in files {
+            let failed = |e| Error::io(path, Doing::Read, e);
+            let entry = read(file).map_err(failed)?;
+            whole |= entry.is_some();
+            written |= !is_blank(file).map_err(failed)?;
+            if let Some((sequence, last)) = entry.filter(|entry| entry.0 > newest.sequence) {
+                (newest.sequence, newest.state.last) = (sequence, last);
+            }
+        }
+        newest.state.damaged = written && !whole;
+        Ok(newest)
+    }
+}
+
 /// Keeps the newest position on the disk.
 ///
 /// One thread writes, at most every 50 ms; each call returns when the disk has the entry.
@@ -66,19 +100,25 @@ impl Journal {
     pub fn open(folder: &Path) -> Result<Self, Error> {
         let [a, b] = NAMES.map(|name| open(&folder.join(name)));
         let mut files = [a?, b?];
-        let mut newest = (0, None);
-        let (mut whole, mut written) = (false, false);
-        for (path, file) in &mut files {
-            let failed = |e| Error::io(path, Doing::Read, e);
-            let entry = read(file).map_err(failed)?;
-            whole |= entry.is_some();
-            written |= !is_blank(file).map_err(failed)?;
-            if let Some(entry) = entry.filter(|entry| entry.0 > newest.0) {
-                newest = entry;
+        let newest = Newest::of(&mut files)?;
+        let Newest { sequence, state: JournalState { last, damaged } } = newest;
+        Ok(Self { files, sequence, last, damaged })
+    }
+
+    /// The state of the journal in `folder`, also while another program writes it; empty if it is missing.
+    ///
+    /// # Errors
+    /// If its files cannot be read.
+    pub fn look(folder: &Path) -> Result<JournalState, Error> {
+        let mut files = Vec::new();
+        for path in NAMES.map(|name| folder.join(name)) {
+            match File::open(&path) {
+                Ok(file) => files.push((path, file)),
+                Err(e) if e.kind() == std::io::ErrorKind::NotFound => {}
+                Err(e) => return Err(Error::io(&path, Doing::Read, e)),
             }
         }
-        let (sequence, last) = newest;
-        Ok(Self { files, sequence, last, damaged: written && !whole })
+        Ok(Newest::of(&mut files)?.state)
     }
 
     /// True if both files are damaged: a weld may have been left, and where is not known. The next entry ends that.

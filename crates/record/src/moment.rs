@@ -22,6 +22,12 @@ impl Moment {
         format!("{second}.{:03}Z", self.0.rem_euclid(1000))
     }
 
+    /// The time so many ms later.
+    #[must_use]
+    pub fn after_ms(self, ms: u64) -> Self {
+        Self(self.0.saturating_add(i64::try_from(ms).unwrap_or(i64::MAX)))
+    }
+
     /// The beginning of the next day.
     #[must_use]
     pub fn next_day(self) -> Self {

@@ -1,17 +1,19 @@
 use crate::data_folder::DataFolder;
 use crate::error::{Doing, Error};
+use crate::event::Event;
 use crate::figures::{Basis, Figures, HEAT_INPUT};
 use crate::hash::{sha256, sha256_of_file};
 use crate::library::{WeldEnd, WeldFile, WeldRecord, WeldResult};
 use crate::moment::Moment;
 use crate::stored_message::joined;
-use crate::trace::{Column, Trace, TraceWriter};
+use crate::trace::{self, Column, Trace};
+use crate::weld_log::{self, Entry};
+use crate::weld_writer::{WeldFiles, WeldWriter};
 use crate::whole_file;
 use seamwright_message::{Message, Unit};
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::path::Path;
 
 /// A weld that is to be recorded. Texts with the name under which the library keeps them.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -42,6 +44,8 @@ pub struct Plan {
     pub rows: u64,
     /// Inputs of the figures.
     pub basis: Basis,
+    /// Number of passes to be welded; 0 if the result comes with the [`Outcome`].
+    pub passes: usize,
     /// Note made at the start of the weld; may be empty.
     pub note: Message,
 }
@@ -57,53 +61,41 @@ pub struct Outcome {
     pub files: Vec<(String, String)>,
 }
 
-/// A weld that is being recorded.
+/// A weld that is recorded by the program that has its library open.
 ///
-/// Rows never stop the weld: rows that fail to be written are counted, reported once by [`Recording::trouble`], and
-/// noted in the weld's note in the end.
+/// Rows never stop the weld: see [`WeldWriter`]. The weld's note reports lost rows in the end.
 #[derive(Debug)]
 pub struct Recording {
-    id: i64,
-    /// Start by the system's clock, and by the monotonic one.
-    begun: (Moment, Instant),
-    folder: PathBuf,
-    writer: TraceWriter,
+    files: WeldFiles,
+    begun: Moment,
     note: Message,
-    trouble: Option<Message>,
+    writer: WeldWriter,
 }
 
 impl Recording {
-    pub(crate) fn new(id: i64, begun: Moment, folder: PathBuf, plan: &Plan) -> Result<Self, Error> {
-        let writer = TraceWriter::create(&folder.join("trace.parquet"), &plan.columns, &plan.about, plan.most_rows)?;
-        Ok(Self { id, begun: (begun, Instant::now()), folder, writer, note: plan.note.clone(), trouble: None })
+    pub(crate) fn new(files: WeldFiles, begun: Moment, note: Message) -> Result<Self, Error> {
+        let writer = WeldWriter::open(&files)?;
+        Ok(Self { files, begun, note, writer })
     }
 
     /// Number of the weld in the library.
     pub fn id(&self) -> i64 {
-        self.id
+        self.files.weld
     }
 
     /// Adds a row to the trace.
     pub fn row(&mut self, values: impl IntoIterator<Item = f64>) {
-        let result = self.writer.row(values);
-        self.keep(result);
+        self.writer.row(values);
     }
 
     /// Puts all rows so far on the disk.
     pub fn flush(&mut self) {
-        let result = self.writer.flush();
-        self.keep(result);
-    }
-
-    fn keep(&mut self, result: Result<(), Error>) {
-        if let Err(error) = result {
-            self.trouble.get_or_insert_with(|| error.message());
-        }
+        self.writer.flush();
     }
 
     /// Reason why rows could not be written, if any: an alarm should report it.
     pub fn trouble(&self) -> Option<&Message> {
-        self.trouble.as_ref()
+        self.writer.trouble()
     }
 
     /// Ends the weld: converts the trace to Parquet, computes the figures and puts all of it into the library.
@@ -112,19 +104,48 @@ impl Recording {
     /// If the library cannot be written: the trace stays, and [`DataFolder::recover`] puts it into the library later.
     /// An unfinished trace is no error; the weld's note reports it.
     pub fn finish(self, data: &mut DataFolder, outcome: &Outcome) -> Result<WeldRecord, Error> {
-        let Self { id, begun, folder, writer, note, trouble } = self;
+        let Self { files, begun, note, writer } = self;
+        let folder = &files.folder;
+        let ended = writer.end(0);
+        let log = weld_log::read(folder)?;
         let mut notes = vec![note, outcome.note.clone()];
-        let lost = usize::try_from(writer.lost()).unwrap_or(usize::MAX);
-        notes.extend(trouble.map(|why| Message::new("record-rows-lost").count("n", lost).message("why", why)));
-        let kept = writer.finish().map(drop);
-        let kept = kept.and_then(|()| {
-            outcome.files.iter().try_for_each(|(name, text)| write(&folder.join(name), text.as_bytes()))
-        });
+        notes.extend(lost_rows(&log));
+        let kept = ended
+            .and_then(|()| trace::recover(folder))
+            .and_then(|_| outcome.files.iter().try_for_each(|(name, text)| write(&folder.join(name), text.as_bytes())));
         notes.extend(kept.err().map(|why| Message::new("record-incomplete").message("why", why.message())));
-        let lasted = i64::try_from(begun.1.elapsed().as_millis()).unwrap_or(i64::MAX);
-        let ended = Moment(begun.0.0.saturating_add(lasted));
-        settle(data, id, &folder, outcome.result, ended, joined(notes))
+        let end = Settled {
+            result: outcome.result,
+            ended: lasted(&log).map_or_else(Moment::now, |ms| begun.after_ms(ms)),
+            note: joined(notes),
+            events: Vec::new(),
+        };
+        settle(data, files.weld, folder, end)
     }
+}
+
+/// The time that a weld took by its log, ms; `None` if its end is not in it.
+pub(crate) fn lasted(log: &[Entry]) -> Option<u64> {
+    log.iter().rev().find_map(|entry| if let Entry::Ended { lasted_ms } = entry { Some(*lasted_ms) } else { None })
+}
+
+/// The note on rows that a weld has lost by its log.
+pub(crate) fn lost_rows(log: &[Entry]) -> Option<Message> {
+    log.iter().rev().find_map(|entry| match entry {
+        Entry::RowsLost { rows, why } => {
+            let rows = usize::try_from(*rows).unwrap_or(usize::MAX);
+            Some(Message::new("record-rows-lost").count("n", rows).message("why", why.clone()))
+        }
+        _ => None,
+    })
+}
+
+/// Data of a weld for the library beside the contents of its folder.
+pub(crate) struct Settled {
+    pub(crate) result: WeldResult,
+    pub(crate) ended: Moment,
+    pub(crate) note: Message,
+    pub(crate) events: Vec<Event>,
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
@@ -134,14 +155,8 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 }
 
 /// Puts the contents of a weld's folder into the library, with the weld's end.
-pub(crate) fn settle(
-    data: &mut DataFolder,
-    id: i64,
-    folder: &Path,
-    result: WeldResult,
-    ended: Moment,
-    mut note: Message,
-) -> Result<WeldRecord, Error> {
+pub(crate) fn settle(data: &mut DataFolder, id: i64, folder: &Path, end: Settled) -> Result<WeldRecord, Error> {
+    let Settled { result, ended, mut note, events } = end;
     let files = files_in(folder)?;
     let traces = files.iter().filter(|f| f.rows.is_some()).map(|f| Trace::open(&folder.join(&f.name)));
     let figures = traces.collect::<Result<Vec<_>, _>>().and_then(|traces| {
@@ -171,8 +186,11 @@ pub(crate) fn settle(
         worst_deviation_mm: figures.worst_deviation_mm,
         values: figures.values,
         files,
+        events,
     };
     data.library_mut().end_weld(id, &end)?;
+    // The library has all of it.
+    drop(fs::remove_file(folder.join(weld_log::NAME)));
     data.library().weld(id)
 }
 
@@ -186,7 +204,7 @@ fn files_in(folder: &Path) -> Result<Vec<WeldFile>, Error> {
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if name.starts_with('.') || name.ends_with(".raw") {
+        if name.starts_with('.') || name.ends_with(".raw") || name == weld_log::NAME {
             continue;
         }
         let (sha256, bytes) = sha256_of_file(&path)?;

@@ -3,11 +3,15 @@
 //! A column holds a message as JSON, which begins with `{`. Any other text is a sentence: what a person typed, or what an
 //! older version wrote.
 
+#[cfg(feature = "library")]
 use rusqlite::Row;
-use seamwright_message::{Argument, Language, Message};
+#[cfg(feature = "library")]
+use seamwright_message::Argument;
+use seamwright_message::{Language, Message};
 use serde::Serializer;
 use serde::ser::SerializeMap;
 
+#[cfg(feature = "library")]
 pub(crate) fn written(message: &Message) -> String {
     match (message.code.as_ref(), message.arguments.as_slice()) {
         ("text", [(_, Argument::Text(text))]) if !text.starts_with('{') => text.clone(),
@@ -15,19 +19,23 @@ pub(crate) fn written(message: &Message) -> String {
     }
 }
 
+#[cfg(feature = "library")]
 pub(crate) fn read(column: String) -> Message {
     let known = if column.starts_with('{') { serde_json::from_str(&column).ok() } else { None };
     known.unwrap_or_else(|| Message::verbatim(column))
 }
 
+#[cfg(feature = "library")]
 pub(crate) fn column(row: &Row, at: usize) -> rusqlite::Result<Message> {
     row.get(at).map(read)
 }
 
+#[cfg(feature = "library")]
 pub(crate) fn english<S: Serializer>(message: &Message, out: S) -> Result<S::Ok, S::Error> {
     out.serialize_str(&message.in_language(Language::English))
 }
 
+#[cfg(feature = "library")]
 /// Serializes the name of an alarm: its English words, and code and arguments.
 pub(crate) fn name<S: Serializer>(message: &Message, out: S) -> Result<S::Ok, S::Error> {
     described("name", message, out)
@@ -46,6 +54,7 @@ fn described<S: Serializer>(key: &'static str, message: &Message, out: S) -> Res
     map.end()
 }
 
+#[cfg(feature = "library")]
 /// Joins notes to one message; empty ones are left out.
 pub fn joined(notes: impl IntoIterator<Item = Message>) -> Message {
     let notes = notes.into_iter().filter(|note| !note.is_empty());
@@ -53,7 +62,7 @@ pub fn joined(notes: impl IntoIterator<Item = Message>) -> Message {
     all.unwrap_or_default()
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "library"))]
 mod tests {
     use super::*;
     use seamwright_message::Unit;

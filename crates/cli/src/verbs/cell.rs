@@ -44,7 +44,7 @@ pub(crate) fn cell(args: &CellArgs) -> Result<(), Failure> {
 /// Stops the running cell of a data folder, and prints the number of the cycle that acted.
 pub(crate) fn stop(args: &StopArgs) -> Result<(), Failure> {
     let data = super::records::folder(args.data.as_deref())?;
-    let line = StopLine::new(&data.join("cell"));
+    let mut line = StopLine::new(&data.join("cell"));
     match line.ask(&Ask::Stop) {
         Ok(Some(cycle)) => print_text(&format!("{}\n", Message::new("cli-stopped").number("cycle", cycle as f64, 0))),
         Ok(None) => Ok(()),

@@ -4,6 +4,9 @@ use crate::common::write;
 use crate::modbus_server::TestServer;
 use crate::modbus_welder::{MAP, welder};
 use crate::stopped::{eventually, job};
+use seamwright_record::DataFolder;
+use seamwright_record::library::{Query, WeldResult};
+use seamwright_record::trace::Trace;
 use serde_json::{Value, json};
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
@@ -205,15 +208,20 @@ pub(crate) fn signal(name: &str, process: &str) {
 }
 
 pub(crate) fn started(folder: &Path, server: &TestServer, on_panel_lost: &str) -> Panel {
+    started_in(folder, &folder.join("data"), server, on_panel_lost)
+}
+
+/// The same with the data in another folder.
+pub(crate) fn started_in(folder: &Path, data: &Path, server: &TestServer, on_panel_lost: &str) -> Panel {
     let map = format!("timeout_s = 1\n{MAP}");
     let job = job(folder, &server.address.to_string(), &map);
     let machine = folder.join("cell.toml");
     let text = std::fs::read_to_string(&machine).unwrap();
     std::fs::write(&machine, format!("{on_panel_lost}{text}")).unwrap();
-    let jobs = folder.join("data/jobs");
+    let jobs = data.join("jobs");
     std::fs::create_dir_all(&jobs).unwrap();
     std::fs::copy(&machine, jobs.join("cell.toml")).unwrap();
-    Panel::start(&folder.join("data"), &job)
+    Panel::start(data, &job)
 }
 
 pub(crate) fn is_off(server: &TestServer) -> bool {
@@ -268,11 +276,11 @@ fn a_weld_whose_panel_is_killed_is_held_and_found_again() {
     let work = next.says(&format!("GET /api/work HTTP/1.1\r\ncookie: {}\r\n", next.cookie), "");
     assert!(work.contains("\"job.toml\""), "{work}");
     assert!(!server.bank().coils[0]);
-    // It goes on in a record of its own.
+    // It goes on in its record.
     page.send(&json!({ "kind": "take_control", "over": false }));
     page.order("arm");
     page.order("resume");
-    page.until(|status| status["mode"] == "weld" && status["recording"] == 2);
+    page.until(|status| status["mode"] == "weld" && status["recording"] == 1);
     // The end of the second panel ends the cell in order.
     signal("-TERM", &next.child.id().to_string());
     eventually("the end of the cell", || !Path::new("/proc").join(&cell).exists());
@@ -305,7 +313,45 @@ fn welds_without_panel() -> bool {
         assert!(stop.status.success() && said.starts_with("stopped in cycle "), "{said}");
     }
     eventually("the arc to go off", || !server.bank().coils[0]);
+    if burns {
+        signal("-TERM", &next.child.id().to_string());
+        let mut next = next;
+        assert_eq!(next.child.wait().unwrap().code(), Some(0));
+        one_whole_record(Path::new(&panel.data));
+    }
     burns
+}
+
+/// One record has all rows of the weld, also those of the time without a panel.
+fn one_whole_record(data: &Path) {
+    let data = DataFolder::open_to_read(data).unwrap();
+    let welds = data.library().find(&Query::default()).unwrap();
+    assert!(welds.len() == 1 && welds[0].result == WeldResult::Stopped, "{welds:?}");
+    let detail = data.library().detail(welds[0].id).unwrap();
+    assert!(detail.events.iter().any(|event| event.text.code == "cell-event-pass-left"), "{:?}", detail.events);
+    let trace = Trace::open(&data.weld_folder(welds[0].id).join("trace.parquet")).unwrap();
+    let (mut times, mut missed) = (Vec::new(), 0.0);
+    trace
+        .read(&["t_s", "missed"], |row| {
+            times.push(row[0]);
+            missed += row[1];
+        })
+        .unwrap();
+    let lasted = times[times.len() - 1] - times[0];
+    assert!(lasted > 2.5, "{lasted} s");
+    let cycles = lasted / period(&times);
+    assert!(
+        (times.len() as f64 + missed - cycles - 1.0).abs() <= 1.5,
+        "{} rows of {cycles}, {missed} missed",
+        times.len()
+    );
+}
+
+/// Median time between two rows, s.
+fn period(times: &[f64]) -> f64 {
+    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    steps[steps.len() / 2]
 }
 
 /// With `on_panel_lost = "continue"` the weld goes on while there is no panel.

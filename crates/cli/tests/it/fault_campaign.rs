@@ -190,11 +190,11 @@ fn campaign(cases: u32, lanes: u32) {
 
 #[test]
 fn faults_of_processes_leave_nothing_on() {
-    campaign(12, 3);
+    campaign(60, 6);
 }
 
 #[test]
 #[ignore = "1,000 combinations in real time; make soak"]
 fn a_thousand_faults_of_processes() {
-    campaign(if soak().is_some() { 1000 } else { 60 }, 4);
+    campaign(if soak().is_some() { 1000 } else { 60 }, 6);
 }

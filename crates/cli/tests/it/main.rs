@@ -42,6 +42,7 @@ mod serve;
 mod speed_mistakes;
 mod stopped;
 mod stripe;
+mod surroundings_campaign;
 mod taught;
 mod teach;
 mod two_level;

@@ -173,6 +173,7 @@ impl StallWatch {
 mod tests {
     use super::super::clock::ManualTime;
     use super::*;
+    use seamwright_testkit::Random;
 
     const LIMIT: Duration = Duration::from_millis(50);
     const LOOK: Duration = Duration::from_millis(10);
@@ -232,19 +233,15 @@ mod tests {
     /// Random cycles and looks: cut off if and only if the count stood still for longer than the limit between looks.
     #[test]
     fn random_gaps_are_judged_by_their_length() {
-        let mut state = 11u64;
-        let mut below = |n: u64| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) % n
-        };
+        let mut random = Random::new(11);
         let time = ManualTime::default();
         let mut watch = StallWatch::new(LIMIT, time.now());
         let (mut cycles, mut changed, mut cut) = (1, time.now(), false);
         watch.look(time.now(), cycles);
         for _ in 0..20_000 {
-            time.advance(Duration::from_millis(1 + below(25)));
+            time.advance(Duration::from_millis(1 + random.below(25) as u64));
             let now = time.now();
-            if below(4) == 0 {
+            if random.one_in(4) {
                 (cycles, changed, cut) = (cycles + 1, now, false);
             }
             let expected = cycles != watch.cycles || now.since(changed) <= LIMIT || cut;

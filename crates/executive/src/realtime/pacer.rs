@@ -147,6 +147,7 @@ mod tests {
     use super::super::ManualTime;
     use super::*;
     use seamwright_machine::shipped;
+    use seamwright_testkit::Random;
     use std::time::Duration;
 
     /// Cycles keep to the grid of the clock, whatever the duration of the work between them; the time of all cycles and
@@ -156,11 +157,10 @@ mod tests {
         let time = ManualTime::default();
         let (begin, period) = (time.now(), Duration::from_millis(2));
         let mut pacer = Pacer::by(time.clone(), 2e-3);
-        let (mut cycles, mut state) = (0u64, 3u64);
+        let (mut cycles, mut random) = (0u64, Random::new(3));
         for _ in 0..5000 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             // Mostly shorter than a period, sometimes up to a quarter of an hour.
-            let work_us = (state >> 33) % 10u64.pow(1 + (state >> 20) as u32 % 9);
+            let work_us = random.bits() % 10u64.pow(1 + random.below(9) as u32);
             time.advance(Duration::from_micros(work_us));
             cycles += 1 + u64::from(pacer.wait());
             let now = time.now().since(begin);

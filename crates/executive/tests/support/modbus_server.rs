@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use std::future::Future;
 use std::net::SocketAddr;
 use std::pin::Pin;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -37,6 +37,8 @@ pub(crate) struct TestServer {
     silent: Arc<AtomicBool>,
     /// Read requests stay unanswered, write requests do not.
     mute: Arc<AtomicBool>,
+    /// Time before each answer, ms.
+    slow: Arc<AtomicU64>,
     /// Number of connections so far, and those of them that are silent.
     connections: Arc<AtomicUsize>,
     deaf: Arc<AtomicUsize>,
@@ -60,9 +62,9 @@ impl TestServer {
         };
         let address = SocketAddr::from(([127, 0, 0, 1], 0));
         let (silent, mute) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicBool::new(false)));
-        let (connections, deaf) = (Arc::default(), Arc::default());
+        let (connections, deaf, slow) = (Arc::default(), Arc::default(), Arc::default());
         let bank = Arc::new(Mutex::new(bank));
-        let mut server = Self { address, bank, silent, mute, connections, deaf, single: false, running: None };
+        let mut server = Self { address, bank, silent, mute, slow, connections, deaf, single: false, running: None };
         server.start();
         server
     }
@@ -90,6 +92,11 @@ impl TestServer {
         self.silent.store(silent, Ordering::SeqCst);
     }
 
+    /// Answers each request this much later.
+    pub(crate) fn answer_after(&self, delay: Duration) {
+        self.slow.store(delay.as_millis() as u64, Ordering::SeqCst);
+    }
+
     /// Accepts requests on the present connections without ever answering or executing them; others work.
     pub(crate) fn silence_present(&self) {
         self.deaf.store(self.connections.load(Ordering::SeqCst), Ordering::SeqCst);
@@ -113,6 +120,7 @@ impl TestServer {
             bank: Arc::clone(&self.bank),
             silent: Arc::clone(&self.silent),
             mute: Arc::clone(&self.mute),
+            slow: Arc::clone(&self.slow),
             deaf: Arc::clone(&self.deaf),
         };
         let connections = Arc::clone(&self.connections);
@@ -159,6 +167,7 @@ struct Device {
     bank: Arc<Mutex<Bank>>,
     silent: Arc<AtomicBool>,
     mute: Arc<AtomicBool>,
+    slow: Arc<AtomicU64>,
     deaf: Arc<AtomicUsize>,
 }
 
@@ -177,13 +186,19 @@ impl Service for Connected {
     type Future = Pin<Box<dyn Future<Output = Result<Response, ExceptionCode>> + Send>>;
 
     fn call(&self, request: Self::Request) -> Self::Future {
-        let Device { bank, silent, mute, deaf } = &self.device;
+        let Device { bank, silent, mute, slow, deaf } = &self.device;
         let is_deaf = self.number < deaf.load(Ordering::SeqCst);
         if is_deaf || silent.load(Ordering::SeqCst) || mute.load(Ordering::SeqCst) && !request.is_write() {
             return Box::pin(std::future::pending());
         }
         let answer = bank.lock().unwrap().answer(&request);
-        Box::pin(std::future::ready(answer))
+        match slow.load(Ordering::SeqCst) {
+            0 => Box::pin(std::future::ready(answer)),
+            ms => Box::pin(async move {
+                tokio::time::sleep(Duration::from_millis(ms)).await;
+                answer
+            }),
+        }
     }
 }
 

@@ -1,21 +1,11 @@
 use super::Library;
 use crate::error::Error;
+use crate::event::{Event, Place};
 use crate::moment::Moment;
 use crate::stored_message;
 use rusqlite::{Connection, Row, params};
 use seamwright_message::{Language, Message};
 use serde::Serialize;
-
-/// Position and time in a weld.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct Place {
-    /// The pass, counted from 1.
-    pub pass: Option<u32>,
-    /// Path length, mm.
-    pub s_mm: Option<f64>,
-    /// Time in the trace, s.
-    pub t_s: Option<f64>,
-}
 
 /// An alarm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -43,20 +33,6 @@ pub struct Alarm {
 
 fn acknowledged<S: serde::Serializer>(value: &Option<(String, Moment)>, out: S) -> Result<S::Ok, S::Error> {
     value.as_ref().map(|(by, at)| format!("{by}, {at}")).serialize(out)
-}
-
-/// An event that is no alarm.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Event {
-    /// Time.
-    #[serde(serialize_with = "crate::moment::written")]
-    pub at: Moment,
-    /// Description.
-    #[serde(flatten, serialize_with = "stored_message::text")]
-    pub text: Message,
-    /// Position.
-    #[serde(flatten)]
-    pub place: Place,
 }
 
 pub(super) const SELECT: &str =
@@ -118,6 +94,13 @@ pub(super) fn acknowledge(
     db.prepare_cached(sql)?.execute(params![by, at.0, until.0, stored, english])
 }
 
+pub(super) fn add_event(db: &Connection, weld: Option<i64>, event: &Event) -> rusqlite::Result<()> {
+    let Place { pass, s_mm, t_s } = event.place;
+    let sql = "INSERT INTO event (weld, at, text, pass, s_mm, t_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
+    let row = params![weld, event.at.0, stored_message::written(&event.text), pass, s_mm, t_s];
+    db.prepare_cached(sql)?.execute(row).map(drop)
+}
+
 /// Acknowledgements of every alarm, whenever it was raised.
 const ALWAYS: Moment = Moment(i64::MAX);
 
@@ -168,9 +151,7 @@ impl Library {
 
     /// Adds an event, with or without a weld.
     pub fn add_event(&self, weld: Option<i64>, event: &Event) -> Result<(), Error> {
-        let Place { pass, s_mm, t_s } = event.place;
-        let sql = "INSERT INTO event (weld, at, text, pass, s_mm, t_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
-        self.run(sql, params![weld, event.at.0, stored_message::written(&event.text), pass, s_mm, t_s]).map(drop)
+        add_event(&self.db, weld, event).map_err(|e| self.failed(e))
     }
 
     /// Events of a weld, in the order in which they came.

@@ -14,7 +14,8 @@ mod schema;
 mod weld;
 mod word_search;
 
-pub use alarm::{Alarm, Event, Place};
+pub use crate::event::{Event, Place};
+pub use alarm::Alarm;
 pub use audit::{AuditCheck, AuditEntry, AuditQuery};
 pub use document::{Document, DocumentKind};
 pub use export::{ExportedAlarm, ExportedAudit, Span};

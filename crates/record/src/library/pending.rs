@@ -1,8 +1,9 @@
 //! Entries on their way into the library: stored many at a time, and once only, also after a crash.
 
-use super::alarm::{self, Alarm, Place};
+use super::alarm::{self, Alarm};
 use super::audit::{self, AuditEntry};
 use super::{Error, Library};
+use crate::event::Place;
 use crate::moment::Moment;
 use crate::stored_message;
 use rusqlite::{Connection, TransactionBehavior, params};

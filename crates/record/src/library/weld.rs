@@ -1,7 +1,8 @@
 use super::Library;
-use super::alarm::{Alarm, Event};
+use super::alarm::{Alarm, add_event};
 use super::document::Document;
 use crate::error::Error;
+use crate::event::Event;
 use crate::figures::{Basis, Value};
 use crate::moment::Moment;
 use crate::stored_message;
@@ -127,6 +128,8 @@ pub struct WeldEnd {
     pub values: Vec<Value>,
     /// The trace and further files.
     pub files: Vec<WeldFile>,
+    /// Events that the library does not have yet.
+    pub events: Vec<Event>,
 }
 
 /// A weld as the library has it.
@@ -238,6 +241,9 @@ impl Library {
             let whole = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
             let row = params![id, file.name, file.sha256, whole(file.bytes), file.rows.map(whole)];
             change.execute(sql, row).map_err(failed)?;
+        }
+        for event in &end.events {
+            add_event(&change, Some(id), event).map_err(failed)?;
         }
         for v in &end.values {
             let sql = "INSERT OR REPLACE INTO weld_value (weld, pass, name, least, mean, greatest, allowed_least,

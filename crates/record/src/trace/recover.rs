@@ -4,7 +4,7 @@ use crate::error::{Doing, Error};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A raw file that became a Parquet file after a crash.
+/// A part of a trace: a raw file that became a Parquet file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RecoveredPart {
     /// The Parquet file.
@@ -19,7 +19,7 @@ pub struct RecoveredPart {
 /// Bytes that a block cut off may have; more is damage.
 const TORN: u64 = 1 << 18;
 
-/// Converts all raw files in `folder` that are not being written to Parquet, in the order of their names.
+/// Converts all raw files in `folder` that are not being written to Parquet, in the order of the trace's parts.
 ///
 /// # Errors
 /// If the folder cannot be read or written. A raw file without a whole header has no rows; it is moved away under the
@@ -33,7 +33,8 @@ pub fn recover(folder: &Path) -> Result<Vec<RecoveredPart>, Error> {
             raws.push(path);
         }
     }
-    raws.sort();
+    // `trace-10.raw` comes after `trace-2.raw`.
+    raws.sort_by_key(|raw| (raw.as_os_str().len(), raw.clone()));
     let parts = raws.iter().map(|raw| recover_part(raw)).collect::<Result<Vec<_>, _>>()?;
     Ok(parts.into_iter().flatten().collect())
 }

@@ -1,22 +1,9 @@
 use super::column::Column;
-use super::parquet_file;
-use super::raw::{Header, RawReader, RawWriter};
-use crate::error::{Doing, Error};
-use seamwright_message::{Message, Unit};
-use std::fs;
+use super::raw::{Header, RawWriter};
+use crate::error::Error;
 use std::path::{Path, PathBuf};
-use std::thread::JoinHandle;
 
-/// A Parquet file of a trace.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Part {
-    /// The file.
-    pub path: PathBuf,
-    /// Its rows.
-    pub rows: u64,
-}
-
-/// Writes a trace row by row, so that a crash loses no more than its last second; Parquet when it is finished.
+/// Writes a trace row by row, so that a crash loses no more than its last 100 ms.
 ///
 /// Memory is bounded, and a row costs no allocation. A row may wait for the disk (up to tens of ms, twice a second), so
 /// rows belong into a thread that may wait. In the absence of rows, [`TraceWriter::flush`] puts the last ones on the
@@ -33,16 +20,12 @@ pub struct TraceWriter {
     raw: RawWriter,
     /// The number of the part that is being written, from 1.
     number: usize,
-    /// The part before, of which a Parquet file is being made; one at a time, so that memory is bounded.
-    finishing: Option<JoinHandle<Result<Part, Error>>>,
-    /// Parts that are finished, or the error of one.
-    parts: Result<Vec<Part>, Error>,
 }
 
 impl TraceWriter {
     /// Creates the trace `path` (`trace.parquet`), and `trace-2.parquet` and so on beside it if there are more than
-    /// `most_rows`, for example an hour of them. Until then the rows are in `trace.raw`, `trace-2.raw`. `about` are
-    /// (key, value) pairs of metadata.
+    /// `most_rows`, for example an hour of them. Until it is finished the rows are in `trace.raw`, `trace-2.raw`. `about`
+    /// are (key, value) pairs of metadata.
     ///
     /// # Errors
     /// If the file cannot be written, or a crash has left a trace of that name.
@@ -50,18 +33,15 @@ impl TraceWriter {
         let about = about.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect();
         let header = Header { columns: columns.to_vec(), about };
         let raw = RawWriter::create(&path.with_extension("raw"), &header)?;
-        let most_rows = most_rows.max(1);
-        Ok(Self {
-            path: path.to_owned(),
-            header,
-            most_rows,
-            in_part: 0,
-            lost: 0,
-            raw,
-            number: 1,
-            finishing: None,
-            parts: Ok(Vec::new()),
-        })
+        Ok(Self { path: path.to_owned(), header, most_rows: most_rows.max(1), in_part: 0, lost: 0, raw, number: 1 })
+    }
+
+    /// Reserves room on the disk for the first `rows` rows, or for a whole part of them.
+    ///
+    /// # Errors
+    /// If the disk has not so much room. File systems that cannot reserve are no error.
+    pub fn reserve(&self, rows: u64) -> Result<(), Error> {
+        self.raw.reserve(rows.min(self.most_rows))
     }
 
     /// Adds one row, with one value a column.
@@ -90,31 +70,14 @@ impl TraceWriter {
         self.lost + self.raw.lost
     }
 
-    /// Goes on in a new raw file; a thread makes the last one a Parquet file.
+    /// Goes on in a new raw file.
     fn next_part(&mut self) -> Result<(), Error> {
         self.raw.flush()?;
-        let next = self.part_path(self.number + 1);
-        let raw = RawWriter::create(&next.with_extension("raw"), &self.header)?;
+        let raw = RawWriter::create(&self.part_path(self.number + 1).with_extension("raw"), &self.header)?;
         let last = std::mem::replace(&mut self.raw, raw);
         self.lost += last.lost;
         (self.number, self.in_part) = (self.number + 1, 0);
-        self.wait();
-        let path = last.path.clone();
-        // Lets go of the lock before the thread asks for it.
-        drop(last);
-        self.finishing = Some(std::thread::spawn(move || finished(&path)));
         Ok(())
-    }
-
-    fn wait(&mut self) {
-        if let Some(part) = self.finishing.take() {
-            let part = part.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            match (&mut self.parts, part) {
-                (Ok(parts), Ok(part)) => parts.push(part),
-                (Ok(_), Err(error)) => self.parts = Err(error),
-                (Err(_), _) => {}
-            }
-        }
     }
 
     /// The Parquet file of the `number`th part, from 1.
@@ -126,42 +89,34 @@ impl TraceWriter {
         self.path.with_file_name(format!("{stem}-{number}.parquet"))
     }
 
+    /// Ends the trace. Its rows are still in raw files: [`super::recover()`] makes Parquet files of them.
+    ///
+    /// # Errors
+    /// If the last rows cannot be written.
+    pub fn close(mut self) -> Result<(), Error> {
+        self.raw.flush()
+    }
+
     /// Ends the trace: its Parquet files, in order.
     ///
     /// # Errors
     /// If a file cannot be written; its rows are then still in the raw file, for [`super::recover()`].
-    pub fn finish(mut self) -> Result<Vec<Part>, Error> {
-        let flushed = self.raw.flush();
-        self.wait();
-        let Self { raw, parts, .. } = self;
-        let last = raw.path.clone();
-        // Lets go of the lock.
-        drop(raw);
-        let last = finished(&last);
-        let mut parts = parts?;
-        parts.push(last?);
-        flushed.map(|()| parts)
+    #[cfg(feature = "library")]
+    pub fn finish(self) -> Result<Vec<super::RecoveredPart>, Error> {
+        let folder = self.path.parent().map(Path::to_owned).unwrap_or_default();
+        let closed = self.close();
+        let parts = super::recover(&folder)?;
+        closed.map(|()| parts)
     }
 }
 
-fn finished(raw: &Path) -> Result<Part, Error> {
-    let path = raw.with_extension("parquet");
-    let Some(mut reader) = RawReader::open(raw)? else { return Err(Error::Busy { path: raw.to_owned() }) };
-    let rows = parquet_file::write(&mut reader, &path)?;
-    if reader.left > 0 {
-        let why = Message::new("record-incomplete-rows").quantity("size", reader.left as f64, Unit::Byte, 0);
-        return Err(Error::damaged(raw, why, Message::new("record-recover-whole-rows")));
-    }
-    fs::remove_file(raw).map_err(|e| Error::io(raw, Doing::Remove, e))?;
-    Ok(Part { path, rows })
-}
-
-#[cfg(test)]
+#[cfg(all(test, feature = "library"))]
 mod tests {
     use super::*;
     use crate::trace::column::Kind;
     use crate::trace::read::Trace;
-    use crate::trace::recover::recover;
+    use crate::trace::recover::{RecoveredPart, recover};
+    use std::fs;
 
     fn columns() -> Vec<Column> {
         vec![
@@ -229,7 +184,6 @@ mod tests {
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
     }
 
-    /// A part that ends lets go of its file before the thread that makes it Parquet asks for it.
     #[test]
     fn many_parts_follow_each_other() {
         let folder = tempfile::tempdir().unwrap();
@@ -264,6 +218,4 @@ mod tests {
         assert_eq!(recover(folder.path()).unwrap()[0].rows, 0);
         assert_eq!(fs::read(folder.path().join("trace.raw.damaged")).unwrap(), &whole[..30]);
     }
-
-    use crate::trace::recover::RecoveredPart;
 }

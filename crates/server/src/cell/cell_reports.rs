@@ -19,12 +19,21 @@ use std::sync::Arc;
 impl Desk {
     pub(super) fn handle_report(&mut self, report: Report) {
         match report {
-            Report::Hello { program, alarms, .. } => self.greeted(program.as_deref(), &alarms),
+            Report::Hello { program, alarms, recording, .. } => {
+                if self.cell.was_found() {
+                    self.recorder.found(recording);
+                }
+                self.greeted(program.as_deref(), &alarms);
+            }
             Report::Cycle(shown) => self.cycle(&shown),
             Report::Note((t, note)) => self.handle_note(t, note),
             Report::Rights(rights) => self.tell_footing(rights),
             Report::Lines(lines) => self.hub.set_lines(lines),
             Report::Queues(queues) => self.tally.queue_fill(queues),
+            Report::Recorded { weld } => self.recorder.ended(weld),
+            Report::RecordFails { why, .. } => {
+                self.tell(happening(Message::new("server-event-record-fails").message("reason", why)));
+            }
             Report::Prepared { outcome: Ok(()), .. } => {}
             Report::Prepared { outcome: Err(why), .. } => self.unprepared(why),
             Report::DevicesReleased => self.devices_released(),
@@ -66,7 +75,7 @@ impl Desk {
         }
     }
 
-    /// The first cycle of a cell that was found running: a weld goes on in a new record.
+    /// The first cycle of a cell that was found running: a weld goes on, in its record.
     pub(super) fn adopt(&mut self, shown: &Shown) {
         self.adopts = false;
         if shown.mode == Mode::Weld {
@@ -79,7 +88,6 @@ impl Desk {
         let Some(pending) = &self.loading else { return };
         let (mut machine, around) = (pending.names.machine.clone(), Arc::clone(&pending.around));
         machine.devices = MachineDevices::default();
-        self.recorder.end();
         self.without_program(machine, around);
     }
 
@@ -96,11 +104,18 @@ impl Desk {
         }
     }
 
+    /// The panel itself has written the safe outputs of a device, or could not.
+    pub(super) fn written_by_panel(&mut self, device: String, outcome: Result<(), Message>) {
+        if outcome.is_ok() {
+            self.tell(happening(Message::new("server-event-safe-by-panel").text("device", &device)));
+        }
+        self.released(device, outcome);
+    }
+
     /// The cell has died: a new one takes its place, off and without a program. Nothing else starts by itself.
     pub(super) fn lost(&mut self, why: &Message, shutdown: &Shutdown) {
         self.tell(happening(Message::new("server-event-cell-lost").message("reason", why.clone())));
-        self.recorder.stopped_by(why);
-        self.recorder.end();
+        self.recorder.lost(why);
         self.welding = None;
         if let Some(pending) = self.loading.take() {
             let lost = lack("silent_cycle", Message::new("server-cell-silent"));
@@ -109,13 +124,8 @@ impl Desk {
         for command in std::mem::take(&mut self.waiting) {
             self.refuse(command, lack("silent_cycle", Message::new("server-cell-silent")));
         }
-        let of_devices = |desk: &mut Self, why: &Message| {
-            for device in &desk.names.machine.devices.modbus {
-                desk.unconfirmed.insert(device.name.clone(), why.clone());
-            }
-        };
         if self.expects_end {
-            of_devices(self, why);
+            self.write_devices();
             self.ended = true;
             return;
         }
@@ -123,11 +133,19 @@ impl Desk {
             Ok(machine) => self.forget_program(machine),
             Err(why) => {
                 self.tell(happening(Message::new("server-event-cell-not-restarted").message("reason", why.clone())));
-                of_devices(self, &why);
+                self.write_devices();
                 self.failure = Some(Message::new("server-event-cell-not-restarted").message("reason", why));
                 self.ended = true;
                 shutdown.request(ShutdownCause::Asked);
             }
+        }
+    }
+
+    /// Writes the safe outputs of all devices, since no cell does.
+    fn write_devices(&mut self) {
+        let devices = self.names.machine.devices.modbus.clone();
+        for (device, outcome) in self.own_connection.write_all(&devices) {
+            self.written_by_panel(device, outcome);
         }
     }
 

@@ -4,6 +4,7 @@ use super::display_distances::Around;
 use super::event::{Happening, happening};
 use super::hub::Hub;
 use super::names::{Extra, Names};
+use super::own_connection::OwnConnection;
 use super::progress::{Left, Parts, Progress, ToWeld};
 use super::recorder::Recorder;
 use super::standstill::Stillness;
@@ -91,6 +92,7 @@ pub(super) struct Desk {
     from: Receiver<ToDesk>,
     pub(super) names: Names,
     pub(super) recorder: Recorder,
+    pub(super) own_connection: OwnConnection,
     pub(super) mirror: Mirror,
     pub(super) to_weld: Option<ToWeld>,
     /// The running weld.
@@ -128,8 +130,6 @@ pub(super) struct Desk {
     pub(super) left_before: Option<Left>,
     pub(super) parts: Parts,
     pub(super) quits: bool,
-    /// The last reported reason for which the record cannot be written.
-    pub(super) trouble: Option<String>,
 }
 
 /// Progress of the running weld, recorded or not.
@@ -162,6 +162,7 @@ impl Desk {
             from,
             names,
             recorder,
+            own_connection: OwnConnection::new(),
             mirror,
             to_weld: None,
             welding: None,
@@ -187,7 +188,6 @@ impl Desk {
             left_before: None,
             parts: Parts::default(),
             quits: false,
-            trouble: None,
         }
     }
 
@@ -205,6 +205,10 @@ impl Desk {
             }
             if shutdown.is_requested() && asked.is_none() {
                 asked = Some(Instant::now());
+                if let Some(cause) = shutdown.cause() {
+                    self.tell(happening(Message::new("server-event-stopped-by").message("cause", cause.message())));
+                    self.recorder.stopped_by(&cause.message());
+                }
                 // A cell that has gone is noticed by its news.
                 self.cell.send(&Request::Shutdown);
             }
@@ -216,11 +220,7 @@ impl Desk {
             std::thread::sleep(LOOK);
         }
         let closed = catch_unwind(AssertUnwindSafe(|| {
-            if let Some(cause) = shutdown.cause() {
-                self.tell(happening(Message::new("server-event-stopped-by").message("cause", cause.message())));
-                self.recorder.stopped_by(&cause.message());
-            }
-            self.recorder.close();
+            self.recorder.close_all();
         }));
         if closed.is_err() {
             log::error(&Message::new("server-log-record-open"));
@@ -260,6 +260,13 @@ impl Desk {
                 News::Report(report) => self.handle_report(report),
                 News::Lost(why) => self.lost(&why, shutdown),
             }
+        }
+        self.own_connection.watch(self.cell.is_silent(), &self.names.machine.devices.modbus);
+        while let Some((device, outcome)) = self.own_connection.outcome() {
+            self.written_by_panel(device, outcome);
+        }
+        while let Some(news) = self.recorder.news() {
+            self.handle_record(news);
         }
         let unshelved = self.mirror.expire();
         if !unshelved.is_empty() {
@@ -334,13 +341,6 @@ impl Desk {
         self.tally.cycle(shown);
         self.missed = self.missed.saturating_add(shown.reports.missed);
         self.longest = self.longest.max(shown.reports.missed);
-        if let Some(trouble) = self.recorder.row(&self.names, shown)
-            && self.trouble.as_ref() != Some(&trouble)
-        {
-            self.cell.send(&Request::RecordFails(true));
-            self.tell(happening(Message::new("server-event-record-fails").text("reason", &trouble)));
-            self.trouble = Some(trouble);
-        }
         // A weld without a result restores the previous position. If the weld itself was left, that note arrives before
         // it is over.
         if let Some(welding) = &mut self.welding {
@@ -441,8 +441,6 @@ impl Desk {
             drop(pending.answer.send(Err(NotLoaded::Lack(self.names.lack(missing)))));
             return;
         }
-        // Its rows belong to the previous program.
-        self.recorder.end();
         if pending.names.fingerprint != self.names.fingerprint {
             self.mirror.forget();
             self.hub.alarms(self.mirror.views(&pending.names));

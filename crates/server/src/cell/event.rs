@@ -3,7 +3,7 @@ use seamwright_log::{self as log, Level};
 use seamwright_message::Message;
 
 /// Kinds of events by the codes of their messages.
-const KINDS: [(&str, &str); 44] = [
+const KINDS: [(&str, &str); 45] = [
     ("server-event-mode", "mode"),
     ("server-event-order", "order"),
     ("server-event-refused", "refused"),
@@ -28,6 +28,7 @@ const KINDS: [(&str, &str); 44] = [
     ("server-event-cell-found", "work"),
     ("server-event-cell-not-restarted", "alarm"),
     ("server-event-safe-unconfirmed", "alarm"),
+    ("server-event-safe-by-panel", "alarm"),
     ("server-event-journal-damaged", "alarm"),
     ("server-event-weld-lost", "record"),
     ("server-event-recorded", "record"),

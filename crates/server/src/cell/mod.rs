@@ -12,6 +12,7 @@ mod event;
 mod hub;
 mod names;
 mod notes;
+mod own_connection;
 mod progress;
 mod recorder;
 mod refusals;

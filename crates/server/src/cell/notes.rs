@@ -5,16 +5,16 @@ use super::desk::{Desk, Welding};
 use super::event::happening;
 use super::names::WHY;
 use super::progress::{Left, Progress};
+use super::recorder::RecorderNews;
 use crate::refusal::Lack;
 use crate::wire::FromCell;
-use seamwright_cell::protocol::Request;
+use seamwright_cell::protocol::{RecordStart, Request};
 use seamwright_executive::realtime::RealtimeRights;
 use seamwright_executive::{Ask, Command, Missing, Mode, Note, Origin, Place, Raised};
 use seamwright_message::{Message, Unit};
 
 impl Desk {
     pub(super) fn handle_note(&mut self, t: f64, note: Note) {
-        self.recorder.add_note(t, &note);
         // Name in the library; available only while the alarm is listed.
         let one = match note {
             Note::Taken(Command { ask: Ask::AcknowledgeOne(alarm, detail), .. }) => {
@@ -95,25 +95,35 @@ impl Desk {
         let start = self.to_weld.as_ref().map_or(1, |of| of.start.0 as usize);
         let passes = at.pass.saturating_sub(start);
         self.welding = Some(Welding { passes, ..Welding::default() });
-        self.begin_record(passes);
+        self.left_before = self.left.take();
+        // A weld that was found running has its record.
+        if self.recorder.weld().is_none() || at.pass == 0 {
+            self.begin_record(passes);
+        }
     }
 
     /// Begins the record of a weld of which this number of passes is finished.
     fn begin_record(&mut self, finished: usize) {
-        self.left_before = self.left.take();
         let Some(of) = &self.to_weld else { return };
         let welder = self.hub.holder().unwrap_or_default();
         let missing: Vec<&str> = self.footing.iter().flat_map(RealtimeRights::missing).collect();
-        match self.recorder.begin(&of.plan, of.passes.saturating_sub(finished), &welder, &missing) {
-            Ok(()) => {
-                // Trouble of the previous record has been reported; this record is complete so far.
-                self.cell.send(&Request::RecordFails(false));
-                self.trouble = None;
-            }
-            Err(e) => {
-                self.cell.send(&Request::RecordFails(true));
-                self.tell(happening(Message::new("server-event-not-recorded").message("reason", e.message())));
-            }
+        self.recorder.begin(of.plan.clone(), of.passes.saturating_sub(finished), welder, &missing);
+    }
+
+    /// Handles the start of a record, and the end of one whose cell has died.
+    pub(super) fn handle_record(&mut self, news: RecorderNews) {
+        match news {
+            RecorderNews::Begun(begun) => match *begun {
+                Ok(files) => {
+                    let (values, heads) = (self.names.values, self.names.heads);
+                    self.cell.send(&Request::Record(Box::new(RecordStart { files, values, heads })));
+                }
+                Err(e) => {
+                    self.cell.send(&Request::NoRecord);
+                    self.tell(happening(Message::new("server-event-not-recorded").message("reason", e.message())));
+                }
+            },
+            RecorderNews::Left(left) => self.left = left.or_else(|| self.left.take()),
         }
     }
 

@@ -1,68 +1,67 @@
+//! Entries of welds in the library: their begin, and their end once the cell has written their files.
+//!
+//! All of it waits for the disk, so threads do it: the desk never waits.
+
 use super::archive::Archive;
 use super::event::happening;
 use super::hub::Hub;
-use super::names::Names;
+use super::progress::{self, Left};
 use super::stored_message::stored;
 use crate::refusal::panel_word;
-use seamwright_executive::realtime::{RealtimeRights, Shown};
-use seamwright_executive::{Mode, Note, Place, Raised, Reaction};
-use seamwright_message::{Message, Unit};
-use seamwright_project::power_loss::{self, Places, Watch};
-use seamwright_project::run_rows;
-use seamwright_project::weld_events;
-use seamwright_record::library::{Alarm, AuditEntry, Event, Place as Recorded, WeldResult};
-use seamwright_record::{DataFolder, Error, Moment, Outcome, Plan, Recording, joined};
+use seamwright_executive::Raised;
+use seamwright_executive::realtime::RealtimeRights;
+use seamwright_message::Message;
+use seamwright_record::journal::Journal;
+use seamwright_record::library::{Alarm, AuditEntry, Event, Place as Recorded, WeldRecord};
+use seamwright_record::weld_log::Entry;
+use seamwright_record::{DataFolder, Error, Moment, Plan, WeldFiles};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// Duration of the record after the end of the program and its gas, s.
-const AFTER_S: f64 = 1.0;
 /// Maximum time to close records at the end of the program.
 const CLOSING: Duration = Duration::from_secs(30);
 
-/// Records welds while they run.
+/// Begins and closes the records of welds, whose files the cell writes.
 pub(super) struct Recorder {
     folder: PathBuf,
     hub: Arc<Hub>,
     archive: Archive,
-    open: Option<Open>,
-    /// Journal of positions while a weld is recorded or closed: one for all of them, since it is locked.
-    places: Option<Arc<Places>>,
-    /// Threads that close records.
-    closing: Vec<JoinHandle<()>>,
-}
-
-/// A weld that is being recorded.
-struct Open {
-    recording: Recording,
-    places: Arc<Places>,
-    watch: Watch,
-    tips: run_rows::Tips,
-    welder: String,
-    passes: usize,
-    wanted: usize,
-    left: Option<Place>,
-    /// Last position of the torch, and events.
-    here: Place,
-    events: Vec<Event>,
+    /// Number of the weld that is being recorded.
+    weld: Option<i64>,
+    /// Weld that ended from outside, with the cause.
     stopped: Option<Message>,
-    /// A cycle of this weld has arrived: earlier ones may still be in the queue when it starts.
-    runs: bool,
-    /// Time of the end of the program, s.
-    ended: Option<f64>,
+    tell: Sender<RecorderNews>,
+    news: Receiver<RecorderNews>,
+    /// Threads that begin and close records.
+    threads: Vec<JoinHandle<()>>,
 }
 
-impl Open {
-    fn is_whole(&self) -> bool {
-        self.left.is_none() && self.passes >= self.wanted
-    }
+/// News of the threads.
+pub(super) enum RecorderNews {
+    /// A weld is in the library, or why not.
+    Begun(Box<Result<WeldFiles, Error>>),
+    /// A record whose cell has died was closed; the newest weld that was left, if any.
+    Left(Option<Left>),
+}
+
+/// A record to be closed.
+struct Closing {
+    folder: PathBuf,
+    weld: i64,
+    /// Why its cell has gone.
+    lost: Option<Message>,
+    /// Why it was stopped from outside.
+    stopped: Option<Message>,
 }
 
 impl Recorder {
     pub(super) fn new(folder: &Path, hub: Arc<Hub>, archive: Archive) -> Self {
-        Self { folder: folder.to_owned(), hub, archive, open: None, places: None, closing: Vec::new() }
+        let (tell, news) = channel();
+        let (weld, stopped, threads) = (None, None, Vec::new());
+        Self { folder: folder.to_owned(), hub, archive, weld, stopped, tell, news, threads }
     }
 
     pub(super) fn folder(&self) -> &Path {
@@ -71,151 +70,177 @@ impl Recorder {
 
     /// Number of the weld that is being recorded.
     pub(super) fn weld(&self) -> Option<i64> {
-        self.open.as_ref().map(|o| o.recording.id())
+        self.weld
     }
 
-    /// Starts the record of a weld with `passes` passes by `welder`; `missing`: real-time rights that the cycle lacks.
-    pub(super) fn begin(&mut self, plan: &Plan, passes: usize, welder: &str, missing: &[&str]) -> Result<(), Error> {
-        self.end();
-        let mut data = DataFolder::open(&self.folder)?;
-        let plan = Plan { welder: Some(welder.to_owned()), ..plan.clone() };
-        // Opened first, so that a weld without a journal leaves no entry in the library.
-        let places = self.journal(&data)?;
-        let recording = data.begin(&plan)?;
-        let welder = welder.to_owned();
+    /// Begins the record of a weld by `welder`: [`RecorderNews::Begun`] follows. `missing`: real-time rights that the
+    /// cycle lacks.
+    pub(super) fn begin(&mut self, plan: Plan, passes: usize, welder: String, missing: &[&str]) {
+        self.stopped = None;
         let mut events = Vec::new();
         if !missing.is_empty() {
-            let text = RealtimeRights::event(missing);
-            events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
+            events.push(event(RealtimeRights::event(missing)));
         }
-        self.open = Some(Open {
-            recording,
-            places,
-            watch: Watch::default(),
-            tips: run_rows::Tips::default(),
-            welder,
-            passes: 0,
-            wanted: passes,
-            left: None,
-            here: Place::default(),
-            events,
-            stopped: None,
-            runs: false,
-            ended: None,
+        let plan = Plan { welder: Some(welder), passes, ..plan };
+        let folder = self.folder.clone();
+        self.spawn(move |tell| {
+            let begun = DataFolder::open(&folder).and_then(|mut data| data.begin_elsewhere(&plan, &events));
+            // The desk may have ended; the weld is recovered then.
+            drop(tell.send(RecorderNews::Begun(Box::new(begun))));
         });
-        Ok(())
     }
 
-    /// Returns the journal that a closing record has open, or opens it.
-    fn journal(&mut self, data: &DataFolder) -> Result<Arc<Places>, Error> {
-        if let Some(places) = &self.places {
-            return Ok(Arc::clone(places));
+    /// The next news, if there is any.
+    pub(super) fn news(&mut self) -> Option<RecorderNews> {
+        let news = self.news.try_recv().ok()?;
+        if let RecorderNews::Begun(begun) = &news
+            && let Ok(files) = &**begun
+        {
+            self.weld = Some(files.weld);
         }
-        let places = Arc::new(power_loss::writer(data.journal()?));
-        self.places = Some(Arc::clone(&places));
-        Ok(places)
+        Some(news)
     }
 
-    /// Closes the journal once no weld needs it.
-    fn free_journal(&mut self) {
-        if self.open.is_none() {
-            drop(self.places.take_if(|places| Arc::strong_count(places) == 1));
-        }
-    }
-
-    /// Records a cycle. Returns the trouble that prevents writing rows, if any.
-    pub(super) fn row(&mut self, names: &Names, shown: &Shown) -> Option<String> {
-        self.free_journal();
-        let open = self.open.as_mut()?;
-        let welds = matches!(shown.mode, Mode::Weld | Mode::Hold);
-        open.runs |= welds;
-        if !open.runs {
-            return None;
-        }
-        open.here = shown.place;
-        open.recording.row(run_rows::row(&mut open.tips, &names.machine, shown, names.values, names.heads));
-        let weld = u64::try_from(open.recording.id()).unwrap_or(0);
-        if let Some(position) = open.watch.position(shown, weld) {
-            open.places.tell(position);
-        }
-        let trouble = open.recording.trouble().map(ToString::to_string);
-        match open.ended {
-            None if !welds && shown.phase.is_none() => open.ended = Some(shown.t),
-            Some(t) if shown.t - t > AFTER_S => self.end(),
-            _ => {}
-        }
-        trouble
-    }
-
-    /// Adds the event of a note to the open record, if there is one.
-    pub(super) fn add_note(&mut self, t: f64, note: &Note) {
-        let Some(open) = &mut self.open else { return };
-        open.events.extend(weld_events::event(t, note, open.here));
-        match note {
-            Note::PassEnds(_) => open.passes += 1,
-            Note::Left(place) => open.left = Some(*place),
-            _ => {}
+    /// A cell was found running that records this weld, or none: a record that ended while the panel started is closed.
+    pub(super) fn found(&mut self, weld: Option<i64>) {
+        self.weld = weld;
+        // Not in a thread: a weld that begins meanwhile is not a left one.
+        let recovered = DataFolder::open(&self.folder).and_then(|mut data| data.recover());
+        for weld in recovered.into_iter().flatten() {
+            self.hub.count_weld(weld.weld.result);
+            tell_recorded(&self.hub, &weld.weld);
         }
     }
 
     /// Archives an alarm at once, with the weld that is recorded, if any.
     pub(super) fn alarm(&mut self, t: f64, raised: &Raised, name: &Message) {
-        if let Some(open) = self.open.as_mut().filter(|_| raised.reaction >= Reaction::Hold) {
-            open.stopped.get_or_insert_with(|| name.clone());
-        }
         self.archive.alarm(self.weld(), alarm(t, raised, name));
     }
 
-    /// Ends the current record in a separate thread: a long trace takes time.
-    pub(super) fn end(&mut self) {
-        let Some(open) = self.open.take() else { return };
-        let (folder, hub) = (self.folder.clone(), Arc::clone(&self.hub));
-        let finish = move || {
-            let id = open.recording.id();
-            let t = hub.latest().map_or(0.0, |s| s.t);
-            match finish(open, &folder) {
-                Ok(result) => {
-                    hub.count_weld(result);
-                    hub.event(
-                        t,
-                        happening(
-                            Message::new("server-event-recorded")
-                                .number("weld", id as f64, 0)
-                                .message("result", panel_word("result", result.name())),
-                        ),
-                    );
-                }
-                Err(e) => hub.event(
-                    t,
-                    happening(
-                        Message::new("server-event-record-not-whole")
-                            .number("weld", id as f64, 0)
-                            .message("reason", e.message()),
-                    ),
-                ),
-            }
-        };
-        self.closing.retain(|record| !record.is_finished());
-        self.closing.push(std::thread::spawn(finish));
-    }
-
-    /// Notes that the recorded weld was ended from outside.
+    /// The weld that runs is ended from outside.
     pub(super) fn stopped_by(&mut self, cause: &Message) {
-        let Some(open) = &mut self.open else { return };
-        let text = Message::new("cell-note-stopped").message("cause", cause.clone());
-        open.events.push(Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } });
-        open.stopped.get_or_insert_with(|| cause.clone());
+        self.stopped.get_or_insert_with(|| cause.clone());
     }
 
-    /// Ends the current record and waits until all records are on the disk, at most [`CLOSING`].
-    pub(super) fn close(&mut self) {
-        self.end();
+    /// The cell has written the files of a weld.
+    pub(super) fn ended(&mut self, weld: i64) {
+        if self.weld == Some(weld) {
+            self.weld = None;
+        }
+        self.close(weld, None);
+    }
+
+    /// The cell has died: its weld is interrupted.
+    pub(super) fn lost(&mut self, why: &Message) {
+        if let Some(weld) = self.weld.take() {
+            self.close(weld, Some(why.clone()));
+        }
+    }
+
+    fn close(&mut self, weld: i64, lost: Option<Message>) {
+        let closing = Closing { folder: self.folder.clone(), weld, lost, stopped: self.stopped.take() };
+        let hub = Arc::clone(&self.hub);
+        self.spawn(move |tell| closing.run(&hub, tell));
+    }
+
+    fn spawn(&mut self, work: impl FnOnce(&Sender<RecorderNews>) + Send + 'static) {
+        self.threads.retain(|thread| !thread.is_finished());
+        let tell = self.tell.clone();
+        self.threads.push(std::thread::spawn(move || work(&tell)));
+    }
+
+    /// Waits until all records are on the disk, at most [`CLOSING`]. A weld whose end the cell has not reported counts
+    /// as interrupted.
+    pub(super) fn close_all(&mut self) {
         let begun = Instant::now();
-        while self.closing.iter().any(|record| !record.is_finished()) && begun.elapsed() < CLOSING {
+        let waits = |recorder: &Self| recorder.threads.iter().any(|thread| !thread.is_finished());
+        while waits(self) && begun.elapsed() < CLOSING {
             std::thread::sleep(Duration::from_millis(5));
         }
-        self.free_journal();
+        self.lost(&Message::new("cell-process-ended-early"));
+        while waits(self) && begun.elapsed() < CLOSING {
+            std::thread::sleep(Duration::from_millis(5));
+        }
     }
+}
+
+impl Closing {
+    fn run(self, hub: &Hub, tell: &Sender<RecorderNews>) {
+        match self.closed() {
+            Ok(weld) => {
+                hub.count_weld(weld.result);
+                tell_recorded(hub, &weld);
+                if self.lost.is_some() {
+                    let data = DataFolder::open_to_read(&self.folder);
+                    let left = data.and_then(|data| progress::newest_left(data.library()));
+                    // The desk may have ended; a later one reads it from the library.
+                    drop(left.map(|left| tell.send(RecorderNews::Left(left))));
+                }
+            }
+            Err(e) => {
+                let message = Message::new("server-event-record-not-whole").number("weld", self.weld as f64, 0);
+                hub.event(time(hub), happening(message.message("reason", e.message())));
+            }
+        }
+    }
+
+    fn closed(&self) -> Result<WeldRecord, Error> {
+        if let Some(cause) = &self.stopped {
+            let text = Message::new("cell-note-stopped").message("cause", cause.clone());
+            for entry in [Entry::Event(event(text)), Entry::Stopped(cause.clone())] {
+                DataFolder::log(&self.folder, self.weld, &entry)?;
+            }
+        }
+        let mut data = DataFolder::open(&self.folder)?;
+        let weld = self.once_free(&mut data)?;
+        let position = Journal::look(&self.folder)?.last.filter(|at| i64::try_from(at.weld) == Ok(self.weld));
+        if let Some(at) = &position {
+            progress::remember(at, data.library())?;
+            // The library has the position. A weld that has begun since replaces it.
+            match data.journal() {
+                Ok(mut journal) => journal.clear()?,
+                Err(Error::Busy { .. }) => {}
+                Err(e) => return Err(e),
+            }
+        }
+        let entry = AuditEntry {
+            at: Moment::now(),
+            user: weld.welder.clone().unwrap_or_default(),
+            station: stored(Message::new("server-audit-panel")),
+            command: stored(
+                Message::new("server-audit-weld").number("weld", weld.id as f64, 0).text("part", &weld.part),
+            ),
+            old: String::new(),
+            new: String::new(),
+            result: stored(panel_word("result", weld.result.name())),
+        };
+        data.library_mut().audit(&entry)?;
+        Ok(weld)
+    }
+
+    /// Closes the record once its writer has let go of the files: a process that was killed holds them for a moment.
+    fn once_free(&self, data: &mut DataFolder) -> Result<WeldRecord, Error> {
+        let begun = Instant::now();
+        loop {
+            match data.close(self.weld, self.lost.as_ref()) {
+                Err(Error::Busy { .. }) if begun.elapsed() < CLOSING => std::thread::sleep(Duration::from_millis(20)),
+                closed => return closed,
+            }
+        }
+    }
+}
+
+fn time(hub: &Hub) -> f64 {
+    hub.latest().map_or(0.0, |status| status.t)
+}
+
+fn tell_recorded(hub: &Hub, weld: &WeldRecord) {
+    let message = Message::new("server-event-recorded").number("weld", weld.id as f64, 0);
+    hub.event(time(hub), happening(message.message("result", panel_word("result", weld.result.name()))));
+}
+
+fn event(text: Message) -> Event {
+    Event { at: Moment::now(), text, place: Recorded { pass: None, s_mm: None, t_s: None } }
 }
 
 fn alarm(t: f64, raised: &Raised, name: &Message) -> Alarm {
@@ -235,60 +260,12 @@ fn alarm(t: f64, raised: &Raised, name: &Message) -> Alarm {
     }
 }
 
-/// Closes a record, and removes its weld from the journal of positions.
-fn finish(open: Open, folder: &Path) -> Result<WeldResult, Error> {
-    let (places, whole) = (Arc::clone(&open.places), open.is_whole());
-    let id = u64::try_from(open.recording.id()).unwrap_or(0);
-    let result = settle(open, folder);
-    // A regular end needs no journal entry. Otherwise the position stays in the journal, unless the library has it.
-    let cleared = if whole || result.is_ok() { places.over(id) } else { Ok(()) };
-    result.and_then(|result| cleared.map(|()| result))
-}
-
-fn settle(open: Open, folder: &Path) -> Result<WeldResult, Error> {
-    let mut data = DataFolder::open(folder)?;
-    let id = open.recording.id();
-    let whole = open.is_whole();
-    let result = match &open.stopped {
-        None if whole => WeldResult::Good,
-        // It was held by an alarm and then continued to its end.
-        Some(_) if whole => WeldResult::Deviating,
-        _ => WeldResult::Stopped,
-    };
-    let mut note = Vec::new();
-    if let Some(alarm) = &open.stopped {
-        note.push(Message::new("cell-note-stopped").message("cause", alarm.clone()));
-    }
-    match open.left {
-        Some(left) => {
-            let left_in = Message::new("cell-note-left").pass("pass", left.pass);
-            note.push(left_in.quantity("at", left.s_mm, Unit::Mm, 2));
-        }
-        None if !whole => note.push(Message::new("cell-note-not-finished")),
-        None => {}
-    }
-    let outcome = Outcome { result, note: joined(note), files: Vec::new() };
-    for event in &open.events {
-        data.library().add_event(Some(id), event)?;
-    }
-    let weld = open.recording.finish(&mut data, &outcome)?;
-    let entry = AuditEntry {
-        at: Moment::now(),
-        user: open.welder,
-        station: stored(Message::new("server-audit-panel")),
-        command: stored(Message::new("server-audit-weld").number("weld", id as f64, 0).text("part", &weld.part)),
-        old: String::new(),
-        new: String::new(),
-        result: stored(panel_word("result", weld.result.name())),
-    };
-    data.library_mut().audit(&entry)?;
-    Ok(result)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use seamwright_record::library::Query;
+    use seamwright_record::WeldWriter;
+    use seamwright_record::journal::Position;
+    use seamwright_record::library::{Query, WeldResult};
     use seamwright_record::trace::{Column, Kind};
 
     fn plan() -> Plan {
@@ -312,48 +289,97 @@ mod tests {
         Recorder::new(folder, hub, archive)
     }
 
-    fn results(folder: &Path) -> Vec<WeldResult> {
-        let welds = DataFolder::open_to_read(folder).unwrap().library().find(&Query::default()).unwrap();
-        welds.iter().map(|weld| weld.result).collect()
+    fn begun(recorder: &mut Recorder) -> Result<WeldFiles, Error> {
+        recorder.begin(plan(), 1, "ada".to_owned(), &["its priority"]);
+        loop {
+            match recorder.news() {
+                Some(RecorderNews::Begun(begun)) => return *begun,
+                _ => std::thread::sleep(Duration::from_millis(1)),
+            }
+        }
     }
 
-    /// Welds in quick succession each have a record and a place in the journal.
-    #[test]
-    fn a_weld_is_recorded_while_the_record_before_is_being_closed() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut recorder = recorder(folder.path());
-        (0..10).for_each(|_| recorder.begin(&plan(), 1, "ada", &[]).unwrap());
-        recorder.close();
-        assert_eq!(results(folder.path()), [WeldResult::Stopped; 10]);
-        // The journal is empty and unlocked.
-        assert_eq!(DataFolder::open(folder.path()).unwrap().journal().unwrap().last(), None);
+    fn welds(folder: &Path) -> Vec<WeldRecord> {
+        DataFolder::open_to_read(folder).unwrap().library().find(&Query::default()).unwrap()
     }
 
-    /// A record that fails to close does not affect later welds.
-    #[test]
-    fn a_record_that_fails_leaves_the_journal_to_the_next_weld() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut recorder = recorder(folder.path());
-        recorder.begin(&plan(), 1, "ada", &["its priority"]).unwrap();
-        let library = rusqlite::Connection::open(folder.path().join("library.sqlite")).unwrap();
-        library.execute("DELETE FROM weld", ()).unwrap();
-        recorder.close();
-        drop(DataFolder::open(folder.path()).unwrap().journal().unwrap());
-        recorder.begin(&plan(), 1, "ada", &[]).unwrap();
-        recorder.close();
-        assert_eq!(results(folder.path()), [WeldResult::Stopped]);
+    fn written(files: &WeldFiles, entries: &[Entry]) {
+        let mut writer = WeldWriter::open(files).unwrap();
+        (0..100).for_each(|i| writer.row([f64::from(i)]));
+        entries.iter().for_each(|entry| writer.log(entry));
+        writer.end(0).unwrap();
     }
 
-    /// If the journal is locked by another program, no unfinished weld is left in the library.
+    /// The result of a weld is that of its log.
     #[test]
-    fn a_weld_without_a_journal_leaves_nothing() {
+    fn records_are_closed_by_what_was_logged() {
         let folder = tempfile::tempdir().unwrap();
         let mut recorder = recorder(folder.path());
-        let journal = DataFolder::open(folder.path()).unwrap().journal().unwrap();
-        assert!(matches!(recorder.begin(&plan(), 1, "ada", &[]), Err(Error::Busy { .. })));
-        assert!(results(folder.path()).is_empty());
-        drop(journal);
-        recorder.begin(&plan(), 1, "ada", &[]).unwrap();
-        recorder.close();
+        let alarm = || Entry::Stopped(Message::verbatim("arc lost"));
+        let logs = [
+            (vec![Entry::PassEnds], WeldResult::Good),
+            (vec![alarm(), Entry::PassEnds], WeldResult::Deviating),
+            (vec![alarm(), Entry::Left { pass: 1, s_mm: 12.5 }], WeldResult::Stopped),
+            (vec![], WeldResult::Stopped),
+        ];
+        for (entries, _) in &logs {
+            let files = begun(&mut recorder).unwrap();
+            written(&files, entries);
+            recorder.ended(files.weld);
+        }
+        // One is ended by a signal.
+        let files = begun(&mut recorder).unwrap();
+        written(&files, &[]);
+        recorder.stopped_by(&Message::verbatim("SIGTERM"));
+        recorder.ended(files.weld);
+        recorder.close_all();
+        let mut welds = welds(folder.path());
+        welds.sort_by_key(|weld| weld.id);
+        for (weld, (_, result)) in welds.iter().zip(&logs) {
+            assert_eq!(weld.result, *result, "{weld:?}");
+        }
+        assert!(welds[4].result == WeldResult::Stopped && welds[4].note.to_string().contains("SIGTERM"));
+        assert!(welds[2].note.to_string().contains("arc lost"), "{}", welds[2].note);
+        let data = DataFolder::open(folder.path()).unwrap();
+        assert_eq!(data.verify().unwrap().problems, []);
+        assert!(data.library().events(1).unwrap()[0].text.to_string().contains("priority"));
+    }
+
+    /// A cell that dies leaves an interrupted weld, with the position of its journal and the rows on the disk.
+    #[test]
+    fn a_weld_whose_cell_has_died_is_interrupted_at_its_place() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut recorder = recorder(folder.path());
+        let files = begun(&mut recorder).unwrap();
+        let mut writer = WeldWriter::open(&files).unwrap();
+        (0..100).for_each(|i| writer.row([f64::from(i)]));
+        writer.flush();
+        let mut journal = Journal::open(folder.path()).unwrap();
+        let weld = u64::try_from(files.weld).unwrap();
+        let at = Position { time: 1.0, weld, pass: 1, phase: 3, s: 13.0, welded_to: 12.0, corrections: [[0.0; 2]; 2] };
+        journal.write(&at).unwrap();
+        drop((writer, journal));
+        recorder.lost(&Message::verbatim("killed by signal 9"));
+        recorder.close_all();
+        let weld = &welds(folder.path())[0];
+        assert!(weld.result == WeldResult::Interrupted && weld.note.to_string().contains("signal 9"), "{weld:?}");
+        let left = std::iter::from_fn(|| recorder.news()).any(|news| matches!(news, RecorderNews::Left(Some(_))));
+        assert!(left && Journal::look(folder.path()).unwrap().last.is_none());
+        let data = DataFolder::open(folder.path()).unwrap();
+        assert_eq!(data.library().files(weld.id).unwrap()[0].rows, Some(100));
+    }
+
+    /// A weld that ended while no panel was there gets its result from the next one.
+    #[test]
+    fn a_record_that_nobody_closed_is_closed_by_the_next_panel() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut first = recorder(folder.path());
+        let files = begun(&mut first).unwrap();
+        written(&files, &[Entry::PassEnds]);
+        drop(first);
+        let mut next = recorder(folder.path());
+        next.found(None);
+        next.close_all();
+        assert_eq!(welds(folder.path())[0].result, WeldResult::Good);
     }
 }

@@ -14,6 +14,7 @@ use seamwright_executive::realtime::Shutdown;
 use seamwright_machine::Clamped;
 use seamwright_message::Message;
 use seamwright_record::DataFolder;
+use seamwright_record::journal::{Journal, JournalState};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -52,9 +53,8 @@ impl Cell {
         seamwright_simulation::check_drives(&machine).map_err(|e| e.message())?;
         let mut folder = DataFolder::open(data).map_err(|e| e.message())?;
         let interrupted = folder.recover().map_err(|e| e.message())?;
-        let journal = folder.journal().map_err(|e| e.message())?;
-        let (last, damaged) = (journal.last(), journal.is_damaged());
-        drop(journal);
+        // A cell that has outlived its panel may be writing it.
+        let JournalState { last, damaged } = Journal::look(data).map_err(|e| e.message())?;
         let lost = folder.lost_welds().map_err(|e| e.message())?;
         if let Some(at) = &last {
             progress::remember(at, folder.library()).map_err(|e| e.message())?;

@@ -10,6 +10,8 @@ use std::time::{Duration, Instant};
 /// Maximum number of starts after the first one in [`WITHIN`]: a cell that dies more often is not started again.
 const MAX_RESTARTS: usize = 3;
 const WITHIN: Duration = Duration::from_secs(600);
+/// The panel writes the safe outputs of devices itself without a cycle for this long.
+const SILENT: Duration = Duration::from_millis((1000.0 * CELL_SILENT_S) as u64);
 /// The cell is killed and started again without a cycle for this long: its devices' outputs become safe by that.
 const FROZEN: Duration = Duration::from_millis((2000.0 * CELL_SILENT_S) as u64);
 /// Time between two looks beyond which this process itself has stood still.
@@ -23,6 +25,8 @@ pub(super) struct Supervisor {
     /// `None`: threads of this process.
     program: Option<PathBuf>,
     client: CellClient,
+    /// Another panel has started it.
+    was_found: bool,
     /// Time of the last cycle that came, or of the start.
     heard: Instant,
     has_heard: bool,
@@ -40,18 +44,27 @@ pub(super) enum News {
 
 impl Supervisor {
     pub(super) fn start(start: CellStart, sockets: PathBuf, program: Option<PathBuf>) -> Result<Self, Message> {
-        let client = match found(&start, &sockets)? {
-            Some(client) => client,
-            None => started(&start, &sockets, program.as_ref())?,
-        };
+        let found = found(&start, &sockets)?;
+        let was_found = found.is_some();
+        let client = found.map_or_else(|| started(&start, &sockets, program.as_ref()), Ok)?;
         let now = Instant::now();
         let restarts = VecDeque::new();
-        Ok(Self { start, sockets, program, client, heard: now, has_heard: false, looked: now, restarts })
+        Ok(Self { start, sockets, program, client, was_found, heard: now, has_heard: false, looked: now, restarts })
     }
 
     /// Returns true if the cell was found running, with a program.
     pub(super) fn has_program(&self) -> bool {
         matches!(self.client.first(), Some(Report::Hello { program: Some(_), .. }))
+    }
+
+    /// Returns true for a cell that another panel has started.
+    pub(super) fn was_found(&self) -> bool {
+        self.was_found
+    }
+
+    /// Returns true if the process of the cell lives without a cycle.
+    pub(super) fn is_silent(&self) -> bool {
+        self.has_heard && self.client.process().is_some() && self.heard.elapsed() > SILENT
     }
 
     /// Returns the inputs of the cell's start.
@@ -106,6 +119,7 @@ impl Supervisor {
         }
         self.restarts.push_back(Instant::now());
         self.client = started(&self.start, &self.sockets, self.program.as_ref())?;
+        self.was_found = false;
         (self.heard, self.has_heard, self.looked) = (Instant::now(), false, Instant::now());
         Ok(())
     }

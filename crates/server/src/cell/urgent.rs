@@ -2,7 +2,7 @@
 
 use seamwright_cell::StopLine;
 use seamwright_executive::Ask;
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use tokio::sync::oneshot;
 
 /// Stops and holds, past all queues and past the desk. One thread passes them on, so that no page waits for a cell that
@@ -21,7 +21,7 @@ struct Asked {
 impl Urgent {
     pub(super) fn start(line: StopLine) -> std::io::Result<Self> {
         let (to, from) = channel();
-        std::thread::Builder::new().name("panel-stop".into()).spawn(move || pass_on(&line, &from))?;
+        std::thread::Builder::new().name("panel-stop".into()).spawn(move || pass_on(line, &from))?;
         Ok(Self { to })
     }
 
@@ -34,8 +34,16 @@ impl Urgent {
     }
 }
 
-fn pass_on(line: &StopLine, from: &Receiver<Asked>) {
-    while let Ok(first) = from.recv() {
+fn pass_on(mut line: StopLine, from: &Receiver<Asked>) {
+    loop {
+        let first = match from.recv_timeout(StopLine::KEEP) {
+            Ok(first) => first,
+            Err(RecvTimeoutError::Timeout) => {
+                line.keep();
+                continue;
+            }
+            Err(RecvTimeoutError::Disconnected) => return,
+        };
         // Requests that came meanwhile are answered together: a held key does not delay the next stop.
         let all: Vec<Asked> = std::iter::once(first).chain(from.try_iter()).collect();
         let ask = if all.iter().any(|asked| asked.ask == Ask::Stop) { Ask::Stop } else { Ask::Hold };

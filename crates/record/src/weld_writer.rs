@@ -1,0 +1,101 @@
+use crate::error::Error;
+use crate::trace::{Column, TraceWriter};
+use crate::weld_log::{Entry, WeldLog};
+use seamwright_message::Message;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// What the writer of a weld's files needs to know of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WeldFiles {
+    /// Number of the weld in the library.
+    pub weld: i64,
+    /// The data folder.
+    pub data: PathBuf,
+    /// Folder of the weld's files, which exists.
+    pub folder: PathBuf,
+    /// Columns of the trace.
+    pub columns: Vec<Column>,
+    /// (key, value) pairs for the trace's metadata.
+    pub about: Vec<(String, String)>,
+    /// Rows of a part of the trace at most.
+    pub most_rows: u64,
+    /// Expected number of rows.
+    pub rows: u64,
+}
+
+/// Writes the files of a weld while it runs: trace and log.
+///
+/// Rows never stop the weld: rows that fail to be written are counted, and reported by [`WeldWriter::trouble`].
+#[derive(Debug)]
+pub struct WeldWriter {
+    begun: Instant,
+    trace: TraceWriter,
+    log: WeldLog,
+    trouble: Option<Message>,
+}
+
+impl WeldWriter {
+    /// Creates the trace, with room on the disk for its rows, and opens the log.
+    ///
+    /// # Errors
+    /// If they cannot be written, or the disk has no room.
+    pub fn open(files: &WeldFiles) -> Result<Self, Error> {
+        let about: Vec<_> = files.about.iter().map(|(key, value)| (key.as_str(), value.clone())).collect();
+        let path = files.folder.join("trace.parquet");
+        let trace = TraceWriter::create(&path, &files.columns, &about, files.most_rows)?;
+        trace.reserve(files.rows)?;
+        Ok(Self { begun: Instant::now(), trace, log: WeldLog::open(&files.folder)?, trouble: None })
+    }
+
+    /// Adds a row to the trace.
+    pub fn row(&mut self, values: impl IntoIterator<Item = f64>) {
+        let result = self.trace.row(values);
+        self.keep(result);
+    }
+
+    /// Adds a line to the log.
+    pub fn log(&mut self, entry: &Entry) {
+        let result = self.log.write(entry);
+        self.keep(result);
+    }
+
+    /// Puts all rows and lines so far on the disk.
+    pub fn flush(&mut self) {
+        let result = self.trace.flush().and_then(|()| self.log.sync());
+        self.keep(result);
+    }
+
+    fn keep(&mut self, result: Result<(), Error>) {
+        if let Err(error) = result {
+            self.trouble.get_or_insert_with(|| error.message());
+        }
+    }
+
+    /// Reason why rows or lines could not be written, if any: an alarm should report it.
+    pub fn trouble(&self) -> Option<&Message> {
+        self.trouble.as_ref()
+    }
+
+    /// Number of rows that could not be written so far.
+    pub fn lost(&self) -> u64 {
+        self.trace.lost()
+    }
+
+    /// Ends trace and log; `missing`: rows that did not come here. The record can be closed then.
+    ///
+    /// # Errors
+    /// If the last rows or lines cannot be written.
+    pub fn end(mut self, missing: u64) -> Result<(), Error> {
+        let rows = self.trace.lost() + missing;
+        let unwritten = self.trouble.take().unwrap_or_else(|| Message::new("record-rows-late"));
+        if rows > 0 {
+            self.log(&Entry::RowsLost { rows, why: unwritten });
+        }
+        let lasted_ms = u64::try_from(self.begun.elapsed().as_millis()).unwrap_or(u64::MAX);
+        let closed = self.trace.close();
+        let logged = self.log.write(&Entry::Ended { lasted_ms }).and_then(|()| self.log.sync());
+        closed.and(logged)
+    }
+}

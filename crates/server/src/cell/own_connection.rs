@@ -1,0 +1,68 @@
+//! Safe outputs written by the panel itself, over a connection of its own, while the cell cannot.
+
+use seamwright_executive::devices::modbus::write_safe_outputs;
+use seamwright_machine::ModbusDevice;
+use seamwright_message::Message;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
+
+/// Maximum time of devices to answer when no cell takes the place of a dead one.
+const LAST: Duration = Duration::from_secs(5);
+
+/// A device, and why its outputs may be on.
+pub(super) type Outcome = (String, Result<(), Message>);
+
+/// Writes safe outputs in threads of its own.
+pub(super) struct OwnConnection {
+    tell: Sender<Outcome>,
+    outcomes: Receiver<Outcome>,
+    /// The devices have been written since the cell fell silent.
+    is_done: bool,
+    /// Number of devices that have not answered.
+    waits: usize,
+}
+
+impl OwnConnection {
+    pub(super) fn new() -> Self {
+        let (tell, outcomes) = channel();
+        Self { tell, outcomes, is_done: false, waits: 0 }
+    }
+
+    /// Looks after a cell that is silent or not. Those `devices` that accept more than one connection are written once
+    /// for each silence.
+    pub(super) fn watch(&mut self, is_silent: bool, devices: &[ModbusDevice]) {
+        if is_silent && !self.is_done {
+            // A further connection may end the only one that a device accepts.
+            devices.iter().filter(|device| device.connections > 1).for_each(|device| self.write(device));
+        }
+        self.is_done = is_silent;
+    }
+
+    fn write(&mut self, device: &ModbusDevice) {
+        self.waits += 1;
+        let (tell, device) = (self.tell.clone(), device.clone());
+        // The desk may have ended.
+        std::thread::spawn(move || drop(tell.send((device.name.clone(), write_safe_outputs(&device)))));
+    }
+
+    /// The next device that has answered, or has not in time.
+    pub(super) fn outcome(&mut self) -> Option<Outcome> {
+        let outcome = self.outcomes.try_recv().ok()?;
+        self.waits -= 1;
+        Some(outcome)
+    }
+
+    /// Writes all `devices` of a cell that has gone and is not replaced, and waits for their answers.
+    pub(super) fn write_all(&mut self, devices: &[ModbusDevice]) -> Vec<Outcome> {
+        devices.iter().for_each(|device| self.write(device));
+        let begin = Instant::now();
+        let mut outcomes = Vec::new();
+        while self.waits > 0
+            && let Ok(outcome) = self.outcomes.recv_timeout(LAST.saturating_sub(begin.elapsed()))
+        {
+            self.waits -= 1;
+            outcomes.push(outcome);
+        }
+        outcomes
+    }
+}
