@@ -85,8 +85,6 @@ record-row-length =
        *[other] { $n } Werten
     }
 record-value-per-column = { $n }, einer pro Spalte
-record-incomplete-rows = { $size } am Ende sind keine ganzen Zeilen
-record-recover-whole-rows = seamwright records recover: behält die ganzen Zeilen
 record-trace-left = diese Aufzeichnung blieb nach einem Absturz zurück oder wird gerade geschrieben
 record-recover-first = zuerst wiederherstellen: seamwright records recover
 record-trace-replaced = während des Schreibens entfernt oder ersetzt: die Zeilen sind verloren

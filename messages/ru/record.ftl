@@ -85,8 +85,6 @@ record-row-length =
        *[other] { $n } значений
     }
 record-value-per-column = { $n }, по одному на столбец
-record-incomplete-rows = { $size } в конце не составляют целых строк
-record-recover-whole-rows = seamwright records recover: сохраняет целые строки
 record-trace-left = эта запись осталась после сбоя, или её сейчас пишут
 record-recover-first = сначала восстановите её: seamwright records recover
 record-trace-replaced = удалено или заменено во время записи: строки потеряны

@@ -85,8 +85,6 @@ record-row-length =
        *[other] { $n } значень
     }
 record-value-per-column = { $n }, по одному на стовпець
-record-incomplete-rows = { $size } у кінці не утворюють цілих рядків
-record-recover-whole-rows = seamwright records recover: зберігає цілі рядки
 record-trace-left = цей запис лишився після збою, або його зараз пишуть
 record-recover-first = спершу відновіть її: seamwright records recover
 record-trace-replaced = вилучено або замінено під час запису: рядки втрачено

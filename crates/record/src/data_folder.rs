@@ -7,7 +7,7 @@ use crate::journal::Journal;
 use crate::library::{AuditCheck, DocumentKind, Library, NewWeld, WeldRecord, WeldResult};
 use crate::moment::Moment;
 use crate::private_files;
-use crate::recording::{Plan, Recording, Settled, hash_of, lasted, lost_rows, settle};
+use crate::recording::{Plan, Recording, Settled, hash_of, lasted, missing, settle};
 use crate::stored_message::joined;
 use crate::trace::recover::is_written;
 use crate::trace::{self, Trace};
@@ -305,7 +305,7 @@ impl DataFolder {
             known => known,
         };
         let recovered = |code| Message::new(code).text("time", Moment::now().to_string());
-        let mut notes = vec![weld.note, told.note(), lost_rows(&log).unwrap_or_default()];
+        let mut notes = vec![weld.note, told.note(), missing(&log).unwrap_or_default()];
         notes.push(match (lasted, unread_bytes, cause) {
             (Some(_), 0, _) => Message::default(),
             (None, 0, Some(cause)) => Message::new("record-interrupted").message("cause", cause.clone()),

@@ -47,3 +47,21 @@ pub(crate) fn tighten(path: &Path) -> std::io::Result<()> {
 pub(crate) fn tighten(_: &Path) -> std::io::Result<()> {
     Ok(())
 }
+
+/// Reserves room on the disk behind the first `from` bytes of a file, whose length stays. File systems that cannot reserve
+/// are no error.
+#[cfg(target_os = "linux")]
+pub(crate) fn reserve(file: &std::fs::File, from: u64, bytes: u64) -> std::io::Result<()> {
+    use rustix::fs::{FallocateFlags, fallocate};
+    use rustix::io::Errno;
+    match fallocate(file, FallocateFlags::KEEP_SIZE, from, bytes.max(1)) {
+        Ok(()) | Err(Errno::OPNOTSUPP | Errno::NOSYS) => Ok(()),
+        Err(e) => Err(e.into()),
+    }
+}
+
+/// No effect on systems without `fallocate`.
+#[cfg(not(target_os = "linux"))]
+pub(crate) fn reserve(_: &std::fs::File, _: u64, _: u64) -> std::io::Result<()> {
+    Ok(())
+}

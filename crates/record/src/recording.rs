@@ -109,7 +109,7 @@ impl Recording {
         let ended = writer.end(0);
         let log = weld_log::read(folder)?;
         let mut notes = vec![note, outcome.note.clone()];
-        notes.extend(lost_rows(&log));
+        notes.extend(missing(&log));
         let kept = ended
             .and_then(|()| trace::recover(folder))
             .and_then(|_| outcome.files.iter().try_for_each(|(name, text)| write(&folder.join(name), text.as_bytes())));
@@ -129,13 +129,14 @@ pub(crate) fn lasted(log: &[Entry]) -> Option<u64> {
     log.iter().rev().find_map(|entry| if let Entry::Ended { lasted_ms } = entry { Some(*lasted_ms) } else { None })
 }
 
-/// The note on rows that a weld has lost by its log.
-pub(crate) fn lost_rows(log: &[Entry]) -> Option<Message> {
+/// The note on what is missing in the record of a weld, by its log.
+pub(crate) fn missing(log: &[Entry]) -> Option<Message> {
     log.iter().rev().find_map(|entry| match entry {
         Entry::RowsLost { rows, why } => {
             let rows = usize::try_from(*rows).unwrap_or(usize::MAX);
             Some(Message::new("record-rows-lost").count("n", rows).message("why", why.clone()))
         }
+        Entry::Incomplete(why) => Some(Message::new("record-incomplete").message("why", why.clone())),
         _ => None,
     })
 }

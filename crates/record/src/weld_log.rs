@@ -21,6 +21,8 @@ use std::path::{Path, PathBuf};
 pub(crate) const NAME: &str = "log.jsonl";
 /// Bytes of a log beyond which events are left out of it, and beyond which it is not read.
 const MAX_BYTES: u64 = 16 << 20;
+/// Bytes of some thousand events.
+const USUAL_BYTES: u64 = 1 << 20;
 
 /// A line of the log.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,6 +53,8 @@ pub enum Entry {
         /// Why.
         why: Message,
     },
+    /// Lines are missing in this log.
+    Incomplete(Message),
     /// The program has ended; all rows are in the trace.
     Ended {
         /// Time since the start of the record, ms.
@@ -88,6 +92,16 @@ impl WeldLog {
         let file = private_files::options().append(true).create(true).open(&path);
         let file = file.map_err(|e| Error::io(&path, Doing::Write, e))?;
         Ok(Self { file, path })
+    }
+
+    /// Reserves room on the disk for the lines of a usual weld.
+    ///
+    /// # Errors
+    /// If the disk has not so much room.
+    pub fn reserve(&self) -> Result<(), Error> {
+        let failed = |e| Error::io(&self.path, Doing::Write, e);
+        let length = self.file.metadata().map_err(failed)?.len();
+        private_files::reserve(&self.file, length, USUAL_BYTES).map_err(failed)
     }
 
     /// Appends a line; it is with the system when the call returns, and on the disk after [`WeldLog::sync`].
@@ -156,7 +170,7 @@ impl Told {
                 Entry::Stopped(cause) => {
                     told.stopped.get_or_insert_with(|| cause.clone());
                 }
-                Entry::RowsLost { .. } | Entry::Ended { .. } => {}
+                Entry::RowsLost { .. } | Entry::Incomplete(_) | Entry::Ended { .. } => {}
             }
         }
         told

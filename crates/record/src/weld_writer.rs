@@ -46,7 +46,9 @@ impl WeldWriter {
         let path = files.folder.join("trace.parquet");
         let trace = TraceWriter::create(&path, &files.columns, &about, files.most_rows)?;
         trace.reserve(files.rows)?;
-        Ok(Self { begun: Instant::now(), trace, log: WeldLog::open(&files.folder)?, trouble: None })
+        let log = WeldLog::open(&files.folder)?;
+        log.reserve()?;
+        Ok(Self { begun: Instant::now(), trace, log, trouble: None })
     }
 
     /// Adds a row to the trace.
@@ -78,20 +80,17 @@ impl WeldWriter {
         self.trouble.as_ref()
     }
 
-    /// Number of rows that could not be written so far.
-    pub fn lost(&self) -> u64 {
-        self.trace.lost()
-    }
-
     /// Ends trace and log; `missing`: rows that did not come here. The record can be closed then.
     ///
     /// # Errors
     /// If the last rows or lines cannot be written.
     pub fn end(mut self, missing: u64) -> Result<(), Error> {
         let rows = self.trace.lost() + missing;
-        let unwritten = self.trouble.take().unwrap_or_else(|| Message::new("record-rows-late"));
-        if rows > 0 {
-            self.log(&Entry::RowsLost { rows, why: unwritten });
+        let late = || Message::new("record-rows-late");
+        match self.trouble.take() {
+            why if rows > 0 => self.log(&Entry::RowsLost { rows, why: why.unwrap_or_else(late) }),
+            Some(why) => self.log(&Entry::Incomplete(why)),
+            None => {}
         }
         let lasted_ms = u64::try_from(self.begun.elapsed().as_millis()).unwrap_or(u64::MAX);
         let closed = self.trace.close();

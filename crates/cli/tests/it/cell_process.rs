@@ -96,8 +96,7 @@ impl Panel {
     pub(crate) fn weld(&self, server: &TestServer) -> Page {
         let mut page = self.ready();
         page.order("arm");
-        page.send(&json!({ "kind": "command", "seq": page.seq + 1, "ask": { "do": "start_weld", "reweld": false } }));
-        page.seq += 1;
+        page.start_weld();
         eventually("the arc", || {
             page.beat();
             server.bank().discrete[4]
@@ -185,6 +184,22 @@ impl Page {
                 true
             }
         });
+    }
+
+    /// Starts the weld, without waiting for it.
+    pub(crate) fn start_weld(&mut self) {
+        self.seq += 1;
+        self.send(&json!({ "kind": "command", "seq": self.seq, "ask": { "do": "start_weld", "reweld": false } }));
+    }
+
+    /// The next status.
+    pub(crate) fn status(&self) -> Value {
+        let next = std::cell::Cell::new(Value::Null);
+        self.until(|status| {
+            next.set(status.clone());
+            true
+        });
+        next.into_inner()
     }
 
     pub(crate) fn until(&self, done: impl Fn(&Value) -> bool) {

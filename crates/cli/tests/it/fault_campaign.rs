@@ -40,9 +40,13 @@ enum Mode {
 }
 
 const TARGETS: [Target; 3] = [Target::Panel, Target::Cell, Target::Planner];
-const FAULTS: [Fault; 7] = [
+const FAULTS: [Fault; 8] = [
+    // Also what the system does to a process that has taken all memory.
     Fault::Signal("-KILL"),
+    // The end after a failed allocation.
     Fault::Signal("-ABRT"),
+    // A stack overflow.
+    Fault::Signal("-SEGV"),
     Fault::Signal("-TERM"),
     Fault::Signal("-HUP"),
     Fault::Frozen(300),

@@ -12,7 +12,7 @@ use seamwright_executive::Ask;
 use seamwright_record::DataFolder;
 use seamwright_record::library::{Query, WeldResult};
 use seamwright_record::trace::Trace;
-use seamwright_testkit::soak;
+use seamwright_testkit::{Random, soak};
 use std::fs::File;
 use std::io::{Read as _, Write as _};
 use std::net::TcpStream;
@@ -302,6 +302,92 @@ fn slow_clients() {
 #[test]
 fn a_flood_of_refusals() {
     one(Fault::Refusals);
+}
+
+/// Numbers of the cell's process, kB: memory in use, and memory locked.
+fn memory(process: &str) -> (u64, u64) {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap();
+    let of =
+        |key: &str| status.lines().find_map(|line| line.strip_prefix(key)?.split_whitespace().next()?.parse().ok());
+    (of("VmRSS:").unwrap(), of("VmLck:").unwrap())
+}
+
+/// A job as somebody types it: lines and numbers of `text` changed at random.
+fn mutated(text: &str, random: &mut Random) -> String {
+    const NUMBERS: [&str; 8] = ["0", "-1", "8000", "1e20", "1e-308", "nan", "99999999999", "[1, 2"];
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for _ in 0..1 + random.below(3) {
+        let at = random.below(lines.len());
+        match random.below(4) {
+            0 => drop(lines.remove(at)),
+            1 => lines.insert(at, lines[at].clone()),
+            2 => lines[at] = lines[at].chars().take(lines[at].chars().count() / 2).collect(),
+            _ => {
+                if let Some((key, _)) = lines[at].clone().split_once('=') {
+                    lines[at] = format!("{key}= {}", random.one(&NUMBERS));
+                }
+            }
+        }
+    }
+    lines.join("\n")
+}
+
+/// Drafts of `count` random jobs beside a weld, which is started again as often as it ends; 20 s without any for none.
+/// Returns the number of missed cycles an hour.
+fn missed_beside_drafts(count: usize) -> f64 {
+    let server = TestServer::new(welder);
+    let folder = tempfile::tempdir().unwrap();
+    let panel = started_in(folder.path(), &folder.path().join("data"), &server, "");
+    let mut page = panel.weld(&server);
+    let cell = panel.cell().unwrap();
+    let before = memory(&cell);
+    let begun = Instant::now();
+    let (head, address) = (panel.head("POST /api/draft"), panel.address.clone());
+    let drafts = std::thread::spawn(move || {
+        let text = include_str!("../../../../examples/thick-saddle.toml");
+        let mut random = Random::new(45);
+        if count == 0 {
+            std::thread::sleep(Duration::from_secs(20));
+        }
+        for _ in 0..count {
+            let body = serde_json::json!({ "text": mutated(text, &mut random) }).to_string();
+            drop(Panel::send(&address, &head, &body));
+        }
+    });
+    let (mut missed, mut first) = (0, None);
+    while !drafts.is_finished() {
+        let status = page.status();
+        missed = status["missed"].as_u64().unwrap();
+        first.get_or_insert(missed);
+        if status["mode"] == "ready" {
+            page.order("arm");
+            page.start_weld();
+            page.until(|status| status["mode"] == "weld");
+        }
+        assert!(["ready", "weld"].contains(&status["mode"].as_str().unwrap()), "{status}");
+    }
+    drafts.join().unwrap();
+    let hours = begun.elapsed().as_secs_f64() / 3600.0;
+    let after = memory(&cell);
+    println!(
+        "{count} drafts: {} cycles missed in {hours:.3} h; kB in use, locked: {before:?}, {after:?}",
+        missed - first.unwrap_or(missed)
+    );
+    assert!(after.0 < before.0 + 8192, "the memory of the cell grows: {before:?}, {after:?}");
+    (missed - first.unwrap_or(missed)) as f64 / hours
+}
+
+#[test]
+fn drafts_of_random_jobs_beside_a_weld() {
+    missed_beside_drafts(30);
+}
+
+#[test]
+#[ignore = "10,000 drafts beside a weld; make soak"]
+fn ten_thousand_drafts_of_random_jobs_beside_a_weld() {
+    let idle = missed_beside_drafts(0);
+    let beside = missed_beside_drafts(if soak().is_some() { 10_000 } else { 300 });
+    println!("missed cycles an hour: {idle:.0} without, {beside:.0} beside drafts");
 }
 
 /// Prints the distribution of times for the table of the docs.

@@ -115,23 +115,11 @@ impl RawWriter {
     }
 
     /// Reserves room on the disk for so many rows; the length of the file stays.
-    #[cfg(target_os = "linux")]
     pub(super) fn reserve(&self, rows: u64) -> Result<(), Error> {
-        use rustix::fs::{FallocateFlags, fallocate};
-        use rustix::io::Errno;
         let row_bytes: usize = self.columns.iter().map(|c| c.kind.bytes()).sum();
         // Blocks of few rows have their heads and checksums beside.
         let bytes = rows.saturating_mul(row_bytes as u64).saturating_mul(21) / 20;
-        match fallocate(&self.file, FallocateFlags::KEEP_SIZE, self.whole, bytes.max(1)) {
-            Ok(()) | Err(Errno::OPNOTSUPP | Errno::NOSYS) => Ok(()),
-            Err(e) => Err(Error::io(&self.path, Doing::Write, e.into())),
-        }
-    }
-
-    /// No effect on systems without `fallocate`.
-    #[cfg(not(target_os = "linux"))]
-    pub(super) fn reserve(&self, _: u64) -> Result<(), Error> {
-        Ok(())
+        private_files::reserve(&self.file, self.whole, bytes).map_err(|e| Error::io(&self.path, Doing::Write, e))
     }
 
     /// Puts everything on the disk.

@@ -121,6 +121,8 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
 
 /// Welds the part beyond `mm` and stops; returns the position where it was left.
 async fn weld_to(page: &mut Page, part: &str, mm: f64) -> f64 {
+    // It may be lost while a job was loaded.
+    page.control().await;
     page.weld().await;
     page.until_status("travel", |v| v["mode"] == "weld" && v["welded_mm"].as_f64().unwrap() > mm).await;
     page.order("stop").await;
@@ -158,6 +160,7 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     let left = load_part(&served.bench, &owner, &mut page, "A", &none).await;
     assert_eq!((&left["here"], left["s_mm"].as_f64()), (&json!(true), Some(at_a)), "{left}");
     assert_eq!((&left["finished"], &left["pass"]), (&json!(0), &json!(1)), "{left}");
+    page.control().await;
     page.order("arm").await;
     let refused = page.ask(json!({ "do": "start_weld" })).await;
     assert_eq!(refused["why"]["key"], "finished_pass", "{refused}");
@@ -178,6 +181,7 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     assert!(farther > at_a + 2.0, "{farther} {at_a}");
     let left = load_part(&served.bench, &owner, &mut page, "A", &json!([1, at_a])).await;
     assert_eq!(left["s_mm"].as_f64(), Some(farther), "{left}");
+    page.control().await;
     page.order("arm").await;
     assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "finished_pass");
     // A requested overlap needs no confirmation.
@@ -190,6 +194,7 @@ async fn parts_go_on_where_each_was_left_and_nothing_is_welded_twice_unasked() {
     page.control().await;
     weld_to(&mut page, "A", farther).await;
     load_part(&served.bench, &owner, &mut page, "A", &json!([1, at_a])).await;
+    page.control().await;
     page.order("arm").await;
     assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "finished_pass");
     // Confirmed.
@@ -235,6 +240,8 @@ async fn what_was_stopped_is_known_after_a_restart() {
     short_job(&served.bench, &owner).await;
     served.bench.load(&owner, "short.toml", Some("N-3")).await;
     let mut page = served.page_up(&owner).await;
+    // It may be lost while a job was loaded.
+    page.control().await;
     page.weld().await;
     page.until_status("travel", |v| v["s_mm"].as_f64().unwrap() > 3.0).await;
     page.order("stop").await;
