@@ -37,7 +37,7 @@ fn messages<T: Serialize + DeserializeOwned>(bytes: &[u8], max: usize) {
             let mut from = &written[..];
             while matches!(again.read(&mut from), Ok(true)) {}
             let read = again.next::<T>(usize::MAX).unwrap_or_else(|e| panic!("{e}"));
-            // Numbers that are none differ from themselves; their bytes do not.
+            // NaN differs from itself; its bytes do not.
             assert!(read.is_some_and(|read| encoded(&read) == written));
         }
     }

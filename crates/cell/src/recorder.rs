@@ -32,7 +32,7 @@ const AFTER_S: f64 = 1.0;
 /// A weld that is to be recorded.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RecordStart {
-    /// Where, and with which columns.
+    /// Its folder and columns.
     pub files: WeldFiles,
     /// Number of process values, and of tracked heads, that the columns have.
     pub values: usize,

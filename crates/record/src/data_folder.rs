@@ -12,7 +12,7 @@ use crate::stored_message::joined;
 use crate::trace::recover::is_written;
 use crate::trace::{self, Trace};
 use crate::waiting_file::{self, WaitingFile};
-use crate::weld_log::{self, Entry, Told, WeldLog};
+use crate::weld_log::{self, Entry, LogSummary, WeldLog};
 use crate::weld_writer::WeldFiles;
 use seamwright_message::{Message, Unit};
 use std::fs;
@@ -298,14 +298,14 @@ impl DataFolder {
         let unread_bytes: u64 = parts.iter().map(|p| p.unread_bytes).sum();
         let log = weld_log::read(&folder)?;
         let lasted = lasted(&log);
-        let told = Told::of(&log);
+        let summary = LogSummary::of(&log);
         let result = match weld.result {
             WeldResult::Running if lasted.is_none() => WeldResult::Interrupted,
-            WeldResult::Running => told.result(),
+            WeldResult::Running => summary.result(),
             known => known,
         };
         let recovered = |code| Message::new(code).text("time", Moment::now().to_string());
-        let mut notes = vec![weld.note, told.note(), missing(&log).unwrap_or_default()];
+        let mut notes = vec![weld.note, summary.note(), missing(&log).unwrap_or_default()];
         notes.push(match (lasted, unread_bytes, cause) {
             (Some(_), 0, _) => Message::default(),
             (None, 0, Some(cause)) => Message::new("record-interrupted").message("cause", cause.clone()),
@@ -316,7 +316,7 @@ impl DataFolder {
         // A clock that was set back in between makes no weld end before it began.
         let ended = weld.ended.unwrap_or(last.max(weld.begun));
         // The library has the events of a weld that it knows to be over.
-        let events = if weld.result == WeldResult::Running { told.events } else { Vec::new() };
+        let events = if weld.result == WeldResult::Running { summary.events } else { Vec::new() };
         let end = Settled { result, ended, note: joined(notes), events };
         let weld = settle(self, weld.id, &folder, end)?;
         Ok(Recovered { weld, rows, unread_bytes })

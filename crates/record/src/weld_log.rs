@@ -143,10 +143,10 @@ pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
     Ok(lines.map_while(|line| line.strip_suffix(b"\n").and_then(|line| serde_json::from_slice(line).ok())).collect())
 }
 
-/// What a log tells of a weld that has ended.
+/// Summary of the log of a weld.
 #[cfg(feature = "library")]
 #[derive(Debug, Default)]
-pub(crate) struct Told {
+pub(crate) struct LogSummary {
     pub(crate) events: Vec<Event>,
     wanted: usize,
     passes: usize,
@@ -155,25 +155,25 @@ pub(crate) struct Told {
 }
 
 #[cfg(feature = "library")]
-impl Told {
+impl LogSummary {
     pub(crate) fn of(log: &[Entry]) -> Self {
-        let mut told = Self::default();
+        let mut summary = Self::default();
         for entry in log {
             match entry {
-                Entry::Begun { passes } => told.wanted = *passes,
-                Entry::Event(event) => told.events.push(event.clone()),
-                Entry::PassEnds => told.passes += 1,
+                Entry::Begun { passes } => summary.wanted = *passes,
+                Entry::Event(event) => summary.events.push(event.clone()),
+                Entry::PassEnds => summary.passes += 1,
                 Entry::Left { pass, s_mm } => {
                     let left = Message::new("cell-note-left").pass("pass", *pass);
-                    told.left = Some(left.quantity("at", *s_mm, seamwright_message::Unit::Mm, 2));
+                    summary.left = Some(left.quantity("at", *s_mm, seamwright_message::Unit::Mm, 2));
                 }
                 Entry::Stopped(cause) => {
-                    told.stopped.get_or_insert_with(|| cause.clone());
+                    summary.stopped.get_or_insert_with(|| cause.clone());
                 }
                 Entry::RowsLost { .. } | Entry::Incomplete(_) | Entry::Ended { .. } => {}
             }
         }
-        told
+        summary
     }
 
     fn is_whole(&self) -> bool {

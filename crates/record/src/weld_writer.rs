@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// What the writer of a weld's files needs to know of it.
+/// A weld whose files are to be written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WeldFiles {
     /// Number of the weld in the library.

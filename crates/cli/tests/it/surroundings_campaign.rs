@@ -52,10 +52,10 @@ const FAULTS: [Fault; 7] = [
 
 /// Duration of a fault before STOP.
 const LASTS: Duration = Duration::from_millis(1500);
-/// Maximum time from STOP to arc and gas off at the device, see the campaign of processes.
+/// Maximum time from STOP to arc and gas off at the device, as for faults of processes.
 const OFF_WITHIN: Duration = Duration::from_secs(12);
-/// Maximum duration of the post-flow and of a hanging disk: rows in that time are not lost either.
-const BYTES: &str = "size=256m";
+/// Size of the file system that becomes full: the room that a weld must find is 64 MB and twice its trace.
+const SMALL: &str = "size=256m";
 
 /// A file system for the data, mounted while this lives.
 struct Disk {
@@ -67,7 +67,7 @@ struct Disk {
 impl Disk {
     /// Mounts a small file system in memory at `at`; `None` without the right to do so.
     fn small(at: &Path) -> Option<Self> {
-        let mount = Command::new("mount").args(["-t", "tmpfs", "-o", BYTES, "none"]).arg(at).output().ok()?;
+        let mount = Command::new("mount").args(["-t", "tmpfs", "-o", SMALL, "none"]).arg(at).output().ok()?;
         mount.status.success().then(|| Self { at: at.to_owned(), process: None })
     }
 
@@ -144,7 +144,7 @@ fn be_refused(address: &str, over: &AtomicBool) {
     }
 }
 
-/// What a fault holds while it lasts.
+/// Resources of a fault while it lasts.
 enum Held {
     Nothing,
     Filler(PathBuf),
