@@ -19,7 +19,8 @@ use std::sync::Arc;
 impl Desk {
     pub(super) fn handle_report(&mut self, report: Report) {
         match report {
-            Report::Hello { program, alarms, recording, .. } => {
+            Report::Hello { process, program, alarms, recording, .. } => {
+                self.hub.set_cell_process(process);
                 if self.cell.was_found() {
                     self.recorder.found(recording);
                 }

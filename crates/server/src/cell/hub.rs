@@ -53,6 +53,8 @@ struct Told {
     machine: Option<Arc<Machine>>,
     /// Machine and process values that the devices serve.
     lines: Vec<(String, Traffic)>,
+    /// Number of the cell's process.
+    cell_process: Option<u32>,
     around: Option<Arc<Around>>,
     control: Option<Holder>,
     teach: TeachView,
@@ -247,6 +249,15 @@ impl Hub {
     /// Traffic with each real device, by name.
     pub(crate) fn lines(&self) -> Vec<(String, Traffic)> {
         self.lock().lines.clone()
+    }
+
+    pub(super) fn set_cell_process(&self, process: u32) {
+        self.lock().cell_process = Some(process);
+    }
+
+    /// Number of the cell's process, once it has answered.
+    pub(crate) fn cell_process(&self) -> Option<u32> {
+        self.lock().cell_process
     }
 
     pub(super) fn set_lines(&self, lines: Vec<(String, Traffic)>) {

@@ -68,7 +68,7 @@ macro_rules! metrics {
 }
 
 /// All metrics, in their order on the page.
-static METRICS: [Metric; 38] = metrics! {
+static METRICS: [Metric; 39] = metrics! {
     "seamwright_build_info" "version" Gauge |v| vec![sample(&v.version, 1.0)],
         "Version of the program; the value is 1.";
     "seamwright_uptime_seconds" "" Gauge |v| one(v.uptime_s), "Time since the start of the server.";
@@ -117,8 +117,10 @@ static METRICS: [Metric; 38] = metrics! {
         "Time since the disk was looked at, every 5 s; it grows while the disk hangs.";
     "process_resident_memory_bytes" "" Gauge |v| any(v.memory.map(|m| m.resident_bytes as f64)),
         "Memory of the server's process in use.";
-    "seamwright_memory_locked_bytes" "" Gauge |v| any(v.memory.map(|m| m.locked_bytes as f64)),
-        "Memory of the server's process that is locked against paging.";
+    "seamwright_cell_resident_memory_bytes" "" Gauge |v| any(v.cell_memory.as_ref().map(|m| m.resident_bytes as f64)),
+        "Memory of the cell's process in use.";
+    "seamwright_cell_memory_locked_bytes" "" Gauge |v| any(v.cell_memory.as_ref().map(|m| m.locked_bytes as f64)),
+        "Memory of the cell's process that is locked against paging.";
     "seamwright_alarms_active" "priority" Gauge |v| {
         v.alarms.iter().map(|row| sample(&row.priority, f64::from(row.active))).collect()
     }, "Listed alarms whose cause is present.";

@@ -1,8 +1,8 @@
 use crate::wire::MemoryView;
 
-/// Returns the memory of this process, where the system reports it (Linux: proc_pid_status(5)).
-pub(super) fn own() -> Option<MemoryView> {
-    of_status(&std::fs::read_to_string("/proc/self/status").ok()?)
+/// Returns the memory of a process, where the system reports it (Linux: proc_pid_status(5)).
+pub(super) fn of(process: u32) -> Option<MemoryView> {
+    of_status(&std::fs::read_to_string(format!("/proc/{process}/status")).ok()?)
 }
 
 fn of_status(status: &str) -> Option<MemoryView> {
@@ -23,6 +23,6 @@ mod tests {
         assert_eq!(view, Some(MemoryView { resident_bytes: 1 << 20, locked_bytes: 64 << 10 }));
         assert_eq!(of_status("Name:\tx\n"), None);
         #[cfg(target_os = "linux")]
-        assert!(own().unwrap().resident_bytes > 1 << 20);
+        assert!(of(std::process::id()).unwrap().resident_bytes > 1 << 20);
     }
 }
