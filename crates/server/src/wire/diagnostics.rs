@@ -29,7 +29,7 @@ pub struct DiagnosticsView {
     pub disk: DiskView,
     /// Memory of the server's process; none if the system does not report it.
     pub memory: Option<MemoryView>,
-    /// Memory of the cell's process; none if there is none, or the system does not report it.
+    /// Memory of the cell's process, where the system reports it.
     pub cell_memory: Option<MemoryView>,
     /// Listed alarms by priority.
     pub alarms: Vec<AlarmCount>,
