@@ -272,5 +272,6 @@ cell-process-signal = ihr Prozess wurde durch Signal { $signal } beendet
 cell-process-code = ihr Prozess endete mit Code { $code }
 cell-safe-not-asked = es wurde nicht gefragt
 cell-outputs-unconfirmed = Gerät { $device }: seine Ausgänge sind nicht als sicher bestätigt: { $why }
+cell-record-not-saved = die letzten Zeilen der Schweißung { $weld } wurden nicht rechtzeitig geschrieben
 cell-does-not-end = der Zyklus kommt nicht zum Ende: prüfen, ob Lichtbogen, Gas und Antriebe aus sind
 cell-program-too-large = die geplante Bewegung hat { $size }, mehr als die { $max }, die eine Zelle annimmt

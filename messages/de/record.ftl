@@ -131,6 +131,7 @@ record-problem-changed = { $path }: seit der Aufzeichnung geändert
 # Notes of a weld.
 record-notes = { $first }; { $then }
 record-interrupted = unterbrochen: { $cause }
+record-log-damaged = eine Zeile des Protokolls dieser Schweißung ist beschädigt
 record-rows-late = die Platte war zu langsam
 record-rows-lost =
     { $n ->

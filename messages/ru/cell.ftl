@@ -262,5 +262,6 @@ cell-process-signal = её процесс завершён сигналом { $s
 cell-process-code = её процесс завершился с кодом { $code }
 cell-safe-not-asked = запроса не было
 cell-outputs-unconfirmed = устройство { $device }: безопасность выходов не подтверждена: { $why }
+cell-record-not-saved = последние строки сварки { $weld } не записаны вовремя
 cell-does-not-end = цикл не завершается: проверьте, что дуга, газ и приводы выключены
 cell-program-too-large = запланированное движение занимает { $size }, больше допустимых { $max }

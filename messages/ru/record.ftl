@@ -132,6 +132,7 @@ record-problem-changed = { $path }: изменено после записи
 # Notes of a weld.
 record-notes = { $first }; { $then }
 record-interrupted = прервано: { $cause }
+record-log-damaged = строка журнала этой сварки повреждена
 record-rows-late = диск был слишком медленным
 record-rows-lost = потеряно строк записи хода: { $n }: { $why }
 record-incomplete = запись неполная: { $why }

@@ -262,5 +262,6 @@ cell-process-signal = її процес завершено сигналом { $s
 cell-process-code = її процес завершився з кодом { $code }
 cell-safe-not-asked = запиту не було
 cell-outputs-unconfirmed = пристрій { $device }: безпечність виходів не підтверджено: { $why }
+cell-record-not-saved = останні рядки зварювання { $weld } не записано вчасно
 cell-does-not-end = цикл не завершується: перевірте, що дугу, газ і приводи вимкнено
 cell-program-too-large = заплановане переміщення займає { $size }, більше за дозволені { $max }

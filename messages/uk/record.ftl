@@ -132,6 +132,7 @@ record-problem-changed = { $path }: змінено після запису
 # Notes of a weld.
 record-notes = { $first }; { $then }
 record-interrupted = перервано: { $cause }
+record-log-damaged = рядок журналу цього зварювання пошкоджено
 record-rows-late = диск був надто повільним
 record-rows-lost = втрачено рядків запису ходу: { $n }: { $why }
 record-incomplete = запис неповний: { $why }

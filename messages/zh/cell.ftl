@@ -257,5 +257,6 @@ cell-process-signal = 其进程被信号 { $signal } 终止
 cell-process-code = 其进程以代码 { $code } 结束
 cell-safe-not-asked = 未曾询问
 cell-outputs-unconfirmed = 设备 { $device }：其输出未确认处于安全状态：{ $why }
+cell-record-not-saved = 焊接 { $weld } 的最后几行未及时写入
 cell-does-not-end = 循环无法结束：请检查电弧、气体和驱动是否已关闭
 cell-program-too-large = 规划的运动为 { $size }，超过单元可接受的 { $max }

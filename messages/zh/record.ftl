@@ -122,6 +122,7 @@ record-problem-changed = { $path }：记录后被更改
 # Notes of a weld.
 record-notes = { $first }；{ $then }
 record-interrupted = 中断：{ $cause }
+record-log-damaged = 该焊接日志中有一行已损坏
 record-rows-late = 磁盘太慢
 record-rows-lost = 丢失 { $n } 行轨迹记录：{ $why }
 record-incomplete = 记录不完整：{ $why }

@@ -124,7 +124,7 @@ mod tests {
             Request::Beat,
             command(Ask::Override(0.25)),
             command(Ask::AcknowledgeOne(seamwright_executive::Alarm::ALL[3], 7)),
-            Request::NoRecord,
+            Request::NoRecord { start: 3 },
             Request::Shutdown,
         ]
     }

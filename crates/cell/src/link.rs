@@ -28,6 +28,8 @@ const MAX_COMMANDS: usize = 512;
 const LINES: Duration = Duration::from_millis(200);
 /// The cell switches off and ends without a panel for this long, once nothing moves.
 const ABANDONED: Duration = Duration::from_secs(60);
+/// Maximum time of the disk to take the last rows of records.
+const SAVES: Duration = Duration::from_secs(10);
 /// Maximum time of the panel to read the last reports.
 const LAST_REPORTS: Duration = Duration::from_secs(2);
 /// Number in the command of a load that only releases devices; programs count from 1.
@@ -173,14 +175,19 @@ impl Link {
     /// Reports the end of the cell, whose cycle has ended; waits some seconds for the panel to read it.
     pub(crate) fn end(mut self, failed: bool) {
         self.pass_on();
+        self.report(&Report::Ending);
+        self.flush();
         self.releases.wait();
         let main = self.start.connection.clone();
         let last: Vec<_> = self.releases.come().chain(crate::safe_outputs::released(&main)).collect();
         for (device, outcome) in last {
             self.report_release(device, outcome);
         }
-        for news in self.start.recorder.close(LAST_REPORTS) {
+        for news in self.start.recorder.close(SAVES) {
             self.tell_record(news);
+        }
+        for weld in self.start.recorder.open() {
+            crate::run::print(&Message::new("cell-record-not-saved").number("weld", *weld as f64, 0));
         }
         self.report(&Report::Ended { failed });
         // A socket that is closed with unread requests takes the last reports with it: the panel closes first.
@@ -206,8 +213,18 @@ impl Link {
         self.is_answered = false;
         let (machine, program) = (self.start.machine.clone(), self.program.clone());
         let alarms = self.alarms.iter().copied().collect();
-        let (process, recording) = (std::process::id(), self.start.recorder.weld());
-        self.report(&Report::Hello { version: VERSION, process, machine, program, alarms, recording });
+        let welds = self.now.is_some_and(|now| matches!(now.mode, Mode::Weld | Mode::Hold));
+        let (start, recording) = self.start.recorder.last();
+        self.report(&Report::Hello {
+            version: VERSION,
+            process: std::process::id(),
+            machine,
+            program,
+            alarms,
+            recording,
+            unrecorded: (welds && recording.is_none()).then_some(start),
+            open: self.start.recorder.open().to_vec(),
+        });
     }
 
     fn report(&mut self, report: &Report) {
@@ -273,16 +290,8 @@ impl Link {
                     Err(why) => self.report(&Report::Prepared { number, outcome: Err(why) }),
                 }
             }
-            Request::Record(start) => {
-                let weld = start.files.weld;
-                // Trouble of the record before has been reported; this one is complete so far.
-                self.start.outside.mend();
-                if !self.start.recorder.begin(start) {
-                    self.tell_record(RecordNews::Fails(weld, Message::new("record-rows-late")));
-                    self.report(&Report::Recorded { weld });
-                }
-            }
-            Request::NoRecord => self.start.outside.fail(),
+            Request::Record(start) => self.start.recorder.begin(start),
+            Request::NoRecord { start } => self.record_fails(start),
             Request::Shutdown => self.start.shutdown.request(ShutdownCause::Asked),
         }
     }
@@ -305,10 +314,13 @@ impl Link {
                 }
             }
             self.alarms.follow(&note);
-            if !self.start.recorder.note(t, &note) {
-                self.start.outside.fail();
-            }
+            let start = self.start.recorder.note(t, &note);
             self.report(&Report::Note((t, note)));
+            if let Some(start) = start {
+                // Trouble of the record before has been reported; this one is complete so far.
+                self.start.outside.mend();
+                self.report(&Report::WeldBegins { start });
+            }
         }
         while let Ok(shown) = self.start.outside.cycles.pop() {
             if !self.start.recorder.cycle(&shown) {
@@ -420,10 +432,17 @@ impl Link {
     fn tell_record(&mut self, news: RecordNews) {
         match news {
             RecordNews::Ended(weld) => self.report(&Report::Recorded { weld }),
-            RecordNews::Fails(weld, why) => {
-                self.start.outside.fail();
-                self.report(&Report::RecordFails { weld, why });
+            RecordNews::Fails(start, why) => {
+                self.record_fails(start);
+                self.report(&Report::RecordFails { why });
             }
+        }
+    }
+
+    /// The record of the weld with this start fails: an alarm, if that weld is the last one.
+    fn record_fails(&self, start: u64) {
+        if self.start.recorder.last().0 == start {
+            self.start.outside.fail();
         }
     }
 

@@ -13,7 +13,7 @@ use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 
 /// Version of the protocol. Both sides must have the same: they are one program, but one may have been replaced.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 /// Maximum size of a request, bytes: a program with its motion.
 pub const MAX_REQUEST: usize = 64 << 20;
 /// Maximum size of a report, bytes: the first one has a program.
@@ -38,11 +38,13 @@ pub enum Request {
     /// A program for the executive, which takes it at rest. Answered by [`Report::Prepared`]; if that is positive, the
     /// executive accepts or refuses [`seamwright_executive::Ask::Load`] in a note.
     Load(Box<Program>),
-    /// The weld that begins or runs is to be recorded; a record that is open ends. Cycles from the start of the weld on
-    /// are in it.
+    /// A weld that has begun is to be recorded. Cycles from its start on are in the record.
     Record(Box<RecordStart>),
-    /// The weld that runs has no record: an alarm.
-    NoRecord,
+    /// A weld has no record: an alarm, while it runs.
+    NoRecord {
+        /// See [`Report::WeldBegins`].
+        start: u64,
+    },
     /// Process off, axes at rest, power off, devices safe; then the cell ends.
     Shutdown,
 }
@@ -62,8 +64,12 @@ pub enum Report {
         program: Option<Box<Program>>,
         /// Alarms that are listed.
         alarms: Vec<Raised>,
-        /// Number of the weld that is being recorded.
+        /// Number in the library of the last weld, while its files are open.
         recording: Option<i64>,
+        /// The start of the weld that runs, if no panel has asked for its record.
+        unrecorded: Option<u64>,
+        /// Numbers of all welds whose files are open, or about to be.
+        open: Vec<i64>,
     },
     /// A cycle, in order. Cycles that the panel does not read in time are left out: their numbers have gaps.
     Cycle(Box<Shown>),
@@ -82,10 +88,13 @@ pub enum Report {
         /// Why it cannot be run.
         outcome: Result<(), Unprepared>,
     },
-    /// Rows of this weld's record are lost; reported once for each record.
+    /// A weld has begun; its note came before. Answered by [`Request::Record`] or [`Request::NoRecord`].
+    WeldBegins {
+        /// The cell's number of this start.
+        start: u64,
+    },
+    /// Rows of a record are lost; reported once for each record.
     RecordFails {
-        /// Its number in the library.
-        weld: i64,
         /// Why.
         why: Message,
     },
@@ -104,6 +113,8 @@ pub enum Report {
         /// Why its outputs may be on.
         outcome: Result<(), Message>,
     },
+    /// The cycle has ended in order: devices are released and records saved next, which takes some seconds at most.
+    Ending,
     /// The cell has ended: the cycle stands, all devices are released.
     Ended {
         /// True if the cycle panicked.

@@ -23,6 +23,8 @@ const LOOK: Duration = Duration::from_micros(200);
 const PATIENCE: Duration = Duration::from_secs(2);
 /// Maximum length of a request, bytes.
 const MAX_LINE: u64 = 16;
+/// Maximum length of an answer, bytes.
+const MAX_ANSWER: usize = 64;
 /// Maximum number of clients at a time.
 const MAX_CLIENTS: usize = 16;
 
@@ -153,7 +155,7 @@ impl StopLine {
         if let Some(kept) = self.kept.take() {
             match self.say_over(kept, word) {
                 // It lives, but does not answer: a new connection would not help.
-                Err(e) if matches!(e.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut) => return Err(e),
+                Err(e) if is_late(&e) => return Err(e),
                 Err(_) => {}
                 answer => return answer,
             }
@@ -164,15 +166,34 @@ impl StopLine {
         self.say_over(line, word)
     }
 
+    /// A connection that is late stays open: the path of a new one may be on a disk that hangs.
     fn say_over(&mut self, mut line: UnixStream, word: &str) -> io::Result<String> {
-        line.write_all(format!("{word}\n").as_bytes())?;
-        let mut answer = String::new();
-        BufReader::new((&line).take(64)).read_line(&mut answer)?;
-        if answer.is_empty() {
-            return Err(io::ErrorKind::UnexpectedEof.into());
+        let answer = line.write_all(format!("{word}\n").as_bytes()).and_then(|()| answer_to(word, &line));
+        if answer.as_ref().err().is_none_or(is_late) {
+            self.kept = Some(line);
         }
-        self.kept = Some(line);
-        Ok(answer)
+        answer
+    }
+}
+
+fn is_late(error: &io::Error) -> bool {
+    matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut)
+}
+
+/// Reads the answer to `word`. Late answers to `here` before it are left out.
+fn answer_to(word: &str, mut line: &UnixStream) -> io::Result<String> {
+    loop {
+        let (mut answer, mut byte) = (Vec::new(), [0]);
+        // Byte by byte: what follows stays in the socket.
+        while answer.len() < MAX_ANSWER && line.read(&mut byte)? > 0 && byte != [b'\n'] {
+            answer.push(byte[0]);
+        }
+        let answer = String::from_utf8_lossy(&answer).into_owned();
+        match answer.as_str() {
+            "" => return Err(io::ErrorKind::UnexpectedEof.into()),
+            "here" if word != "here" => {}
+            _ => return Ok(answer),
+        }
     }
 }
 

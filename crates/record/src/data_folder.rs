@@ -248,12 +248,17 @@ impl DataFolder {
     /// Repairs the data after a crash: traces to Parquet, running welds to interrupted ones, and orders and alarms that
     /// waited for the library into it. A weld that ended in order without a panel to close its record gets its result.
     pub fn recover(&mut self) -> Result<Vec<Recovered>, Error> {
+        self.recover_except(&[])
+    }
+
+    /// The same, but leaves the welds in `open` alone, which another process is about to write.
+    pub fn recover_except(&mut self, open: &[i64]) -> Result<Vec<Recovered>, Error> {
         self.store_waiting();
         let mut recovered = Vec::new();
         for weld in self.library.find(&crate::library::Query::default())?.into_iter().rev() {
             let folder = self.weld_folder(weld.id);
             let left = folder.exists() && has_raw(&folder)?;
-            if (weld.result != WeldResult::Running && !left) || is_written(&folder) {
+            if (weld.result != WeldResult::Running && !left) || open.contains(&weld.id) || is_written(&folder) {
                 continue;
             }
             recovered.push(self.close_left(weld, None)?);

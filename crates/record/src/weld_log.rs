@@ -1,7 +1,7 @@
 //! The log of a weld: what happens beside its rows, in its folder until the library has it.
 //!
 //! One JSON object a line in `log.jsonl`. Each line is one write to the end of the file, so that two processes may write:
-//! the cell that welds, and its panel. A torn last line is left out.
+//! the cell that welds, and its panel. A torn last line is left out; any other damaged line makes the log incomplete.
 
 use crate::error::{Doing, Error};
 use crate::event::{Event, Place};
@@ -80,6 +80,8 @@ struct LoggedMoment(i64);
 pub struct WeldLog {
     file: File,
     path: PathBuf,
+    /// The last line may be torn.
+    is_torn: bool,
 }
 
 impl WeldLog {
@@ -91,7 +93,7 @@ impl WeldLog {
         let path = folder.join(NAME);
         let file = private_files::options().append(true).create(true).open(&path);
         let file = file.map_err(|e| Error::io(&path, Doing::Write, e))?;
-        Ok(Self { file, path })
+        Ok(Self { file, path, is_torn: false })
     }
 
     /// Reserves room on the disk for the lines of a usual weld.
@@ -113,9 +115,12 @@ impl WeldLog {
         if matches!(entry, Entry::Event(_)) && self.file.metadata().map_err(failed)?.len() > MAX_BYTES / 2 {
             return Ok(());
         }
-        let mut line = serde_json::to_vec(entry).map_err(|e| failed(e.into()))?;
+        let mut line = if self.is_torn { vec![b'\n'] } else { Vec::new() };
+        serde_json::to_writer(&mut line, entry).map_err(|e| failed(e.into()))?;
         line.push(b'\n');
-        self.file.write_all(&line).map_err(failed)
+        let written = self.file.write_all(&line);
+        self.is_torn = written.is_err();
+        written.map_err(|e| Error::io(&self.path, Doing::Write, e))
     }
 
     /// Waits until all lines are on the disk.
@@ -127,7 +132,8 @@ impl WeldLog {
     }
 }
 
-/// Reads the log in the folder of a weld, up to the first damaged line; a weld without a log has no entries.
+/// Reads the log in the folder of a weld; a weld without a log has no entries. A damaged line becomes
+/// [`Entry::Incomplete`], but a torn last line is left out.
 ///
 /// # Errors
 /// If it cannot be read.
@@ -139,8 +145,10 @@ pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
         Err(e) => return Err(Error::io(&path, Doing::Read, e)),
     };
-    let lines = bytes.split_inclusive(|byte| *byte == b'\n');
-    Ok(lines.map_while(|line| line.strip_suffix(b"\n").and_then(|line| serde_json::from_slice(line).ok())).collect())
+    let lines = bytes.split_inclusive(|byte| *byte == b'\n').filter_map(|line| line.strip_suffix(b"\n"));
+    let damaged = || Entry::Incomplete(Message::new("record-log-damaged"));
+    let lines = lines.filter(|line| !line.is_empty());
+    Ok(lines.map(|line| serde_json::from_slice(line).unwrap_or_else(|_| damaged())).collect())
 }
 
 /// Summary of the log of a weld.
@@ -148,10 +156,13 @@ pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
 #[derive(Debug, Default)]
 pub(crate) struct LogSummary {
     pub(crate) events: Vec<Event>,
-    wanted: usize,
+    /// Number of passes to be welded; `None`: somebody else decides the result.
+    wanted: Option<usize>,
     passes: usize,
     left: Option<Message>,
     stopped: Option<Message>,
+    /// Lines are missing.
+    is_incomplete: bool,
 }
 
 #[cfg(feature = "library")]
@@ -160,7 +171,7 @@ impl LogSummary {
         let mut summary = Self::default();
         for entry in log {
             match entry {
-                Entry::Begun { passes } => summary.wanted = *passes,
+                Entry::Begun { passes } => summary.wanted = Some(*passes),
                 Entry::Event(event) => summary.events.push(event.clone()),
                 Entry::PassEnds => summary.passes += 1,
                 Entry::Left { pass, s_mm } => {
@@ -170,21 +181,24 @@ impl LogSummary {
                 Entry::Stopped(cause) => {
                     summary.stopped.get_or_insert_with(|| cause.clone());
                 }
-                Entry::RowsLost { .. } | Entry::Incomplete(_) | Entry::Ended { .. } => {}
+                Entry::Incomplete(_) => summary.is_incomplete = true,
+                Entry::RowsLost { .. } | Entry::Ended { .. } => {}
             }
         }
         summary
     }
 
     fn is_whole(&self) -> bool {
-        self.left.is_none() && self.passes >= self.wanted
+        self.left.is_none() && self.wanted.is_none_or(|wanted| self.passes >= wanted)
     }
 
+    /// Result of a weld that has ended. Without the number of its passes it is not known to be good.
     pub(crate) fn result(&self) -> WeldResult {
         match &self.stopped {
+            _ if self.wanted.is_none() => WeldResult::Interrupted,
+            // It was held by an alarm and then continued to its end; or an alarm may be missing.
+            _ if self.is_whole() && (self.stopped.is_some() || self.is_incomplete) => WeldResult::Deviating,
             None if self.is_whole() => WeldResult::Good,
-            // It was held by an alarm and then continued to its end.
-            Some(_) if self.is_whole() => WeldResult::Deviating,
             _ => WeldResult::Stopped,
         }
     }
@@ -230,6 +244,13 @@ mod tests {
         assert_eq!(read(folder.path()).unwrap(), entries);
         let path = folder.path().join(NAME);
         let whole = std::fs::read(&path).unwrap();
+        // A damaged line in the middle does not hide those after it.
+        let second = whole.iter().position(|byte| *byte == b'\n').unwrap() + 1;
+        let mut damaged = whole.clone();
+        damaged[second] = b'x';
+        std::fs::write(&path, damaged).unwrap();
+        let lines = read(folder.path()).unwrap();
+        assert!(matches!(lines[1], Entry::Incomplete(_)) && lines[2..] == entries[2..]);
         for cut in 0..whole.len() {
             std::fs::write(&path, &whole[..cut]).unwrap();
             let read = read(folder.path()).unwrap();

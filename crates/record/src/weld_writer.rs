@@ -85,12 +85,12 @@ impl WeldWriter {
     /// # Errors
     /// If the last rows or lines cannot be written.
     pub fn end(mut self, missing: u64) -> Result<(), Error> {
-        let rows = self.trace.lost() + missing;
+        self.flush();
         let late = || Message::new("record-rows-late");
-        match self.trouble.take() {
-            why if rows > 0 => self.log(&Entry::RowsLost { rows, why: why.unwrap_or_else(late) }),
-            Some(why) => self.log(&Entry::Incomplete(why)),
-            None => {}
+        match (self.trace.lost() + missing, self.trouble.take()) {
+            (0, None) => {}
+            (0, Some(why)) => self.log(&Entry::Incomplete(why)),
+            (rows, why) => self.log(&Entry::RowsLost { rows, why: why.unwrap_or_else(late) }),
         }
         let lasted_ms = u64::try_from(self.begun.elapsed().as_millis()).unwrap_or(u64::MAX);
         let closed = self.trace.close();

@@ -19,11 +19,10 @@ use std::sync::Arc;
 impl Desk {
     pub(super) fn handle_report(&mut self, report: Report) {
         match report {
-            Report::Hello { process, program, alarms, recording, .. } => {
+            Report::Hello { process, program, alarms, recording, unrecorded, open, .. } => {
                 self.hub.set_cell_process(process);
-                if self.cell.was_found() {
-                    self.recorder.found(recording);
-                }
+                self.recorder.found(recording, open);
+                self.unrecorded = unrecorded;
                 self.greeted(program.as_deref(), &alarms);
             }
             Report::Cycle(shown) => self.cycle(&shown),
@@ -32,13 +31,16 @@ impl Desk {
             Report::Lines(lines) => self.hub.set_lines(lines),
             Report::Queues(queues) => self.tally.queue_fill(queues),
             Report::Recorded { weld } => self.recorder.ended(weld),
-            Report::RecordFails { why, .. } => {
+            Report::WeldBegins { start } => self.begin_record(start),
+            Report::RecordFails { why } => {
                 self.tell(happening(Message::new("server-event-record-fails").message("reason", why)));
             }
             Report::Prepared { outcome: Ok(()), .. } => {}
             Report::Prepared { outcome: Err(why), .. } => self.unprepared(why),
             Report::DevicesReleased => self.devices_released(),
             Report::Released { device, outcome } => self.released(device, outcome),
+            // The supervisor handles it.
+            Report::Ending => {}
             Report::Ended { failed } => {
                 // A cell that ends by itself, by a signal for instance, is gone as soon as its connection is.
                 self.ended = self.expects_end;
@@ -82,6 +84,9 @@ impl Desk {
         if shown.mode == Mode::Weld {
             self.begin_weld(shown.place);
         }
+        if let Some(start) = self.unrecorded.take() {
+            self.begin_record(start);
+        }
     }
 
     /// The cell has the machine of the program that is being loaded, without devices and program.
@@ -117,6 +122,7 @@ impl Desk {
     pub(super) fn lost(&mut self, why: &Message, shutdown: &Shutdown) {
         self.tell(happening(Message::new("server-event-cell-lost").message("reason", why.clone())));
         self.recorder.lost(why);
+        self.unrecorded = None;
         self.welding = None;
         if let Some(pending) = self.loading.take() {
             let lost = lack("silent_cycle", Message::new("server-cell-silent"));

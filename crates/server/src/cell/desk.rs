@@ -107,6 +107,8 @@ pub(super) struct Desk {
     pub(super) programs: u32,
     /// The program was found in a running cell, whose first cycle has not come yet.
     pub(super) adopts: bool,
+    /// Its weld, if no panel has asked for the record of that.
+    pub(super) unrecorded: Option<u64>,
     pub(super) now: Option<Shown>,
     shown: Instant,
     /// Time of the last report to the service manager.
@@ -172,6 +174,7 @@ impl Desk {
             loading: None,
             programs: 0,
             adopts: false,
+            unrecorded: None,
             now: None,
             shown: Instant::now(),
             reported: Instant::now(),

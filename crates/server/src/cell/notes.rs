@@ -5,13 +5,14 @@ use super::desk::{Desk, Welding};
 use super::event::happening;
 use super::names::WHY;
 use super::progress::{Left, Progress};
-use super::recorder::RecorderNews;
+use super::recorder::{Beginning, RecorderNews};
 use crate::refusal::Lack;
 use crate::wire::FromCell;
-use seamwright_cell::protocol::{RecordStart, Request};
+use seamwright_cell::protocol::Request;
 use seamwright_executive::realtime::RealtimeRights;
 use seamwright_executive::{Ask, Command, Missing, Mode, Note, Origin, Place, Raised};
 use seamwright_message::{Message, Unit};
+use seamwright_record::Plan;
 
 impl Desk {
     pub(super) fn handle_note(&mut self, t: f64, note: Note) {
@@ -96,33 +97,27 @@ impl Desk {
         let passes = at.pass.saturating_sub(start);
         self.welding = Some(Welding { passes, ..Welding::default() });
         self.left_before = self.left.take();
-        // A weld that was found running has its record.
-        if self.recorder.weld().is_none() || at.pass == 0 {
-            self.begin_record(passes);
-        }
     }
 
-    /// Begins the record of a weld of which this number of passes is finished.
-    fn begin_record(&mut self, finished: usize) {
+    /// Begins the record of a weld.
+    pub(super) fn begin_record(&mut self, start: u64) {
         let Some(of) = &self.to_weld else { return };
-        let welder = self.hub.holder().unwrap_or_default();
+        let finished = self.welding.as_ref().map_or(0, |welding| welding.passes);
+        let passes = of.passes.saturating_sub(finished);
+        let plan = Plan { passes, welder: Some(self.hub.holder().unwrap_or_default()), ..of.plan.clone() };
         let missing: Vec<&str> = self.footing.iter().flat_map(RealtimeRights::missing).collect();
-        self.recorder.begin(of.plan.clone(), of.passes.saturating_sub(finished), welder, &missing);
+        let (values, heads) = (self.names.values, self.names.heads);
+        self.recorder.begin(Beginning { start, plan, values, heads }, &missing);
     }
 
     /// Handles the start of a record, and the end of one whose cell has died.
     pub(super) fn handle_record(&mut self, news: RecorderNews) {
         match news {
-            RecorderNews::Begun(begun) => match *begun {
-                Ok(files) => {
-                    let (values, heads) = (self.names.values, self.names.heads);
-                    self.cell.send(&Request::Record(Box::new(RecordStart { files, values, heads })));
-                }
-                Err(e) => {
-                    self.cell.send(&Request::NoRecord);
-                    self.tell(happening(Message::new("server-event-not-recorded").message("reason", e.message())));
-                }
-            },
+            RecorderNews::Begun(start, _) => drop(self.cell.send(&Request::Record(start))),
+            RecorderNews::NotBegun(start, e) => {
+                self.cell.send(&Request::NoRecord { start });
+                self.tell(happening(Message::new("server-event-not-recorded").message("reason", e.message())));
+            }
             RecorderNews::Left(left) => self.left = left.or_else(|| self.left.take()),
         }
     }

@@ -8,7 +8,7 @@ use seamwright_message::{Message, Unit};
 use seamwright_project::weld_events;
 use seamwright_record::journal::Position;
 use seamwright_record::library::{Library, Query, WeldRecord, WeldResult};
-use seamwright_record::{Error, Plan, sha256};
+use seamwright_record::{DataFolder, Error, Plan, sha256};
 use std::collections::{HashMap, HashSet};
 
 /// Tolerance for a start before the end of a pass's finished length, mm: positions are written with two digits.
@@ -99,6 +99,22 @@ pub(super) fn remember(at: &Position, library: &Library) -> Result<(), Error> {
     let place = Place { pass: at.pass.max(1) as usize, s_mm: at.welded_to };
     weld_events::event(0.0, &Note::Left(place), place)
         .map_or(Ok(()), |event| library.add_event(Some(weld), &event).map(drop))
+}
+
+/// Returns true if the library has the end of a weld, and it was no failure.
+pub(super) fn is_settled(weld: i64, library: &Library) -> bool {
+    let settled = |record: WeldRecord| !matches!(record.result, WeldResult::Interrupted | WeldResult::Running);
+    library.weld(weld).is_ok_and(settled)
+}
+
+/// Takes the position of a weld whose end the library has out of the journal, unless a weld that has begun since has it
+/// open.
+pub(super) fn clear_journal(data: &DataFolder) -> Result<(), Error> {
+    match data.journal() {
+        Ok(mut journal) => journal.clear(),
+        Err(Error::Busy { .. }) => Ok(()),
+        Err(e) => Err(e),
+    }
 }
 
 /// Weld progress of parts: from the library, and from newer events that it may not contain yet.

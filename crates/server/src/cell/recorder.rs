@@ -8,13 +8,15 @@ use super::hub::Hub;
 use super::progress::{self, Left};
 use super::stored_message::stored;
 use crate::refusal::panel_word;
+use seamwright_cell::protocol::RecordStart;
 use seamwright_executive::Raised;
 use seamwright_executive::realtime::RealtimeRights;
 use seamwright_message::Message;
 use seamwright_record::journal::Journal;
 use seamwright_record::library::{Alarm, AuditEntry, Event, Place as Recorded, WeldRecord};
 use seamwright_record::weld_log::Entry;
-use seamwright_record::{DataFolder, Error, Moment, Plan, WeldFiles};
+use seamwright_record::{DataFolder, Error, Moment, Plan};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -29,20 +31,37 @@ pub(super) struct Recorder {
     folder: PathBuf,
     hub: Arc<Hub>,
     archive: Archive,
-    /// Number of the weld that is being recorded.
-    weld: Option<i64>,
-    /// Weld that ended from outside, with the cause.
+    /// The cell's number of the last start of a weld, and its weld once it is in the library.
+    last: Option<(u64, Option<i64>)>,
+    /// Welds whose files the cell has not let go of.
+    open: BTreeSet<i64>,
+    /// Cause of the end of the last weld from outside.
     stopped: Option<Message>,
+    /// Number of cells that have died, and why the last one has.
+    deaths: u32,
+    death: Message,
     tell: Sender<RecorderNews>,
     news: Receiver<RecorderNews>,
     /// Threads that begin and close records.
     threads: Vec<JoinHandle<()>>,
 }
 
+/// A weld to be entered into the library.
+pub(super) struct Beginning {
+    /// The cell's number of its start.
+    pub(super) start: u64,
+    pub(super) plan: Plan,
+    /// Number of process values and of tracked heads.
+    pub(super) values: usize,
+    pub(super) heads: usize,
+}
+
 /// News of the threads.
 pub(super) enum RecorderNews {
-    /// A weld is in the library, or why not.
-    Begun(Box<Result<WeldFiles, Error>>),
+    /// A weld is in the library.
+    Begun(Box<RecordStart>, u32),
+    /// The weld with this start is not, and why.
+    NotBegun(u64, Error),
     /// A record whose cell has died was closed; the newest weld that was left, if any.
     Left(Option<Left>),
 }
@@ -60,8 +79,19 @@ struct Closing {
 impl Recorder {
     pub(super) fn new(folder: &Path, hub: Arc<Hub>, archive: Archive) -> Self {
         let (tell, news) = channel();
-        let (weld, stopped, threads) = (None, None, Vec::new());
-        Self { folder: folder.to_owned(), hub, archive, weld, stopped, tell, news, threads }
+        Self {
+            folder: folder.to_owned(),
+            hub,
+            archive,
+            last: None,
+            open: BTreeSet::new(),
+            stopped: None,
+            deaths: 0,
+            death: Message::default(),
+            tell,
+            news,
+            threads: Vec::new(),
+        }
     }
 
     pub(super) fn folder(&self) -> &Path {
@@ -70,46 +100,55 @@ impl Recorder {
 
     /// Number of the weld that is being recorded.
     pub(super) fn weld(&self) -> Option<i64> {
-        self.weld
+        self.last?.1.filter(|weld| self.open.contains(weld))
     }
 
-    /// Begins the record of a weld by `welder`: [`RecorderNews::Begun`] follows. `missing`: real-time rights that the
-    /// cycle lacks.
-    pub(super) fn begin(&mut self, plan: Plan, passes: usize, welder: String, missing: &[&str]) {
+    /// Enters a weld that has begun into the library: news follow. `missing`: real-time rights that the cycle lacks.
+    pub(super) fn begin(&mut self, weld: Beginning, missing: &[&str]) {
+        self.last = Some((weld.start, None));
         self.stopped = None;
         let mut events = Vec::new();
         if !missing.is_empty() {
             events.push(event(RealtimeRights::event(missing)));
         }
-        let plan = Plan { welder: Some(welder), passes, ..plan };
-        let folder = self.folder.clone();
+        let (folder, deaths) = (self.folder.clone(), self.deaths);
         self.spawn(move |tell| {
+            let Beginning { start, plan, values, heads } = weld;
             let begun = DataFolder::open(&folder).and_then(|mut data| data.begin_elsewhere(&plan, &events));
+            let passes = plan.passes;
             // The desk may have ended; the weld is recovered then.
-            drop(tell.send(RecorderNews::Begun(Box::new(begun))));
+            drop(tell.send(match begun {
+                Ok(files) => RecorderNews::Begun(Box::new(RecordStart { start, passes, files, values, heads }), deaths),
+                Err(e) => RecorderNews::NotBegun(start, e),
+            }));
         });
     }
 
     /// The next news, if there is any.
     pub(super) fn news(&mut self) -> Option<RecorderNews> {
-        let news = self.news.try_recv().ok()?;
-        if let RecorderNews::Begun(begun) = &news
-            && let Ok(files) = &**begun
-        {
-            self.weld = Some(files.weld);
+        loop {
+            match self.news.try_recv().ok()? {
+                RecorderNews::Begun(start, deaths) if deaths != self.deaths => {
+                    let why = self.death.clone();
+                    self.close(start.files.weld, Some(why));
+                }
+                RecorderNews::Begun(start, deaths) => {
+                    let weld = start.files.weld;
+                    self.open.insert(weld);
+                    if let Some(last) = self.last.as_mut().filter(|last| last.0 == start.start) {
+                        last.1 = Some(weld);
+                    }
+                    return Some(RecorderNews::Begun(start, deaths));
+                }
+                news => return Some(news),
+            }
         }
-        Some(news)
     }
 
-    /// A cell was found running that records this weld, or none: a record that ended while the panel started is closed.
-    pub(super) fn found(&mut self, weld: Option<i64>) {
-        self.weld = weld;
-        // Not in a thread: a weld that begins meanwhile is not a left one.
-        let recovered = DataFolder::open(&self.folder).and_then(|mut data| data.recover());
-        for weld in recovered.into_iter().flatten() {
-            self.hub.count_weld(weld.weld.result);
-            tell_recorded(&self.hub, &weld.weld);
-        }
+    /// A cell was found running with these records open; the last weld is `recording`.
+    pub(super) fn found(&mut self, recording: Option<i64>, open: Vec<i64>) {
+        self.last = recording.map(|weld| (0, Some(weld)));
+        self.open = open.into_iter().collect();
     }
 
     /// Archives an alarm at once, with the weld that is recorded, if any.
@@ -124,21 +163,26 @@ impl Recorder {
 
     /// The cell has written the files of a weld.
     pub(super) fn ended(&mut self, weld: i64) {
-        if self.weld == Some(weld) {
-            self.weld = None;
+        // One that is not open was closed when its cell died.
+        if self.open.remove(&weld) {
+            self.close(weld, None);
         }
-        self.close(weld, None);
     }
 
-    /// The cell has died: its weld is interrupted.
+    /// The cell has died: its welds are interrupted.
     pub(super) fn lost(&mut self, why: &Message) {
-        if let Some(weld) = self.weld.take() {
+        self.deaths += 1;
+        self.death = why.clone();
+        for weld in std::mem::take(&mut self.open) {
             self.close(weld, Some(why.clone()));
         }
+        self.last = None;
     }
 
     fn close(&mut self, weld: i64, lost: Option<Message>) {
-        let closing = Closing { folder: self.folder.clone(), weld, lost, stopped: self.stopped.take() };
+        let is_last = self.last.is_none_or(|last| last.1 == Some(weld));
+        let stopped = if is_last { self.stopped.take() } else { None };
+        let closing = Closing { folder: self.folder.clone(), weld, lost, stopped };
         let hub = Arc::clone(&self.hub);
         self.spawn(move |tell| closing.run(&hub, tell));
     }
@@ -157,6 +201,7 @@ impl Recorder {
         while waits(self) && begun.elapsed() < CLOSING {
             std::thread::sleep(Duration::from_millis(5));
         }
+        while self.news().is_some() {}
         self.lost(&Message::new("cell-process-ended-early"));
         while waits(self) && begun.elapsed() < CLOSING {
             std::thread::sleep(Duration::from_millis(5));
@@ -197,11 +242,7 @@ impl Closing {
         if let Some(at) = &position {
             progress::remember(at, data.library())?;
             // The library has the position. A weld that has begun since replaces it.
-            match data.journal() {
-                Ok(mut journal) => journal.clear()?,
-                Err(Error::Busy { .. }) => {}
-                Err(e) => return Err(e),
-            }
+            progress::clear_journal(&data)?;
         }
         let entry = AuditEntry {
             at: Moment::now(),
@@ -263,10 +304,10 @@ fn alarm(t: f64, raised: &Raised, name: &Message) -> Alarm {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use seamwright_record::WeldWriter;
     use seamwright_record::journal::Position;
     use seamwright_record::library::{Query, WeldResult};
     use seamwright_record::trace::{Column, Kind};
+    use seamwright_record::{WeldFiles, WeldWriter};
 
     fn plan() -> Plan {
         let text = |name: &str| (name.to_owned(), "schema = 1".to_owned());
@@ -289,11 +330,13 @@ mod tests {
         Recorder::new(folder, hub, archive)
     }
 
-    fn begun(recorder: &mut Recorder) -> Result<WeldFiles, Error> {
-        recorder.begin(plan(), 1, "ada".to_owned(), &["its priority"]);
+    fn begun(recorder: &mut Recorder, start: u64) -> WeldFiles {
+        let plan = Plan { passes: 1, welder: Some("ada".to_owned()), ..plan() };
+        recorder.begin(Beginning { start, plan, values: 0, heads: 0 }, &["its priority"]);
         loop {
             match recorder.news() {
-                Some(RecorderNews::Begun(begun)) => return *begun,
+                Some(RecorderNews::Begun(begun, _)) => return begun.files,
+                Some(RecorderNews::NotBegun(_, e)) => panic!("{e}"),
                 _ => std::thread::sleep(Duration::from_millis(1)),
             }
         }
@@ -322,13 +365,13 @@ mod tests {
             (vec![alarm(), Entry::Left { pass: 1, s_mm: 12.5 }], WeldResult::Stopped),
             (vec![], WeldResult::Stopped),
         ];
-        for (entries, _) in &logs {
-            let files = begun(&mut recorder).unwrap();
+        for (start, (entries, _)) in (1..).zip(&logs) {
+            let files = begun(&mut recorder, start);
             written(&files, entries);
             recorder.ended(files.weld);
         }
         // One is ended by a signal.
-        let files = begun(&mut recorder).unwrap();
+        let files = begun(&mut recorder, 7);
         written(&files, &[]);
         recorder.stopped_by(&Message::verbatim("SIGTERM"));
         recorder.ended(files.weld);
@@ -350,7 +393,7 @@ mod tests {
     fn a_weld_whose_cell_has_died_is_interrupted_at_its_place() {
         let folder = tempfile::tempdir().unwrap();
         let mut recorder = recorder(folder.path());
-        let files = begun(&mut recorder).unwrap();
+        let files = begun(&mut recorder, 7);
         let mut writer = WeldWriter::open(&files).unwrap();
         (0..100).for_each(|i| writer.row([f64::from(i)]));
         writer.flush();
@@ -360,11 +403,13 @@ mod tests {
         journal.write(&at).unwrap();
         drop((writer, journal));
         recorder.lost(&Message::verbatim("killed by signal 9"));
-        recorder.close_all();
+        let begun = Instant::now();
+        while !matches!(recorder.news(), Some(RecorderNews::Left(Some(_)))) {
+            assert!(begun.elapsed() < CLOSING);
+        }
         let weld = &welds(folder.path())[0];
         assert!(weld.result == WeldResult::Interrupted && weld.note.to_string().contains("signal 9"), "{weld:?}");
-        let left = std::iter::from_fn(|| recorder.news()).any(|news| matches!(news, RecorderNews::Left(Some(_))));
-        assert!(left && Journal::look(folder.path()).unwrap().last.is_none());
+        assert_eq!(Journal::look(folder.path()).unwrap().last, None);
         let data = DataFolder::open(folder.path()).unwrap();
         assert_eq!(data.library().files(weld.id).unwrap()[0].rows, Some(100));
     }
@@ -374,12 +419,22 @@ mod tests {
     fn a_record_that_nobody_closed_is_closed_by_the_next_panel() {
         let folder = tempfile::tempdir().unwrap();
         let mut first = recorder(folder.path());
-        let files = begun(&mut first).unwrap();
+        let files = begun(&mut first, 1);
         written(&files, &[Entry::PassEnds]);
         drop(first);
-        let mut next = recorder(folder.path());
-        next.found(None);
-        next.close_all();
+        DataFolder::open(folder.path()).unwrap().recover().unwrap();
         assert_eq!(welds(folder.path())[0].result, WeldResult::Good);
+    }
+
+    /// A weld that reaches the library after its cell has died is interrupted, and not given to the next cell.
+    #[test]
+    fn a_weld_that_begins_while_its_cell_dies_is_interrupted() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut recorder = recorder(folder.path());
+        let plan = Plan { passes: 1, ..plan() };
+        recorder.begin(Beginning { start: 1, plan, values: 0, heads: 0 }, &[]);
+        recorder.lost(&Message::verbatim("killed by signal 9"));
+        recorder.close_all();
+        assert_eq!(welds(folder.path())[0].result, WeldResult::Interrupted);
     }
 }

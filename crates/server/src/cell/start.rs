@@ -7,9 +7,10 @@ use super::hub::Hub;
 use super::names::Names;
 use super::progress;
 use super::recorder::Recorder;
-use super::supervisor::Supervisor;
+use super::supervisor::{self, Supervisor};
 use super::urgent::Urgent;
-use seamwright_cell::{CellStart, StopLine, fingerprint};
+use seamwright_cell::protocol::Report;
+use seamwright_cell::{CellClient, CellStart, StopLine, fingerprint};
 use seamwright_executive::realtime::Shutdown;
 use seamwright_machine::Clamped;
 use seamwright_message::Message;
@@ -52,12 +53,24 @@ impl Cell {
         let machine = start.machine.read()?;
         seamwright_simulation::check_drives(&machine).map_err(|e| e.message())?;
         let mut folder = DataFolder::open(data).map_err(|e| e.message())?;
-        let interrupted = folder.recover().map_err(|e| e.message())?;
+        // Records of a cell that has outlived its panel are open, or about to be.
+        let found = supervisor::found(start, &sockets(data))?;
+        let open = match found.as_ref().and_then(CellClient::first) {
+            Some(Report::Hello { open, .. }) => open,
+            _ => Vec::new(),
+        };
+        let interrupted = folder.recover_except(&open).map_err(|e| e.message())?;
         // A cell that has outlived its panel may be writing it.
         let JournalState { last, damaged } = Journal::look(data).map_err(|e| e.message())?;
         let lost = folder.lost_welds().map_err(|e| e.message())?;
+        let mut last = last;
         if let Some(at) = &last {
             progress::remember(at, folder.library()).map_err(|e| e.message())?;
+            let weld = i64::try_from(at.weld).unwrap_or(0);
+            if !open.contains(&weld) && progress::is_settled(weld, folder.library()) {
+                progress::clear_journal(&folder).map_err(|e| e.message())?;
+                last = None;
+            }
         }
         let left = progress::newest_left(folder.library()).map_err(|e| e.message())?;
         let unknown = folder.library().listed_alarms().map_err(|e| e.message())?;
@@ -93,7 +106,7 @@ impl Cell {
         let mirror = Mirror::new(&unknown);
         hub.alarms(mirror.views(&names));
         // Devices come last: nothing is switched before all files are valid.
-        let supervisor = Supervisor::start(start.clone(), sockets(data), program.map(Path::to_owned))?;
+        let supervisor = Supervisor::start(found, start.clone(), sockets(data), program.map(Path::to_owned))?;
         let has_program = supervisor.has_program();
         let (desk, from) = channel();
         let records = Records { archive: archive.clone(), recorder, mirror, left };

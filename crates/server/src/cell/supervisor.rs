@@ -16,7 +16,7 @@ const SILENT: Duration = Duration::from_millis((1000.0 * CELL_SILENT_S) as u64);
 const FROZEN: Duration = Duration::from_millis((2000.0 * CELL_SILENT_S) as u64);
 /// Time between two looks beyond which this process itself has stood still.
 const OWN_GAP: Duration = Duration::from_millis(500);
-/// Time for its first cycle.
+/// Time for its first cycle, and for its end in order.
 const FIRST: Duration = Duration::from_secs(20);
 
 pub(super) struct Supervisor {
@@ -25,8 +25,8 @@ pub(super) struct Supervisor {
     /// `None`: threads of this process.
     program: Option<PathBuf>,
     client: CellClient,
-    /// Another panel has started it.
-    was_found: bool,
+    /// Its cycle has ended in order.
+    ends: bool,
     /// Time of the last cycle that came, or of the start.
     heard: Instant,
     has_heard: bool,
@@ -43,13 +43,17 @@ pub(super) enum News {
 }
 
 impl Supervisor {
-    pub(super) fn start(start: CellStart, sockets: PathBuf, program: Option<PathBuf>) -> Result<Self, Message> {
-        let found = found(&start, &sockets)?;
-        let was_found = found.is_some();
+    /// Looks after the cell that was [`found`], or starts one.
+    pub(super) fn start(
+        found: Option<CellClient>,
+        start: CellStart,
+        sockets: PathBuf,
+        program: Option<PathBuf>,
+    ) -> Result<Self, Message> {
         let client = found.map_or_else(|| started(&start, &sockets, program.as_ref()), Ok)?;
         let now = Instant::now();
         let restarts = VecDeque::new();
-        Ok(Self { start, sockets, program, client, was_found, heard: now, has_heard: false, looked: now, restarts })
+        Ok(Self { start, sockets, program, client, ends: false, heard: now, has_heard: false, looked: now, restarts })
     }
 
     /// Returns true if the cell was found running, with a program.
@@ -57,14 +61,9 @@ impl Supervisor {
         matches!(self.client.first(), Some(Report::Hello { program: Some(_), .. }))
     }
 
-    /// Returns true for a cell that another panel has started.
-    pub(super) fn was_found(&self) -> bool {
-        self.was_found
-    }
-
     /// Returns true if the process of the cell lives without a cycle.
     pub(super) fn is_silent(&self) -> bool {
-        self.has_heard && self.client.process().is_some() && self.heard.elapsed() > SILENT
+        self.has_heard && !self.ends && self.client.process().is_some() && self.heard.elapsed() > SILENT
     }
 
     /// Returns the inputs of the cell's start.
@@ -86,13 +85,16 @@ impl Supervisor {
         self.looked = Instant::now();
         match self.client.report() {
             Ok(Some(report)) => {
+                if matches!(report, Report::Ending) {
+                    (self.heard, self.ends) = (Instant::now(), true);
+                }
                 if matches!(report, Report::Cycle(_)) {
                     (self.heard, self.has_heard) = (Instant::now(), true);
                 }
                 Some(News::Report(report))
             }
             Ok(None) => {
-                let patience = if self.has_heard { FROZEN } else { FIRST };
+                let patience = if self.ends || !self.has_heard { FIRST } else { FROZEN };
                 if self.heard.elapsed() > patience && self.client.process().is_some() {
                     // The end of its connection is the next news.
                     self.client.kill();
@@ -119,7 +121,7 @@ impl Supervisor {
         }
         self.restarts.push_back(Instant::now());
         self.client = started(&self.start, &self.sockets, self.program.as_ref())?;
-        self.was_found = false;
+        self.ends = false;
         (self.heard, self.has_heard, self.looked) = (Instant::now(), false, Instant::now());
         Ok(())
     }
@@ -135,7 +137,7 @@ impl Supervisor {
 }
 
 /// Finds a cell that has outlived its panel, with a program or on the machine of `start`. Another one is ended.
-fn found(start: &CellStart, sockets: &Path) -> Result<Option<CellClient>, Message> {
+pub(super) fn found(start: &CellStart, sockets: &Path) -> Result<Option<CellClient>, Message> {
     let Some(client) = CellClient::found(sockets)? else { return Ok(None) };
     let fits = match client.first() {
         Some(Report::Hello { program: Some(_), .. }) => true,
