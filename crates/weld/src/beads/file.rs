@@ -52,6 +52,9 @@ pub struct Beads {
     /// The shortest piece of the seam that gets a layer of its own, mm, with `adapt = "passes"`.
     #[serde(default = "shortest")]
     pub shortest_mm: Positive,
+    /// Length of seam over which the other beads change where a layer starts or ends, mm, with `adapt = "passes"`.
+    #[serde(default = "tie_in")]
+    pub tie_in_mm: NonNegative,
     /// The root pass; without it the layers of `fill` begin at the root.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub root: Option<Run>,
@@ -140,6 +143,10 @@ fn tilt() -> NonNegative {
 }
 
 fn stagger() -> NonNegative {
+    NonNegative::new(20.0).unwrap_or_default()
+}
+
+fn tie_in() -> NonNegative {
     NonNegative::new(20.0).unwrap_or_default()
 }
 

@@ -41,6 +41,24 @@ pub struct BeadAt {
     pub filled: (f64, f64),
 }
 
+impl BeadAt {
+    /// This bead changed to `other` by a part of the way.
+    pub(crate) fn towards(&self, other: &Self, part: f64) -> Self {
+        let between = |a: f64, b: f64| a + (b - a) * part;
+        Self {
+            tip: self.tip.lerp(other.tip, part),
+            lean: between(self.lean, other.lean),
+            room: between(self.room, other.room),
+            area: between(self.area, other.area),
+            width: between(self.width, other.width),
+            height: between(self.height, other.height),
+            layer_height: between(self.layer_height, other.layer_height),
+            filled: (between(self.filled.0, other.filled.0), between(self.filled.1, other.filled.1)),
+            ..*self
+        }
+    }
+}
+
 /// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height.
 const ROOT_RISE: f64 = 0.35;
 

@@ -150,7 +150,40 @@ impl BeadPlan {
             plan.lay(section, plan.stations[i], &mut here);
             plan.beads.extend_from_slice(&here);
         }
+        plan.tie_in(beads.tie_in_mm.get());
         Ok(plan)
+    }
+
+    /// Lets beads change evenly over `length` (mm) where another layer starts or ends. Metal is kept: what is too much
+    /// before the end is too little after it.
+    fn tie_in(&mut self, length: f64) {
+        let n = self.stations.len();
+        let ends: Vec<f64> = self.parts.iter().flatten().flat_map(|(from, to)| [*from, *to]).collect();
+        for end in ends {
+            let near = |i: usize| {
+                let away = self.stations[i] - end;
+                self.period.map_or(away, |period| (away + 0.5 * period).rem_euclid(period) - 0.5 * period)
+            };
+            let mut within: Vec<(f64, usize)> = (0..n).map(|i| (near(i), i)).collect();
+            within.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let first = within.partition_point(|(away, _)| *away < -0.5 * length);
+            let last = within.partition_point(|(away, _)| *away <= 0.5 * length);
+            let (Some(before), Some(after)) = (first.checked_sub(1).map(|k| within[k]), within.get(last).copied())
+            else {
+                continue;
+            };
+            for bead in 0..self.count() {
+                let [a, b] = [before.1, after.1].map(|i| self.at_station(i)[bead]);
+                let between = &within[first..last];
+                if a.area > 0.0 && b.area > 0.0 && between.iter().all(|(_, i)| self.at_station(*i)[bead].area > 0.0) {
+                    for (away, i) in between {
+                        let part = (away - before.0) / (after.0 - before.0);
+                        let at = i * self.per_station + bead;
+                        self.beads[at] = a.towards(&b, part);
+                    }
+                }
+            }
+        }
     }
 
     /// The beads layer by layer, each layer in the order asked for.

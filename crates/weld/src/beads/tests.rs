@@ -58,6 +58,14 @@ fn shoelace(points: &[glam::DVec2]) -> f64 {
 fn fills(planned: &Planned) {
     let Planned { seam, joint, plan, .. } = planned;
     for (i, s) in plan.stations.iter().enumerate() {
+        // Around a layer's end the others change evenly over 20 mm.
+        let ends = plan.parts.iter().flatten().flat_map(|(from, to)| [*from, *to]);
+        if ends
+            .into_iter()
+            .any(|end| ((s - end + 0.5 * seam.length()).rem_euclid(seam.length()) - 0.5 * seam.length()).abs() <= 10.0)
+        {
+            continue;
+        }
         let sum: f64 = plan.at_station(i).iter().map(|b| b.area).sum();
         let section = joint.section(&seam.at(*s)).unwrap();
         assert!((sum - section.area() - section.cap).abs() < 1e-9 * sum, "{s}: {sum}");
@@ -243,6 +251,10 @@ fn beads_of_random_joints_keep_their_windows_or_say_so() {
         for (i, s) in plan.stations.iter().enumerate() {
             let section = joint.section(&seam.at(*s)).unwrap();
             let beads = plan.at_station(i);
+            let ends = plan.parts.iter().flatten().flat_map(|(from, to)| [*from, *to]);
+            if ends.into_iter().any(|end| (s - end).abs() <= 10.0) {
+                continue;
+            }
             let sum: f64 = beads.iter().map(|b| b.area).sum();
             assert!((sum - section.total()).abs() < 1e-9 * sum, "{text}");
             for (b, bead) in beads.iter().enumerate().filter(|(_, bead)| bead.area > 0.0) {
