@@ -216,6 +216,14 @@ weld-cure-bead-nearer = die Raupe dort näher an die Naht legen
 weld-bead-area-out-of-range = um die Fuge zu füllen, hätte die Raupe { $area } bei s = { $s }: { $ratio } der { $run } ihrer Vorgabe; erlaubt sind { $min } bis { $max }
 weld-cure-thinner-layers = dünnere Lagen, größere Raupen (Querschnitt, Drahtvorschub, geringere Geschwindigkeit), adapt = "passes" oder ein größeres most_percent
 weld-cure-smaller-beads = kleinere Raupen (höhere Geschwindigkeit, weniger Draht), adapt = "passes" oder ein größeres most_percent
+weld-bead-width-out-of-window = die Raupe wäre { $width } breit bei s = { $s } und { $height } hoch; erlaubte Breite: { $min } bis { $max }
+weld-bead-height-out-of-window = die Raupe wäre { $height } hoch bei s = { $s } und { $width } breit; erlaubte Höhe: { $min } bis { $max }
+weld-bead-ratio-out-of-window = die Raupe wäre { $width } breit und { $height } hoch bei s = { $s }: ein Verhältnis von { $ratio }; erlaubt: { $min } bis { $max }
+weld-bead-too-wide-without-weave = die Raupe wäre ohne Pendeln { $width } breit und { $height } hoch bei s = { $s }; erlaubt: bis { $max }
+weld-layer-height-not-kept = die Lage wäre { $height } hoch bei s = { $s } statt { $wanted }: Raupen von { $area } füllen sie anders
+weld-cure-bead-window = layer_mm oder Querschnitt des Laufs (Geschwindigkeit, Drahtvorschub) ändern, adapt = "passes", oder ein anderes Fenster in der Schweißanweisung
+weld-cure-weave-or-smaller-beads = dem Lauf ein Pendeln geben, oder kleinere Raupen (höhere Geschwindigkeit, weniger Draht)
+weld-cure-layer-height = layer_mm näher an diese Höhe setzen, oder den Querschnitt des Laufs ändern (Geschwindigkeit, Drahtvorschub)
 
 # Joints.
 weld-groove-at = bei s = { $s }: { $why }
@@ -251,6 +259,9 @@ weld-wall-tilt-too-large = der Draht läge an der Wand
 weld-station-distance-invalid = unzulässiger Abstand der Stationen
 weld-no-bead-weaves = keine Raupe wird gependelt
 weld-allowed-weave = ein [weld.weave], ein `weave` von [beads.root], [beads.fill] oder [beads.cap], oder ein anderer Wert
+weld-bead-spacing-invalid = so weit oder so dicht können Raupen nicht liegen
+weld-layer-height-impossible = Raupen von { $area } ergeben keine Lagen dieser Höhe
+weld-bead-area-beside-window = Raupen von { $area } passen nicht in das Fenster der Schweißanweisung
 weld-too-many-beads = die Fuge von { $groove } braucht { $beads } Raupen von { $bead }
 weld-too-many-stations = die Raupen würden an { $count ->
         [one] { $count } Station

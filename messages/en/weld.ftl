@@ -390,6 +390,24 @@ weld-bead-area-out-of-range = to fill the groove, the bead would need { $area } 
     .cure = Set `layer_mm`, speed or wire feed of the run in `[beads]` to fit the mean groove. `seamwright tools section JOB` lists the areas.
 weld-cure-thinner-layers = use thinner layers, larger runs (area, wire feed, lower speed), adapt = "passes", or a larger most_percent
 weld-cure-smaller-beads = use smaller beads (higher speed, less wire), adapt = "passes", or a larger most_percent
+weld-bead-width-out-of-window = the bead would be { $width } wide at s = { $s }, and { $height } high; allowed width: { $min } to { $max }
+    .cause = The layers that fill the groove have no room for beads of the run's area in the window of the procedure, or in the usual one of the process.
+    .cure = Change the run's area (speed, wire feed) or `layer_mm` in `[beads]`, or `bead_width_mm` of the procedure's run.
+weld-bead-height-out-of-window = the bead would be { $height } high at s = { $s }, and { $width } wide; allowed height: { $min } to { $max }
+    .cause = The groove's depth does not divide into layers in the window of the procedure, or in the usual one of the process.
+    .cure = Change `layer_mm` or the run's area (speed, wire feed) in `[beads]`, or `bead_height_mm` of the procedure's run.
+weld-bead-ratio-out-of-window = the bead would be { $width } wide and { $height } high at s = { $s }: a ratio of { $ratio }; allowed: { $min } to { $max }
+    .cause = A bead deeper than wide tends to crack along its middle; a much wider one does not fuse well. The groove and the run's area leave no other shape.
+    .cure = Change `layer_mm` or the run's area (speed, wire feed) in `[beads]`, or `bead_width_to_height` of the procedure's run.
+weld-bead-too-wide-without-weave = the bead would be { $width } wide and { $height } high at s = { $s } without a weave; allowed: up to { $max }
+    .cause = The arc does not melt a groove so wide without a weave. The limit is that of the procedure, or the usual one of process and wire.
+    .cure = Give the run a `weave`, or a smaller area, so that more beads lie side by side. Or set `max_unwoven_mm` of the procedure's run.
+weld-layer-height-not-kept = the layer would be { $height } high at s = { $s } instead of { $wanted }: beads of { $area } fill it otherwise
+    .cause = The run's area, the windows of its beads and the groove leave no layers of this height.
+    .cure = Set `layer_mm` nearer to this height, or change the run's area (speed, wire feed) in `[beads]`.
+weld-cure-bead-window = use another layer_mm or area of the run (speed, wire feed), adapt = "passes", or another window in the procedure
+weld-cure-weave-or-smaller-beads = give the run a weave, or smaller beads (higher speed, less wire)
+weld-cure-layer-height = set layer_mm nearer to this height, or change the run's area (speed, wire feed)
 
 # Joints.
 weld-groove-at = at s = { $s }: { $why }
@@ -463,6 +481,15 @@ weld-no-bead-weaves = no bead weaves
     .cause = With `adapt = "weave_width"` the width of the weave follows the groove, but no run has a weave.
     .cure = Add `[weld.weave]`, or `weave` in a run, or choose another `adapt`.
 weld-allowed-weave = a [weld.weave] or a `weave` of [beads.root], [beads.fill] or [beads.cap], or another value
+weld-bead-spacing-invalid = beads cannot lie so far apart, or so near
+    .cause = `spacing_to_width` is the distance of neighbouring beads as a part of their width: below 0.5 they pile up, above 1 they do not touch.
+    .cure = Use 0.67 to 0.74; 0.7 is the default.
+weld-layer-height-impossible = beads of { $area } cannot make layers of this height
+    .cause = The bead would be more than a hundred times as wide as high, or the reverse, or higher or lower than the procedure allows.
+    .cure = Correct `layer_mm`, or the area of the run: wire feed, speed, `wire_mm`.
+weld-bead-area-beside-window = beads of { $area } do not fit into the procedure's window
+    .cause = No bead of this area has a width in `bead_width_mm` and a height in `bead_height_mm` of the procedure's run.
+    .cure = Change speed or wire feed of the run, or the window in the procedure.
 weld-too-many-beads = the groove of { $groove } takes { $beads } beads of { $bead }
     .cause = The area of the groove, divided by the area of the smallest bead, is more than 5,000. A wrong unit of speed, wire feed or thickness is the usual reason.
     .cure = Check `speed_mm_s`, `wire_feed_m_min` or `area_mm2` in `[beads]`, and `thickness_mm` of the preparation.

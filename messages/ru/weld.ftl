@@ -211,6 +211,14 @@ weld-cure-bead-nearer = положите валик там ближе к шву
 weld-bead-area-out-of-range = чтобы заполнить разделку, валик имел бы { $area } на s = { $s }: { $ratio } от { $run } его прохода; разрешено от { $min } до { $max }
 weld-cure-thinner-layers = более тонкие слои, более крупные валики (площадь, подача проволоки, меньшая скорость), adapt = "passes" или больший most_percent
 weld-cure-smaller-beads = меньшие валики (выше скорость, меньше проволоки), adapt = "passes" или больший most_percent
+weld-bead-width-out-of-window = валик имел бы ширину { $width } на s = { $s } и высоту { $height }; разрешённая ширина: от { $min } до { $max }
+weld-bead-height-out-of-window = валик имел бы высоту { $height } на s = { $s } и ширину { $width }; разрешённая высота: от { $min } до { $max }
+weld-bead-ratio-out-of-window = валик имел бы ширину { $width } и высоту { $height } на s = { $s }: отношение { $ratio }; разрешено от { $min } до { $max }
+weld-bead-too-wide-without-weave = без колебаний валик имел бы ширину { $width } и высоту { $height } на s = { $s }; разрешено до { $max }
+weld-layer-height-not-kept = слой имел бы высоту { $height } на s = { $s } вместо { $wanted }: валики по { $area } заполняют его иначе
+weld-cure-bead-window = изменить layer_mm или площадь прохода (скорость, подача проволоки), adapt = "passes" или окно в технологической карте
+weld-cure-weave-or-smaller-beads = задать проходу колебания или меньшие валики (выше скорость, меньше проволоки)
+weld-cure-layer-height = приблизить layer_mm к этой высоте или изменить площадь прохода (скорость, подача проволоки)
 
 # Joints.
 weld-groove-at = на s = { $s }: { $why }
@@ -246,6 +254,9 @@ weld-wall-tilt-too-large = проволока лежала бы на стенк�
 weld-station-distance-invalid = недопустимое расстояние между сечениями
 weld-no-bead-weaves = ни один валик не с колебаниями
 weld-allowed-weave = [weld.weave], `weave` в [beads.root], [beads.fill] или [beads.cap], либо другое значение
+weld-bead-spacing-invalid = валики не могут лежать так далеко или так близко
+weld-layer-height-impossible = валики по { $area } не дают слоёв такой высоты
+weld-bead-area-beside-window = валики по { $area } не входят в окно технологической карты
 weld-too-many-beads = разделка { $groove } требует { $beads } валиков по { $bead }
 weld-too-many-stations = валики раскладывались бы в { $count ->
         [one] { $count } сечении

@@ -211,6 +211,14 @@ weld-cure-bead-nearer = покладіть валик там ближче до �
 weld-bead-area-out-of-range = щоб заповнити розробку, валик мав би { $area } на s = { $s }: { $ratio } від { $run } його проходу; дозволено від { $min } до { $max }
 weld-cure-thinner-layers = тонші шари, більші валики (площа, подача дроту, нижча швидкість), adapt = "passes" або більший most_percent
 weld-cure-smaller-beads = менші валики (вища швидкість, менше дроту), adapt = "passes" або більший most_percent
+weld-bead-width-out-of-window = валик мав би ширину { $width } на s = { $s } і висоту { $height }; дозволена ширина: від { $min } до { $max }
+weld-bead-height-out-of-window = валик мав би висоту { $height } на s = { $s } і ширину { $width }; дозволена висота: від { $min } до { $max }
+weld-bead-ratio-out-of-window = валик мав би ширину { $width } і висоту { $height } на s = { $s }: відношення { $ratio }; дозволено від { $min } до { $max }
+weld-bead-too-wide-without-weave = без коливань валик мав би ширину { $width } і висоту { $height } на s = { $s }; дозволено до { $max }
+weld-layer-height-not-kept = шар мав би висоту { $height } на s = { $s } замість { $wanted }: валики по { $area } заповнюють його інакше
+weld-cure-bead-window = змінити layer_mm або площу проходу (швидкість, подача дроту), adapt = "passes" або вікно в технологічній карті
+weld-cure-weave-or-smaller-beads = задати проходу коливання або менші валики (вища швидкість, менше дроту)
+weld-cure-layer-height = наблизити layer_mm до цієї висоти або змінити площу проходу (швидкість, подача дроту)
 
 # Joints.
 weld-groove-at = на s = { $s }: { $why }
@@ -246,6 +254,9 @@ weld-wall-tilt-too-large = дріт лежав би на стінці
 weld-station-distance-invalid = недопустима відстань між перерізами
 weld-no-bead-weaves = жоден валик не з коливаннями
 weld-allowed-weave = [weld.weave], `weave` у [beads.root], [beads.fill] чи [beads.cap], або інше значення
+weld-bead-spacing-invalid = валики не можуть лежати так далеко або так близько
+weld-layer-height-impossible = валики по { $area } не дають шарів такої висоти
+weld-bead-area-beside-window = валики по { $area } не входять у вікно технологічної карти
 weld-too-many-beads = розробка { $groove } потребує { $beads } валиків по { $bead }
 weld-too-many-stations = валики розкладалися б у { $count ->
         [one] { $count } перерізі

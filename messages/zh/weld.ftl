@@ -207,6 +207,14 @@ weld-cure-bead-nearer = 在此处将焊道靠近焊缝
 weld-bead-area-out-of-range = 填满坡口时焊道在 s = { $s } 处需 { $area }，为其设定面积 { $run } 的 { $ratio }；允许 { $min } 至 { $max }
 weld-cure-thinner-layers = 更薄的层、更大的焊道（面积、送丝、更低速度），adapt = "passes"，或更大的 most_percent
 weld-cure-smaller-beads = 更小的焊道（更高速度、更少焊丝），adapt = "passes"，或更大的 most_percent
+weld-bead-width-out-of-window = 焊道在 s = { $s } 处宽 { $width }、高 { $height }；允许宽度 { $min } 至 { $max }
+weld-bead-height-out-of-window = 焊道在 s = { $s } 处高 { $height }、宽 { $width }；允许高度 { $min } 至 { $max }
+weld-bead-ratio-out-of-window = 焊道在 s = { $s } 处宽 { $width }、高 { $height }，宽高比 { $ratio }；允许 { $min } 至 { $max }
+weld-bead-too-wide-without-weave = 不摆动时焊道在 s = { $s } 处宽 { $width }、高 { $height }；允许不超过 { $max }
+weld-layer-height-not-kept = 层在 s = { $s } 处高 { $height }，而不是 { $wanted }：{ $area } 的焊道填充结果不同
+weld-cure-bead-window = 改变 layer_mm 或该道的面积（速度、送丝），adapt = "passes"，或工艺规程中的范围
+weld-cure-weave-or-smaller-beads = 给该道加摆动，或更小的焊道（更高速度、更少焊丝）
+weld-cure-layer-height = 使 layer_mm 接近此高度，或改变该道的面积（速度、送丝）
 
 # Joints.
 weld-groove-at = 在 s = { $s } 处：{ $why }
@@ -242,6 +250,9 @@ weld-wall-tilt-too-large = 焊丝会贴在壁上
 weld-station-distance-invalid = 无效的截面间距
 weld-no-bead-weaves = 没有摆动的焊道
 weld-allowed-weave = [weld.weave]，[beads.root]、[beads.fill] 或 [beads.cap] 中的 `weave`，或其他值
+weld-bead-spacing-invalid = 焊道不能相距这么远或这么近
+weld-layer-height-impossible = { $area } 的焊道不能形成这样高的层
+weld-bead-area-beside-window = { $area } 的焊道不符合工艺规程的范围
 weld-too-many-beads = 面积 { $groove } 的坡口需要 { $beads } 道 { $bead } 的焊道
 weld-too-many-stations = 焊道将在 { $count } 个截面上布置
 weld-too-many-bead-positions = { $passes } 个焊道、每个 { $rows } 行，太多

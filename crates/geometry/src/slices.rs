@@ -96,6 +96,14 @@ impl Slices {
         (at(slab.left), at(slab.right))
     }
 
+    /// Heights of corners strictly between two heights, each with the leftmost and rightmost position below it and then
+    /// above it.
+    pub fn corners_between(&self, low: f64, high: f64) -> impl Iterator<Item = (f64, (f64, f64))> {
+        let ends = |slab: &Slab, end: usize| (slab.left[end], slab.right[end]);
+        let pairs = self.slabs.windows(2).filter(move |pair| pair[0].high > low && pair[0].high < high);
+        pairs.flat_map(move |pair| [(pair[0].high, ends(&pair[0], 1)), (pair[0].high, ends(&pair[1], 0))])
+    }
+
     fn slab(&self, height: f64) -> usize {
         self.slabs.partition_point(|s| s.low <= height).saturating_sub(1)
     }

@@ -166,7 +166,7 @@ pub struct Fillet {
     /// Throat, mm: equal legs that change with the dihedral angle so that the throat stays.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub throat_mm: Option<Positive>,
-    /// Root gap between the parts, mm; the leg on the part that stands is longer by it.
+    /// Root gap between the parts, mm, along the part that stands; the leg on that part is longer by it.
     #[serde(default)]
     pub root_gap_mm: NonNegative,
     /// The part that stands on the other.
@@ -214,10 +214,10 @@ pub struct TBevel {
     /// dihedral angle, groove = cut + (dihedral - 90).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cut_deg: Option<Finite>,
-    /// Root gap, mm.
+    /// Root gap, mm, along the wall of the part whose edge is prepared: so far it is lifted off the other.
     #[serde(default)]
     pub root_gap_mm: NonNegative,
-    /// Root face, mm.
+    /// Root face, mm: the part of the wall's thickness that is not bevelled.
     #[serde(default)]
     pub root_face_mm: NonNegative,
     /// Leg of the cover fillet on the other part's face, mm.
@@ -241,10 +241,10 @@ pub struct TJ {
     /// Land: level part between root face and radius, mm.
     #[serde(default)]
     pub land_mm: NonNegative,
-    /// Root gap, mm.
+    /// Root gap, mm, along the wall of the part whose edge is prepared: so far it is lifted off the other.
     #[serde(default)]
     pub root_gap_mm: NonNegative,
-    /// Root face, mm.
+    /// Root face, mm: the part of the wall's thickness that is not prepared.
     #[serde(default)]
     pub root_face_mm: NonNegative,
     /// Leg of the cover fillet on the other part's face, mm.
@@ -308,6 +308,41 @@ impl Preparation {
     /// True if both parts' surfaces lie in one plane, nearly.
     pub fn is_butt(&self) -> bool {
         matches!(self, Self::Square(_) | Self::SingleV(_) | Self::Bevel(_) | Self::U(_) | Self::J(_) | Self::FlareV(_))
+    }
+
+    /// Thickness of the parts of a butt joint with walls, mm.
+    fn butt_thickness_mm(&self) -> Option<f64> {
+        match self {
+            Self::Square(p) => Some(p.thickness_mm.get()),
+            Self::SingleV(p) => Some(p.thickness_mm.get()),
+            Self::Bevel(p) => Some(p.thickness_mm.get()),
+            Self::U(p) => Some(p.thickness_mm.get()),
+            Self::J(p) => Some(p.thickness_mm.get()),
+            Self::Fillet(_) | Self::FlareBevel(_) | Self::FlareV(_) | Self::TBevel(_) | Self::TJ(_) => None,
+        }
+    }
+
+    /// The widest root gap that still is one, mm: the thickness of the wall (a fillet's leg), or the width that the
+    /// bevels open at the surface of a joint at right angles or in a plane, if that is more.
+    fn max_root_gap_mm(&self) -> f64 {
+        let bevel = |thickness: Positive, root_face: NonNegative, degrees: f64, sides: f64| {
+            let width = sides * (thickness.get() - root_face.get()) * degrees.to_radians().tan();
+            width.max(thickness.get())
+        };
+        match self {
+            Self::Square(p) => p.thickness_mm.get(),
+            Self::SingleV(p) => bevel(p.thickness_mm, p.root_face_mm, 0.5 * p.angle_deg.get(), 2.0),
+            Self::Bevel(p) => bevel(p.thickness_mm, p.root_face_mm, p.angle_deg.get(), 1.0),
+            Self::U(p) => bevel(p.thickness_mm, p.root_face_mm, p.angle_deg.get(), 2.0),
+            Self::J(p) => bevel(p.thickness_mm, p.root_face_mm, p.angle_deg.get(), 1.0),
+            Self::Fillet(p) => {
+                let legs = [p.leg_mm, p.first_leg_mm, p.second_leg_mm, p.throat_mm];
+                legs.into_iter().flatten().map(Positive::get).fold(f64::INFINITY, f64::min)
+            }
+            Self::FlareBevel(_) | Self::FlareV(_) => f64::INFINITY,
+            Self::TBevel(p) => p.thickness_mm.get(),
+            Self::TJ(p) => p.thickness_mm.get(),
+        }
     }
 
     /// Root gap of the drawing, mm.
@@ -399,7 +434,34 @@ impl Joint {
             }
             Preparation::TJ(p) => curved(p.angle_deg, p.radius_mm, p.thickness_mm, p.root_face_mm)?,
         }
+        self.check_gaps(file, path)?;
         self.check_fit_up(file, path)
+    }
+
+    /// Checks that root gaps and mismatches leave a groove: a gap is not wider than the wall, or than the groove that
+    /// the edges open where that is more; mismatched walls still face each other.
+    fn check_gaps<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let most = self.preparation.max_root_gap_mm();
+        let drawn = format!("{path}.preparation.{}.root_gap_mm", self.preparation.key());
+        let measured = |i: usize| format!("{path}.fit_up[{i}].root_gap_mm");
+        let gaps = std::iter::once((drawn, self.preparation.root_gap_mm()));
+        for (key, gap) in gaps.chain(self.fit_up.iter().enumerate().map(|(i, f)| (measured(i), f.root_gap_mm.get()))) {
+            if gap > most {
+                let allowed = Message::new("document-between").value("min", 0.0, Unit::Mm);
+                let allowed = allowed.quantity("max", most, Unit::Mm, 1);
+                return Err(file.error_at(&key, Message::new("program-root-gap-too-wide"), allowed));
+            }
+        }
+        let Some(wall) = self.preparation.butt_thickness_mm() else { return Ok(()) };
+        for (i, at) in self.fit_up.iter().enumerate() {
+            if at.mismatch_mm.get().abs() >= wall {
+                let allowed = Message::new("document-strictly-between");
+                let allowed = allowed.value("min", -wall, Unit::Mm).value("max", wall, Unit::Mm);
+                let key = format!("{path}.fit_up[{i}].mismatch_mm");
+                return Err(file.error_at(&key, Message::new("program-mismatch-too-large"), allowed));
+            }
+        }
+        Ok(())
     }
 
     fn check_fit_up<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {

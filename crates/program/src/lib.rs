@@ -108,8 +108,8 @@ pub use points::{
     Along, Columns, NUMBER_COLUMN, POSE_COLUMNS, PointEvent, PointSpan, Points, SPEED_COLUMN, TIME_COLUMN,
 };
 pub use procedure::{
-    ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits, PositionStretch,
-    Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
+    BeadWindow, ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits,
+    PositionStretch, Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
 };
 pub use process::{ProcessValue, ProcessValues, check_process, check_process_name, check_process_value};
 pub use program::Program;

@@ -4,16 +4,12 @@ use crate::job::Job;
 use crate::outside_data::Outside;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{PROCEDURES, Procedure, Program, shipped_procedure};
+use seamwright_program::{PROCEDURES, Procedure, shipped_procedure};
 use std::path::Path;
 
-/// The procedure of `job`, checked against the passes of its `program`; `outside` gets files by their paths from the
-/// job's folder. Fails with the address in the job (no such procedure) or in the procedure file.
-pub(crate) fn of_job(
-    job: &Document<Job>,
-    program: &Program,
-    outside: &dyn Outside,
-) -> Result<Option<Procedure>, DocumentError> {
+/// The procedure of `job`; `outside` gets files by their paths from the job's folder. Fails with the address in the job
+/// (no such procedure, another wire) or in the procedure file.
+pub(crate) fn of_job(job: &Document<Job>, outside: &dyn Outside) -> Result<Option<Document<Procedure>>, DocumentError> {
     let Some(name) = &job.value.procedure else { return Ok(None) };
     let document = match shipped_procedure(name) {
         Some(shipped) => Procedure::read(shipped.name, shipped.text)?,
@@ -31,9 +27,8 @@ pub(crate) fn of_job(
             Procedure::read(&folder.join(name).display().to_string(), &text)?
         }
     };
-    document.value.check_passes(&document, "", &program.passes)?;
     check_wire(job, &document.value)?;
-    Ok(Some(document.value))
+    Ok(Some(document))
 }
 
 /// Checks that the beads are planned with the procedure's wire.

@@ -77,9 +77,15 @@ impl Welding {
         let mut program = Job::program(job, &seam)?;
         let joint = j.joint.as_ref().map(|joint| SeamJoint::new(job, joint, &seam)).transpose()?;
         let weld = program.passes[0].clone();
+        let procedure = procedure::of_job(job, outside)?;
         let (mut plan, mut plan_findings) = (None, Vec::new());
         if let (Some(beads), Some(joint)) = (&j.beads, &joint) {
-            let values = WeldValues { speed_mm_s: j.weld.speed_mm_s, process: &j.weld.process };
+            let values = WeldValues {
+                speed_mm_s: j.weld.speed_mm_s,
+                process: &j.weld.process,
+                procedure: procedure.as_ref().map(|p| &p.value),
+                weave: j.weld.weave.as_ref(),
+            };
             let filled = beads.filled(job, &seam, joint, &values, &weld)?;
             program.passes = filled.passes;
             (plan, plan_findings) = (Some(filled.plan), filled.findings);
@@ -109,7 +115,10 @@ impl Welding {
             }
         }
         let cut = Cut::new(job, &j.seam)?;
-        program.procedure = procedure::of_job(job, &program, outside)?;
+        if let Some(procedure) = procedure {
+            procedure.value.check_passes(&procedure, "", &program.passes)?;
+            program.procedure = Some(procedure.value);
+        }
         let program = job.with(program);
         let keys: Vec<PassKeys> = program.value.passes.iter().map(|pass| PassKeys::derived(j, pass)).collect();
         let lines = pass_lines(&program, Some(&seam), &keys, outside)?;

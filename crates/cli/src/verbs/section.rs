@@ -10,9 +10,9 @@ use seamwright_report::{Drawing as _, Language, sections};
 use seamwright_weld::Welding;
 
 const HEADER: &str = "s_mm,phi_deg,dihedral_deg,groove_mm2,cap_mm2,bead,role,layer,bead_in_layer,across_mm,out_mm,\
-    work_angle_deg,area_mm2,height_mm,torch_work_angle_deg,torch_travel_angle_deg";
+    work_angle_deg,area_mm2,width_mm,height_mm,torch_work_angle_deg,torch_travel_angle_deg";
 /// Number of columns about a bead.
-const OF_BEAD: usize = 9;
+const OF_BEAD: usize = 10;
 
 /// Default number of sections: every eighth of a seam welded all round, and its start again.
 const SECTIONS: u32 = 9;
@@ -50,8 +50,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
             let mut cells = head.clone();
             cells.extend([Cell::Count(number), Cell::Text(plan.layers[bead.layer].role.name())]);
             cells.extend([bead.layer as u64 + 1, bead.index as u64 + 1].map(Cell::Count));
-            let (low, high) = bead.heights;
-            let values = [bead.tip.x, bead.tip.y, bead.lean.to_degrees(), bead.area, high - low];
+            let values = [bead.tip.x, bead.tip.y, bead.lean.to_degrees(), bead.area, bead.width, bead.height];
             cells.extend(values.map(Cell::Number));
             cells.extend(torch(welding, Some(plan.layers[bead.layer].role), (s, bead.lean)));
             rows.row(&cells)

@@ -1,5 +1,6 @@
 //! The welding procedure specification (WPS): limits of each pass.
 
+mod bead_window;
 mod pass_numbers;
 mod position;
 mod power;
@@ -7,6 +8,7 @@ mod shipped;
 mod welding_process;
 mod window;
 
+pub use bead_window::BeadWindow;
 pub use pass_numbers::PassNumbers;
 pub use position::{ButtLimits, FilletLimits, Inclination, PositionLimits, PositionStretch, WeldingPosition};
 pub use shipped::{PROCEDURES, ShippedProcedure, shipped_procedure};
@@ -89,14 +91,36 @@ pub struct Run {
     /// Temperature before each further pass, degrees Celsius: to be measured, not planned.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interpass_c: Option<Window>,
+    /// Width of a bead, mm; if missing the usual one of the process. Checked for passes that a job's `[beads]` lays.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bead_width_mm: Option<Window>,
+    /// Height of a bead, mm; if missing the usual one of the process.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bead_height_mm: Option<Window>,
+    /// Width of a bead as a multiple of its height; if missing the usual one of the process.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bead_width_to_height: Option<Window>,
+    /// Maximum width of a bead without a weave, mm; if missing the usual one of the process and its wire.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_unwoven_mm: Option<Positive>,
     /// Ranges of the pass's process values, by the names that the job gives them, like `current_a`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub ranges: BTreeMap<String, Window>,
 }
 
 /// Ranges with keys of their own: they must not be in `ranges`.
-const OWN_KEYS: [&str; 6] =
-    ["speed_mm_s", "heat_input_kj_mm", "travel_angle_deg", "work_angle_deg", "preheat_c", "interpass_c"];
+const OWN_KEYS: [&str; 10] = [
+    "speed_mm_s",
+    "heat_input_kj_mm",
+    "travel_angle_deg",
+    "work_angle_deg",
+    "preheat_c",
+    "interpass_c",
+    "bead_width_mm",
+    "bead_height_mm",
+    "bead_width_to_height",
+    "max_unwoven_mm",
+];
 
 impl Run {
     /// True if it is for `pass`, the program's `number`th.
@@ -217,6 +241,11 @@ impl Procedure {
     /// The run for `pass`, a program's `number`th (from 1), if any.
     pub fn run_of(&self, number: usize, pass: &Pass) -> Option<&Run> {
         self.runs.iter().find(|run| run.is_for(number, pass))
+    }
+
+    /// The run of that role, if any: for passes that are not made yet.
+    pub fn run_named(&self, role: Role) -> Option<&Run> {
+        self.runs.iter().find(|run| run.name == Some(role))
     }
 
     /// Part of the power that counts as heat input: the procedure's, or the process' usual one.

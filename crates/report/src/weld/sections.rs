@@ -75,7 +75,8 @@ fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawi
         beads: here
             .iter()
             .flat_map(|(plan, all)| {
-                all.iter().map(|bead| (outline(section.outline(bead)), colour(plan.layers[bead.layer].role)))
+                let drawn = section.outlines(all).into_iter().zip(all);
+                drawn.map(|(line, bead)| (outline(line), colour(plan.layers[bead.layer].role))).collect::<Vec<_>>()
             })
             .collect(),
         torch_note: torch_note(welding, s, language).unwrap_or_default(),

@@ -25,15 +25,16 @@ fn section(welding: &Welding, seam: &SeamCurve, joint: &SeamJoint, s: f64) -> Op
     let outline = |points: &[DVec2]| points.iter().map(place).collect::<Vec<_>>();
     let beads = welding.plan.as_ref().map_or(Vec::new(), |plan| {
         let work = |bead: &BeadAt| welding.torch_angles(Some(plan.layers[bead.layer].role), s).map_or(0.0, |of| of.0);
-        let bead = |bead: &BeadAt| BeadView {
+        let bead = |(bead, line): (&BeadAt, Vec<DVec2>)| BeadView {
             name: name(&plan.layers[bead.layer], bead),
             role: plan.layers[bead.layer].role.name().to_owned(),
             area_mm2: bead.area,
-            outline: outline(&section.outline(bead)),
+            outline: outline(&line),
             tip: place(&bead.tip),
             back: turn.rotate(DVec2::from_angle(FRAC_PI_2 - bead.lean - work(bead))).to_array(),
         };
-        plan.in_order(&section, s).iter().map(bead).collect()
+        let beads = plan.in_order(&section, s);
+        beads.iter().zip(section.outlines(&beads)).map(bead).collect()
     });
     Some(SectionView {
         s_mm: s,

@@ -3,7 +3,7 @@ use crate::attitude::check_angles;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Keyed, Pass, ProcessValues, Role, Weave, check_process};
+use seamwright_program::{BeadWindow, Keyed, Pass, Procedure, ProcessValues, Role, Weave, check_process};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_4;
 
@@ -24,6 +24,10 @@ pub struct Beads {
     /// Quantity that follows the area of the groove along the seam.
     #[serde(default)]
     pub adapt: Adapt,
+    /// Distance of neighbouring beads in a layer as a part of their width: 2/3 fills the valleys between them just so,
+    /// 0.738 makes each tangent to the one before.
+    #[serde(default = "spacing")]
+    pub spacing_to_width: Positive,
     /// Maximum deviation of a bead's area from that of its run, percent.
     #[serde(default = "most")]
     pub most_percent: Positive,
@@ -48,6 +52,9 @@ pub struct Beads {
     /// The shortest piece of the seam that gets a layer of its own, mm, with `adapt = "passes"`.
     #[serde(default = "shortest")]
     pub shortest_mm: Positive,
+    /// Length of seam over which the other beads change where a layer starts or ends, mm, with `adapt = "passes"`.
+    #[serde(default = "tie_in")]
+    pub tie_in_mm: NonNegative,
     /// The root pass; without it the layers of `fill` begin at the root.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub root: Option<Run>,
@@ -123,6 +130,10 @@ fn most() -> Positive {
     number(25.0)
 }
 
+fn spacing() -> Positive {
+    number(0.7)
+}
+
 fn station() -> Positive {
     number(5.0)
 }
@@ -132,6 +143,10 @@ fn tilt() -> NonNegative {
 }
 
 fn stagger() -> NonNegative {
+    NonNegative::new(20.0).unwrap_or_default()
+}
+
+fn tie_in() -> NonNegative {
     NonNegative::new(20.0).unwrap_or_default()
 }
 
@@ -148,6 +163,10 @@ fn layer() -> Positive {
 pub(crate) struct WeldValues<'a> {
     pub(crate) speed_mm_s: Positive,
     pub(crate) process: &'a ProcessValues,
+    /// Its procedure, which gives the windows of beads.
+    pub(crate) procedure: Option<&'a Procedure>,
+    /// Its weave.
+    pub(crate) weave: Option<&'a Weave>,
 }
 
 /// Settings of a run.
@@ -162,6 +181,50 @@ pub(crate) struct Asked {
     pub(crate) process: ProcessValues,
     pub(crate) travel_angle_deg: Option<Finite>,
     pub(crate) weave: Option<Weave>,
+    /// Window of its beads.
+    pub(crate) window: BeadWindow,
+}
+
+/// The role of the beads of a run.
+fn role_of(run: &str) -> Role {
+    match run {
+        "root" => Role::Root,
+        "cap" => Role::Cap,
+        _ => Role::Fill,
+    }
+}
+
+/// No bead is wider than this many times its layer's height, or narrower than its inverse: far beyond all windows, so
+/// that only mistakes are refused.
+const MAX_WIDTH_TO_HEIGHT: f64 = 100.0;
+
+/// Checks that beads of `area` (mm^2) can make layers of `layer` (mm), and lie in a procedure's window. Fails with the
+/// key's address.
+fn check_window<T>(
+    file: &Document<T>,
+    path: &str,
+    window: &BeadWindow,
+    (area, layer): (f64, f64),
+) -> Result<(), DocumentError> {
+    let [least, most] = [(area / MAX_WIDTH_TO_HEIGHT).sqrt(), (area * MAX_WIDTH_TO_HEIGHT).sqrt()];
+    let layers = if window.is_binding { window.height_mm } else { [0.0, f64::INFINITY] };
+    let range = [layers[0].max(least), layers[1].min(most)];
+    if !(range[0]..=range[1]).contains(&layer) {
+        let message = Message::new("weld-layer-height-impossible").quantity("area", area, Unit::Mm2, 1);
+        let allowed = Message::new("document-between").quantity("min", range[0], Unit::Mm, 2);
+        let given = format!("{path}.layer_mm");
+        let key = file.given_or(&given, path);
+        return Err(file.error_at(key, message, allowed.quantity("max", range[1], Unit::Mm, 2)));
+    }
+    // A parabola on a plane fills the least, a rectangle between walls the most.
+    let [width, height] = [window.width_mm, window.height_mm];
+    let areas = [2.0 / 3.0 * width[0] * height[0], width[1] * height[1]];
+    if window.is_binding && !(areas[0]..=areas[1]).contains(&area) {
+        let message = Message::new("weld-bead-area-beside-window").quantity("area", area, Unit::Mm2, 1);
+        let allowed = Message::new("document-between").quantity("min", areas[0], Unit::Mm2, 1);
+        return Err(file.error_at(path, message, allowed.quantity("max", areas[1], Unit::Mm2, 1)));
+    }
+    Ok(())
 }
 
 impl Beads {
@@ -210,7 +273,17 @@ impl Beads {
             }
         };
         let layer = run.layer_mm.get();
-        Ok(Asked { area, layer, speed, process: all, travel_angle_deg: run.travel_angle_deg, weave: run.weave.clone() })
+        let window = BeadWindow::new(weld.procedure, role_of(name), self.wire_mm);
+        check_window(file, &path, &window, (area, layer))?;
+        Ok(Asked {
+            window,
+            weave: run.weave.clone().or_else(|| weld.weave.cloned()),
+            area,
+            layer,
+            speed,
+            process: all,
+            travel_angle_deg: run.travel_angle_deg,
+        })
     }
 
     /// Checks the weave of a finished pass against its own process values and speeds. Fails with the key's address.
@@ -242,6 +315,10 @@ impl Beads {
         if self.wall_tilt_deg.get() > 45.0 {
             let message = Message::new("weld-wall-tilt-too-large");
             return Err(file.error_at("beads.wall_tilt_deg", message, between(0.0, 45.0, Unit::Deg)));
+        }
+        if !(0.5..=1.0).contains(&self.spacing_to_width.get()) {
+            let message = Message::new("weld-bead-spacing-invalid");
+            return Err(file.error_at("beads.spacing_to_width", message, between(0.5, 1.0, Unit::One)));
         }
         if !(0.1..=100.0).contains(&self.station_mm.get()) {
             let message = Message::new("weld-station-distance-invalid");

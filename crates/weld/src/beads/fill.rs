@@ -1,4 +1,5 @@
 use super::layers::Layer;
+use super::shape::{LayerShape, Level};
 use crate::joint::Section;
 use glam::DVec2;
 
@@ -11,6 +12,8 @@ pub(crate) struct Laying {
     pub(crate) tilt: f64,
     /// True if the wires share the way between the walls, each weaving over its part.
     pub(crate) shared: bool,
+    /// Distance of neighbours as a part of their width.
+    pub(crate) spacing: f64,
 }
 
 /// A bead in a section.
@@ -28,12 +31,32 @@ pub struct BeadAt {
     pub room: f64,
     /// Area of the bead, mm^2.
     pub area: f64,
-    /// Heights between which the bead's layer lies in the groove, mm.
-    pub heights: (f64, f64),
-    /// Parts of the cap's height between which it lies over the line from toe to toe.
-    pub cap: (f64, f64),
-    /// Parts of the layer's width between which the bead lies, from the second part to the first.
-    pub parts: (f64, f64),
+    /// Width of its section, mm.
+    pub width: f64,
+    /// Height of its section, mm.
+    pub height: f64,
+    /// Mean height of its layer, mm.
+    pub layer_height: f64,
+    /// Areas of groove and cap below its layer, and with it, mm^2.
+    pub filled: (f64, f64),
+}
+
+impl BeadAt {
+    /// This bead changed to `other` by a part of the way.
+    pub(crate) fn towards(&self, other: &Self, part: f64) -> Self {
+        let between = |a: f64, b: f64| a + (b - a) * part;
+        Self {
+            tip: self.tip.lerp(other.tip, part),
+            lean: between(self.lean, other.lean),
+            room: between(self.room, other.room),
+            area: between(self.area, other.area),
+            width: between(self.width, other.width),
+            height: between(self.height, other.height),
+            layer_height: between(self.layer_height, other.layer_height),
+            filled: (between(self.filled.0, other.filled.0), between(self.filled.1, other.filled.1)),
+            ..*self
+        }
+    }
 }
 
 /// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height.
@@ -43,7 +66,7 @@ const ROOT_RISE: f64 = 0.35;
 /// `present` is false are left out and their area goes to the others.
 ///
 /// Guarantee: the areas sum to that of groove and cap. A bead's area is its share of its layer's. The layers' areas are
-/// those of the groove between their heights, and of the cap for the last one.
+/// those of the groove between their levels, and of the cap for the last one.
 pub(crate) fn fill(
     section: &Section,
     layers: &[Layer],
@@ -55,19 +78,16 @@ pub(crate) fn fill(
     let shares: f64 = layers.iter().enumerate().filter(|(k, _)| present(*k)).map(|(_, l)| l.share).sum();
     let scale = section.total() / shares;
     let square = section.up.x.atan2(section.up.y);
-    let mut below = 0.0;
+    let chord = section.chord();
+    let mut low = Level::new(section, 0.0);
     for (k, layer) in layers.iter().enumerate().filter(|(k, _)| present(*k)) {
-        let over = |area: f64| {
-            let part = if section.cap > 0.0 { (area - section.area()) / section.cap } else { 0.0 };
-            part.clamp(0.0, 1.0)
-        };
-        let (low, under) = (section.slices.height_of(below), over(below));
-        below += layer.share * scale;
-        let high = section.slices.height_of(below);
+        let high = Level::new(section, low.area + layer.share * scale);
+        let shape = LayerShape::new(&low, &high, chord);
+        let size = shape.bead(layer.beads, laying.spacing);
         // At the root the gap between the parts is narrow, and the wire points above it.
-        let base = if below <= layer.share * scale { low + ROOT_RISE * (high - low) } else { low };
+        let base = low.height + if low.area > 0.0 { 0.0 } else { ROOT_RISE * (high.height - low.height) };
         let (left, right) = section.slices.edges(base);
-        let middle = section.slices.edges(0.5 * (low + high));
+        let middle = section.slices.edges(0.5 * (low.height + high.height));
         let n = layer.beads as f64;
         for index in 0..layer.beads {
             let centre = middle.0 + (middle.1 - middle.0) * (index as f64 + 0.5) / n;
@@ -92,43 +112,12 @@ pub(crate) fn fill(
                 lean: square + towards,
                 room: ((to - from) / n).max(0.0),
                 area: layer.share * scale / n,
-                heights: (low, high),
-                cap: (under, over(below)),
-                parts: (index as f64 / n, (index as f64 + 1.0) / n),
+                width: size.width,
+                height: size.height,
+                layer_height: shape.height,
+                filled: (low.area, high.area),
             });
         }
-    }
-}
-
-impl Section {
-    /// Outline of a bead for drawing, mm: its part of the layer in the groove, and of the cap.
-    pub fn outline(&self, bead: &BeadAt) -> Vec<DVec2> {
-        let (low, high) = bead.heights;
-        let top = self.slices.heights().1;
-        let side = |part: f64, height: f64| {
-            let (left, right) = self.slices.edges(height);
-            self.place(left + part * (right - left), height)
-        };
-        let steps = 24;
-        let heights = |k: i32| low + (high - low) * f64::from(k) / f64::from(steps);
-        // Just below the top: there the edges are those of the toes.
-        let at = |part: f64, k: i32| side(part, heights(k).min(top - 1e-9 * (top - low)));
-        let mut outline: Vec<DVec2> = (0..=steps).map(|k| at(bead.parts.1, k)).collect();
-        // The cap is a parabola from toe to toe; layers in it lie between flatter ones.
-        let curve = |rise: f64, from: f64, to: f64| {
-            (0..=steps).map(move |k| from + (to - from) * f64::from(k) / f64::from(steps)).map(move |part| {
-                let height = self.cap_height * rise * 4.0 * part * (1.0 - part);
-                at(part, steps) + height * self.up
-            })
-        };
-        let (first, last) = bead.parts;
-        if bead.cap.1 > 0.0 {
-            outline.extend(curve(bead.cap.1, last, first));
-        }
-        outline.extend((0..=steps).rev().map(|k| at(first, k)));
-        if bead.cap.0 > 0.0 {
-            outline.extend(curve(bead.cap.0, first, last));
-        }
-        outline
+        low = high;
     }
 }

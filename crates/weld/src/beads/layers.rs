@@ -1,4 +1,11 @@
+//! Layers that fill the groove so that beads keep their windows.
+//!
+//! Levels across the groove are the nodes of a graph, layers between two of them its edges. Each edge costs what its
+//! beads deviate from their run's area, the layer's height and the windows of beads, at stations all along the seam; the
+//! cheapest path from root to cap is the stack of layers.
+
 use super::file::Asked;
+use super::shape::{LayerShape, Level};
 use crate::joint::Section;
 use seamwright_program::Role;
 
@@ -19,6 +26,10 @@ pub(crate) struct Runs {
     pub(crate) root: Option<Asked>,
     pub(crate) fill: Asked,
     pub(crate) cap: Asked,
+    /// Distance of neighbouring beads as a part of their width.
+    pub(crate) spacing: f64,
+    /// Maximum deviation of a bead's area from its run's, as a part of it.
+    pub(crate) most: f64,
 }
 
 impl Runs {
@@ -34,6 +45,10 @@ impl Runs {
             Role::Cap | Role::Cosmetic => &self.cap,
         }
     }
+
+    fn all(&self) -> impl Iterator<Item = &Asked> {
+        [&self.fill, &self.cap].into_iter().chain(&self.root)
+    }
 }
 
 /// Maximum number of beads in a layer.
@@ -42,61 +57,178 @@ const MAX_IN_LAYER: f64 = 400.0;
 /// Maximum number of beads in a section; more are a mistake: a V of 60 degrees in 300 mm takes 2,600 beads of 20 mm^2.
 pub(crate) const MAX_BEADS: usize = 5_000;
 
-/// The layers that fill a section best. Every bead has its run's area times one factor for all, as near to 1 as whole
-/// numbers of beads allow.
+/// Levels in the smallest wanted layer height: so finely heights of layers are chosen.
+const LEVELS_PER_LAYER: f64 = 6.0;
+/// Minimum number of levels.
+const MIN_LEVELS: f64 = 12.0;
+/// Maximum number of layers between two levels: a bound of time.
+const MAX_EDGES: f64 = 50_000.0;
+/// Maximum height of a layer, as a multiple of the largest wanted one.
+const MAX_LAYER: f64 = 2.0;
+/// A layer has this many beads more or less than its area asks for.
+const MORE_OR_LESS: i32 = 1;
+/// Cost of a bead outside a window, beside that of deviations within: 5 % outside as much as 2.7 times the area.
+const OUTSIDE: f64 = 400.0;
+/// Cost of a layer's height beside that of its beads' area: the area follows from wire and speed, the height is a wish.
+const HEIGHT: f64 = 0.5;
+
+/// The layers that fill a joint best, judged at sections along the seam, the first of them the most important one.
 ///
-/// A single bead is used if it is large enough. Otherwise a root pass of its own, if there is one, then layers of beads
-/// side by side. Their number gives a height near to the wanted one. The cap layer has the area above the line from toe
-/// to toe. Errors: the number of beads it would take, if that is more than [`MAX_BEADS`].
-pub(crate) fn layers(section: &Section, runs: &Runs) -> Result<Vec<Layer>, f64> {
-    let (_, high) = section.slices.heights();
-    let total = section.total();
+/// Errors: the number of beads it would take, if that is more than [`MAX_BEADS`].
+pub(crate) fn layers(sections: &[&Section], runs: &Runs) -> Result<Vec<Layer>, f64> {
+    let total = sections[0].total();
     // Before the first layer is made: each of them takes memory, and there may be more than there is.
     let beads = total / runs.smallest();
     if beads > MAX_BEADS as f64 {
         return Err(beads);
     }
-    let (first, alone) = match &runs.root {
-        Some(root) => (Role::Root, root.area),
-        None => (Role::Cap, runs.cap.area),
-    };
-    if total <= 1.25 * alone {
-        return Ok(vec![Layer { role: first, beads: 1, share: 1.0 }]);
-    }
-    let root = runs.root.as_ref().map_or(0.0, |root| root.area);
-    let top = (total - section.slices.area_below(high - runs.cap.layer)).min(total - root);
-    let wanted = whole(top / runs.cap.area);
-    // At least the area above the line from toe to toe, or the layer below would have to fill it.
-    let least = (1.3 * section.cap / runs.cap.area).ceil() as usize;
-    let counts = [wanted, wanted + 1, wanted.saturating_sub(1).max(1)].map(|count| count.max(least));
-    let all = counts.map(|cap| stack(section, runs, cap));
-    let off = |stack: &[Layer]| (total / stack.iter().map(|l| l.share).sum::<f64>()).ln().abs();
-    let best = all.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or_default();
-    let sum: f64 = best.iter().map(|l| l.share).sum();
-    Ok(best.into_iter().map(|l| Layer { share: l.share / sum, ..l }).collect())
+    let best = Search::new(sections, runs).best();
+    // The same layers with one factor for all beads: often better, as levels are steps.
+    let area: f64 = best.iter().map(|l| l.beads as f64 * runs.of(l.role).area).sum();
+    let even: Vec<Layer> =
+        best.iter().map(|l| Layer { share: l.beads as f64 * runs.of(l.role).area / area, ..*l }).collect();
+    let cost = |layers: &[Layer]| stack_cost(sections, runs, layers);
+    Ok(if cost(&even) <= cost(&best) { even } else { best })
 }
 
-/// The layers under and with a cap layer of `cap` beads; their shares are areas, mm^2.
-fn stack(section: &Section, runs: &Runs, cap: usize) -> Vec<Layer> {
-    let mut stack: Vec<Layer> = Vec::new();
-    let mut add = |role: Role, beads: usize| {
-        let share = beads as f64 * runs.of(role).area;
-        stack.push(Layer { role, beads, share });
-        share
+/// Cost of a stack of layers.
+fn stack_cost(sections: &[&Section], runs: &Runs, layers: &[Layer]) -> f64 {
+    let one = |section: &&Section| {
+        let (chord, total) = (section.chord(), section.total());
+        let mut filled = 0.0;
+        let mut low = Level::new(section, 0.0);
+        let of = |layer: &Layer| {
+            filled += layer.share;
+            let high = Level::new(section, filled * total);
+            let shape = LayerShape::new(&low, &high, chord);
+            low = high;
+            layer_cost(&shape, layer.beads, runs.of(layer.role), runs)
+        };
+        layers.iter().map(of).sum::<f64>()
     };
-    let mut filled = if runs.root.is_some() { add(Role::Root, 1) } else { 0.0 };
-    let until = section.total() - cap as f64 * runs.cap.area;
-    let area = runs.fill.area;
-    while until - filled > 0.5 * area {
-        let low = section.slices.height_of(filled);
-        let slice = section.slices.area_below(low + runs.fill.layer) - filled.min(section.area());
-        filled += add(Role::Fill, whole(slice / area).min(whole((until - filled) / area)));
-    }
-    add(Role::Cap, cap);
-    stack
+    sections.iter().map(one).sum()
 }
 
-/// The number of beads nearest to `wanted`, at least one.
-fn whole(wanted: f64) -> usize {
-    wanted.round().clamp(1.0, MAX_IN_LAYER) as usize
+/// Cost of a layer of `count` beads at one station.
+fn layer_cost(layer: &LayerShape, count: usize, run: &Asked, runs: &Runs) -> f64 {
+    if layer.area <= 0.0 || layer.height <= 0.0 {
+        return f64::INFINITY;
+    }
+    let size = layer.bead(count, runs.spacing);
+    let ratio = layer.area / count as f64 / run.area;
+    let areas = [1.0 - runs.most, 1.0 + runs.most];
+    let outside: f64 =
+        run.outside(size, count).map(|q| q.excess).into_iter().chain([excess(ratio, areas)]).map(|e| e * e).sum();
+    let height = (layer.height / run.layer).ln();
+    OUTSIDE * outside + ratio.ln() * ratio.ln() + HEIGHT * height * height
+}
+
+/// Logarithm of the factor by which a value is outside a range; 0 inside.
+pub(crate) fn excess(value: f64, [low, high]: [f64; 2]) -> f64 {
+    if value < low {
+        (low / value).ln()
+    } else if value > high {
+        (value / high).ln()
+    } else {
+        0.0
+    }
+}
+
+/// The cheapest way from level to level.
+struct Search<'a> {
+    runs: &'a Runs,
+    /// Parts of the whole area below the levels.
+    parts: Vec<f64>,
+    /// The levels, from the root out, at each section.
+    levels: Vec<Vec<Level>>,
+    chords: Vec<f64>,
+    /// Maximum number of steps of a layer.
+    reach: usize,
+}
+
+/// The best layer that ends at a level.
+#[derive(Clone, Copy)]
+struct Step {
+    /// Cost of it and all below.
+    cost: f64,
+    from: usize,
+    role: Role,
+    beads: usize,
+}
+
+impl<'a> Search<'a> {
+    fn new(sections: &[&Section], runs: &'a Runs) -> Self {
+        let chosen = sections[0];
+        let (low, high) = chosen.slices.heights();
+        let heights = || runs.all().map(|run| run.layer);
+        let finest = heights().fold(f64::INFINITY, f64::min) / LEVELS_PER_LAYER;
+        let highest = MAX_LAYER * heights().fold(0.0, f64::max);
+        // A layer from each level to all within its reach.
+        let most = (MAX_EDGES * ((high - low) / highest).max(1.0)).sqrt();
+        let count = ((high - low) / finest).min(most).max(MIN_LEVELS).ceil() as usize;
+        let step = (high - low) / count as f64;
+        let total = chosen.total();
+        let part = |i: usize| chosen.slices.area_below(low + step * i as f64) / total;
+        let mut parts: Vec<f64> = (0..count).map(part).collect();
+        parts.push(1.0);
+        let levels = sections.iter().map(|s| parts.iter().map(|p| Level::new(s, p * s.total())).collect()).collect();
+        let reach = (highest / step).ceil().clamp(1.0, count as f64) as usize;
+        Self { runs, parts, levels, chords: sections.iter().map(|s| s.chord()).collect(), reach }
+    }
+
+    fn best(&self) -> Vec<Layer> {
+        let last = self.parts.len() - 1;
+        let none = Step { cost: f64::INFINITY, from: 0, role: Role::Cap, beads: 1 };
+        let mut steps = vec![none; last + 1];
+        steps[0].cost = 0.0;
+        for to in 1..=last {
+            for from in to.saturating_sub(self.reach)..to {
+                // A layer that costs more than the best one known is not looked at to its end.
+                let room = steps[to].cost - steps[from].cost;
+                if room > 0.0
+                    && let Some(step) = self.step(from, to, room)
+                {
+                    steps[to] = Step { cost: steps[from].cost + step.cost, ..step };
+                }
+            }
+        }
+        let (mut layers, mut at) = (Vec::new(), last);
+        while at > 0 {
+            let Step { from, role, beads, .. } = steps[at];
+            layers.push(Layer { role, beads, share: self.parts[at] - self.parts[from] });
+            at = from;
+        }
+        layers.reverse();
+        layers
+    }
+
+    /// The best layer between two levels that costs less than `room`.
+    fn step(&self, from: usize, to: usize, room: f64) -> Option<Step> {
+        let role = match (from, to) {
+            (0, _) if self.runs.root.is_some() => Role::Root,
+            (_, to) if to + 1 == self.parts.len() => Role::Cap,
+            _ => Role::Fill,
+        };
+        let run = self.runs.of(role);
+        let shape = |k: usize| LayerShape::new(&self.levels[k][from], &self.levels[k][to], self.chords[k]);
+        let wanted = (shape(0).area / run.area).round();
+        let count = |k: i32| (wanted + f64::from(k)).clamp(1.0, MAX_IN_LAYER) as usize;
+        // A root pass of its own is one bead.
+        let counts = if role == Role::Root { 1..=1 } else { count(-MORE_OR_LESS)..=count(MORE_OR_LESS) };
+        let mut best: Option<Step> = None;
+        for beads in counts {
+            let limit = best.map_or(room, |step| step.cost);
+            let mut cost = 0.0;
+            for k in 0..self.levels.len() {
+                cost += layer_cost(&shape(k), beads, run, self.runs);
+                if cost >= limit {
+                    break;
+                }
+            }
+            if cost < limit {
+                best = Some(Step { cost, from, role, beads });
+            }
+        }
+        best
+    }
 }

@@ -1,7 +1,7 @@
 //! Beads: a groove is filled layer by layer, all along the seam.
 //!
-//! Layers are chosen once, from the areas of the job's runs and the groove at a station of middling area (`layers.rs`).
-//! At every station of the seam the beads then fill the groove there (`fill.rs`). Each keeps its share of the area.
+//! Layers are chosen once, so that beads keep their areas, heights and windows all along the seam (`layers.rs`, with the
+//! section of a bead in `shape.rs`). At every station of the seam the beads then fill the groove there (`fill.rs`). Each keeps its share of the area.
 //! Speed or wire feed follows, or layers end where there is less to fill (`plan.rs`). Each bead becomes a pass of the
 //! program (`passes.rs`).
 //!
@@ -11,10 +11,13 @@
 
 mod file;
 mod fill;
+mod findings;
 mod layers;
+mod outline;
 mod passes;
 mod plan;
 mod refusal;
+mod shape;
 #[cfg(test)]
 mod tests;
 
@@ -68,6 +71,8 @@ impl Beads {
             root: self.root.as_ref().map(|run| asked("root", run)).transpose()?,
             cap: self.cap.as_ref().map(|run| asked("cap", run)).transpose()?.unwrap_or_else(|| fill.clone()),
             fill,
+            spacing: self.spacing_to_width.get(),
+            most: self.most_percent.get() / 100.0,
         };
         let plan = BeadPlan::new(seam, joint, self, &runs).map_err(|why| {
             let stations = file.given_or("beads.station_mm", "beads");
@@ -80,7 +85,7 @@ impl Beads {
             return Err(file.error_at("beads.adapt", Message::new("weld-no-bead-weaves"), allowed));
         }
         let number = |bead: usize| all.iter().position(|(_, b)| *b == bead).map_or(1, |i| i + 1);
-        let findings = plan.findings(&runs, self.most_percent.get() / 100.0, number);
+        let findings = plan.findings(&runs, number);
         let passes = all.into_iter().map(|(pass, _)| pass).collect();
         Ok(Filled { plan, passes, findings })
     }

@@ -1,11 +1,10 @@
-use super::file::{Adapt, Asked, Beads, Order};
+use super::file::{Adapt, Beads, Order};
 use super::fill::{BeadAt, Laying, fill};
 use super::layers::{Layer, Runs, layers};
 use super::refusal::NoPlan;
 use crate::joint::{SeamJoint, Section};
 use crate::seam::SeamCurve;
-use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, PathRange, Role, part_start, parts_of};
+use seamwright_program::{Role, part_start, parts_of};
 
 /// Positions of all beads along a seam.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +37,32 @@ pub(crate) const MAX_BEAD_STATIONS: usize = 1_000_000;
 /// A part of the seam for one layer may end this much of a station beyond the last station it is at.
 const HALF: f64 = 0.5;
 
+/// Sections at which layers are judged, by their areas from the smallest to the largest.
+const JUDGED: usize = 5;
+
+/// Stations by which the layers are chosen, the one of mean area first; if layers may be left out that of the largest.
+fn judged(totals: &[f64], adapt: Adapt) -> Vec<usize> {
+    let mut by_area: Vec<usize> = (0..totals.len()).collect();
+    by_area.sort_by(|a, b| totals[*a].total_cmp(&totals[*b]));
+    let last = by_area.len() - 1;
+    if adapt == Adapt::Passes {
+        return vec![by_area[last]];
+    }
+    let mean = (totals[by_area[0]] * totals[by_area[last]]).sqrt();
+    let nearest =
+        by_area.iter().copied().min_by(|a, b| (totals[*a] - mean).abs().total_cmp(&(totals[*b] - mean).abs()));
+    let ranks = (0..JUDGED).map(|k| by_area[k * last / (JUDGED - 1)]);
+    let mut judged: Vec<usize> = nearest.into_iter().chain(ranks).collect();
+    let mut seen = Vec::new();
+    judged.retain(|i| {
+        !seen.contains(i) && {
+            seen.push(*i);
+            true
+        }
+    });
+    judged
+}
+
 /// Shares of some layers together, and the sizes of their beads.
 #[derive(Debug, Clone, Copy)]
 struct Sizes {
@@ -66,8 +91,8 @@ impl Sizes {
 }
 
 impl BeadPlan {
-    /// Lays out the beads of `beads` along a seam with a joint. The layers are chosen for the mean area along the seam
-    /// (the largest if layers may be left out). They fill the groove everywhere.
+    /// Lays out the beads of `beads` along a seam with a joint. The layers are chosen so that the beads keep their
+    /// windows all along the seam (at its largest area, if layers may be left out). They fill the groove everywhere.
     ///
     /// Guarantee: at every station the beads' areas sum to that of groove and cap. Errors: a station without a groove,
     /// and plans that would be too large: found before they are made.
@@ -83,12 +108,10 @@ impl BeadPlan {
         let section = |s: &f64| joint.try_section(&seam.at(*s)).map_err(|why| NoPlan::NoGroove { s: *s, why });
         let sections: Vec<Section> = stations.iter().map(section).collect::<Result<_, _>>()?;
         let totals: Vec<f64> = sections.iter().map(Section::total).collect();
-        let (least, most) = totals.iter().fold((f64::INFINITY, 0.0), |(l, h), t| (f64::min(l, *t), f64::max(h, *t)));
-        let wanted = if beads.adapt == Adapt::Passes { most } else { (least * most).sqrt() };
-        let nearest = (0..count).min_by(|a, b| (totals[*a] - wanted).abs().total_cmp(&(totals[*b] - wanted).abs()));
-        let chosen = &sections[nearest.unwrap_or(0)];
-        let layers = layers(chosen, runs).map_err(|beads| {
-            let groove = chosen.total();
+        let judged = judged(&totals, beads.adapt);
+        let chosen: Vec<&Section> = judged.iter().map(|i| &sections[*i]).collect();
+        let layers = layers(&chosen, runs).map_err(|beads| {
+            let groove = chosen[0].total();
             NoPlan::Beads { groove, beads, smallest: groove / beads }
         })?;
         let per_station: usize = layers.iter().map(|l| l.beads).sum();
@@ -99,6 +122,7 @@ impl BeadPlan {
             wall: beads.wall(),
             tilt: beads.wall_tilt_deg.get().to_radians(),
             shared: beads.adapt == Adapt::WeaveWidth,
+            spacing: runs.spacing,
         };
         let mut plan = Self {
             parts: vec![Vec::new(); layers.len()],
@@ -126,7 +150,40 @@ impl BeadPlan {
             plan.lay(section, plan.stations[i], &mut here);
             plan.beads.extend_from_slice(&here);
         }
+        plan.tie_in(beads.tie_in_mm.get());
         Ok(plan)
+    }
+
+    /// Lets beads change evenly over `length` (mm) where another layer starts or ends. Metal is kept: what is too much
+    /// before the end is too little after it.
+    fn tie_in(&mut self, length: f64) {
+        let n = self.stations.len();
+        let ends: Vec<f64> = self.parts.iter().flatten().flat_map(|(from, to)| [*from, *to]).collect();
+        for end in ends {
+            let near = |i: usize| {
+                let away = self.stations[i] - end;
+                self.period.map_or(away, |period| (away + 0.5 * period).rem_euclid(period) - 0.5 * period)
+            };
+            let mut within: Vec<(f64, usize)> = (0..n).map(|i| (near(i), i)).collect();
+            within.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let first = within.partition_point(|(away, _)| *away < -0.5 * length);
+            let last = within.partition_point(|(away, _)| *away <= 0.5 * length);
+            let (Some(before), Some(after)) = (first.checked_sub(1).map(|k| within[k]), within.get(last).copied())
+            else {
+                continue;
+            };
+            for bead in 0..self.count() {
+                let [a, b] = [before.1, after.1].map(|i| self.at_station(i)[bead]);
+                let between = &within[first..last];
+                if a.area > 0.0 && b.area > 0.0 && between.iter().all(|(_, i)| self.at_station(*i)[bead].area > 0.0) {
+                    for (away, i) in between {
+                        let part = (away - before.0) / (after.0 - before.0);
+                        let at = i * self.per_station + bead;
+                        self.beads[at] = a.towards(&b, part);
+                    }
+                }
+            }
+        }
     }
 
     /// The beads layer by layer, each layer in the order asked for.
@@ -284,37 +341,5 @@ impl BeadPlan {
         }
         let whole = runs.iter().any(|run| run.1 - run.0 >= end);
         if whole { Vec::new() } else { runs }
-    }
-
-    /// Beads that are more than `most` (a part) larger or smaller than their run asks for.
-    pub(crate) fn findings(&self, runs: &Runs, most: f64, pass_of: impl Fn(usize) -> usize) -> Vec<Finding> {
-        let mut findings: Vec<Finding> = Vec::new();
-        for b in 0..self.count() {
-            let bead = self.beads[b];
-            let asked: &Asked = runs.of(self.layers[bead.layer].role);
-            let ratio = |i: usize| Some(self.at_station(i)[b].area / asked.area).filter(|r| *r > 0.0);
-            let off = |i: usize| ratio(i).filter(|r| (r - 1.0).abs() > most + 1e-9);
-            let wrong: Vec<(usize, f64)> = (0..self.stations.len()).filter_map(|i| Some((i, off(i)?))).collect();
-            let Some(worst) = wrong.iter().copied().max_by(|a, b| a.1.ln().abs().total_cmp(&b.1.ln().abs())) else {
-                continue;
-            };
-            let cure = if worst.1 > 1.0 { "weld-cure-thinner-layers" } else { "weld-cure-smaller-beads" };
-            let message = Message::new("weld-bead-area-out-of-range")
-                .quantity("area", worst.1 * asked.area, Unit::Mm2, 1)
-                .quantity("s", self.stations[worst.0], Unit::Mm, 0)
-                .quantity("ratio", 100.0 * worst.1, Unit::Percent, 0)
-                .quantity("run", asked.area, Unit::Mm2, 1)
-                .quantity("min", 100.0 * (1.0 - most), Unit::Percent, 0)
-                .quantity("max", 100.0 * (1.0 + most), Unit::Percent, 0);
-            let [from_mm, to_mm] = [wrong[0].0, wrong[wrong.len() - 1].0].map(|i| self.stations[i]);
-            findings.push(Finding::error(
-                "bead",
-                message,
-                pass_of(b),
-                PathRange { from_mm, to_mm },
-                Message::new(cure),
-            ));
-        }
-        findings
     }
 }

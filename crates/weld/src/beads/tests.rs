@@ -7,6 +7,7 @@ use crate::seam::SeamCurve;
 use proptest::prelude::*;
 use seamwright_document::{Document, Positive};
 use seamwright_program::{Joint, ProcessValues, Role, Seam, SeamStart};
+use seamwright_testkit::{Random, cases};
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -24,7 +25,6 @@ struct Planned {
     joint: SeamJoint,
     plan: BeadPlan,
     runs: Runs,
-    most: f64,
 }
 
 fn plan(text: &str) -> Planned {
@@ -32,15 +32,17 @@ fn plan(text: &str) -> Planned {
     let f = &file.value;
     let seam = SeamCurve::new(&file, &f.seam, &f.start).unwrap();
     let joint = SeamJoint::new(&file, &f.joint, &seam).unwrap_or_else(|e| panic!("{e}"));
-    let weld = WeldValues { speed_mm_s: Positive::TEN, process: &ProcessValues::new() };
+    let weld = WeldValues { speed_mm_s: Positive::TEN, process: &ProcessValues::new(), procedure: None, weave: None };
     let run = |name, run| f.beads.asked(&file, name, run, &weld).unwrap();
     let runs = Runs {
         root: f.beads.root.as_ref().map(|r| run("root", r)),
         fill: run("fill", &f.beads.fill),
         cap: f.beads.cap.as_ref().map_or_else(|| run("fill", &f.beads.fill), |r| run("cap", r)),
+        spacing: f.beads.spacing_to_width.get(),
+        most: f.beads.most_percent.get() / 100.0,
     };
     let plan = BeadPlan::new(&seam, &joint, &f.beads, &runs).unwrap();
-    Planned { seam, joint, plan, runs, most: f.beads.most_percent.get() / 100.0 }
+    Planned { seam, joint, plan, runs }
 }
 
 const HILLSIDE: &str = "[seam.nozzle]\nradius_mm = 250\n[seam.nozzle.body.cylinder]\nradius_mm = 800\n\
@@ -56,6 +58,14 @@ fn shoelace(points: &[glam::DVec2]) -> f64 {
 fn fills(planned: &Planned) {
     let Planned { seam, joint, plan, .. } = planned;
     for (i, s) in plan.stations.iter().enumerate() {
+        // Around a layer's end the others change evenly over 20 mm.
+        let ends = plan.parts.iter().flatten().flat_map(|(from, to)| [*from, *to]);
+        if ends
+            .into_iter()
+            .any(|end| ((s - end + 0.5 * seam.length()).rem_euclid(seam.length()) - 0.5 * seam.length()).abs() <= 10.0)
+        {
+            continue;
+        }
         let sum: f64 = plan.at_station(i).iter().map(|b| b.area).sum();
         let section = joint.section(&seam.at(*s)).unwrap();
         assert!((sum - section.area() - section.cap).abs() < 1e-9 * sum, "{s}: {sum}");
@@ -67,14 +77,12 @@ fn fills(planned: &Planned) {
         let beads = plan.in_order(&section, s);
         let sum: f64 = beads.iter().map(|b| b.area).sum();
         assert!((sum - section.total()).abs() < 1e-9 * sum);
-        for bead in &beads {
-            let enclosed = shoelace(&section.outline(bead));
-            // Layers of several beads share the cap by its width in the outline, by area in the plan.
-            let shared = plan.layers[bead.layer].beads > 1;
-            let slack = if shared { 0.5 * section.cap * (bead.cap.1 - bead.cap.0) } else { 0.0 };
-            assert!((enclosed - bead.area).abs() < slack + 0.02 * bead.area, "{s} {bead:?} {enclosed}");
-            let heights = (section.slices.area_below(bead.heights.0), section.slices.area_below(bead.heights.1));
-            assert!(heights.0 <= heights.1 + 1e-9);
+        let outlines = section.outlines(&beads);
+        let covered: f64 = outlines.iter().map(|o| shoelace(o)).sum();
+        assert!((covered - sum).abs() < 1e-3 * sum, "{s}: {covered} for {sum}");
+        for (bead, outline) in beads.iter().zip(&outlines) {
+            assert!((shoelace(outline) - bead.area).abs() < 0.1 * bead.area, "{s} {bead:?} {}", shoelace(outline));
+            assert!(bead.filled.1 - bead.filled.0 > 0.0 && bead.width > 0.0 && bead.height > 0.0);
         }
     }
 }
@@ -84,8 +92,8 @@ fn a_hillside_nozzle_is_filled_everywhere_by_speed() {
     let planned = plan(HILLSIDE);
     assert!(planned.plan.count() > 10, "{:?}", planned.plan.layers);
     fills(&planned);
-    let findings = planned.plan.findings(&planned.runs, planned.most, |b| b);
-    assert!(findings.is_empty(), "{findings:#?}");
+    let findings = planned.plan.findings(&planned.runs, |b| b);
+    assert!(findings.iter().all(|f| f.allowed), "{findings:#?}");
     // Mirror positions of the nozzle have the same beads.
     let half = 0.5 * planned.seam.length();
     let n = planned.plan.stations.len();
@@ -112,17 +120,18 @@ fn where_there_is_less_to_fill_layers_are_left_out() {
     };
     let by_speed = plan(&steep);
     assert!(spread(&planned) < 0.8 * spread(&by_speed), "{} {}", spread(&planned), spread(&by_speed));
-    assert!(!by_speed.plan.findings(&by_speed.runs, by_speed.most, |b| b).is_empty());
-    let findings = planned.plan.findings(&planned.runs, planned.most, |b| b);
-    assert!(findings.is_empty(), "{findings:#?}");
+    assert!(by_speed.plan.findings(&by_speed.runs, |b| b).iter().any(|f| !f.allowed));
+    let findings = planned.plan.findings(&planned.runs, |b| b);
+    assert!(findings.iter().all(|f| f.allowed), "{findings:#?}");
 }
 
 #[test]
 fn beads_too_large_or_small_are_findings() {
     let wide = HILLSIDE.replace("leg_mm = 6", "leg_mm = 0").replace("cut_deg = 45", "cut_deg = 35");
     let planned = plan(&wide.replace("[beads]\n", "[beads]\nmost_percent = 4\n"));
-    let findings = planned.plan.findings(&planned.runs, planned.most, |b| b + 1);
-    assert!(!findings.is_empty() && findings.iter().all(|f| f.kind == "bead" && !f.allowed));
+    let findings = planned.plan.findings(&planned.runs, |b| b + 1);
+    assert!(findings.iter().all(|f| f.kind == "bead"));
+    let findings: Vec<_> = findings.into_iter().filter(|f| !f.allowed).collect();
     assert!(findings[0].message.to_string().contains("% of the") && findings[0].to_mm >= findings[0].from_mm);
 }
 
@@ -152,7 +161,7 @@ proptest! {
         let rank = |r: &Role| match r { Role::Root | Role::Tack => 0, Role::Fill => 1, Role::Cap | Role::Cosmetic => 2 };
         prop_assert!(roles.windows(2).all(|w| rank(&w[0]) <= rank(&w[1])));
         let section: Section = planned.joint.section(&planned.seam.at(10.0)).unwrap();
-        prop_assert_eq!(layers(&section, &planned.runs).unwrap().len(), planned.plan.layers.len());
+        prop_assert_eq!(layers(&[&section], &planned.runs).unwrap().len(), planned.plan.layers.len());
         let mut order = planned.plan.order.clone();
         order.sort_unstable();
         prop_assert!(order.into_iter().eq(0..planned.plan.count()));
@@ -161,13 +170,117 @@ proptest! {
             let (left, right) = section.slices.edges(y);
             prop_assert!(x >= left - 1e-6 && x <= right + 1e-6, "{bead:?} {left} {right}");
         }
-        // If the beads divide a groove well, their areas are near to the requested one.
-        if section.total() > 8.0 * fill_area {
-            let worst = planned.plan.at_station(0).iter().map(|b| {
-                let asked = planned.runs.of(planned.plan.layers[b.layer].role).area;
-                (b.area / asked).ln().abs()
-            }).fold(0.0, f64::max);
-            prop_assert!(worst < 0.5, "{worst} {:?}", planned.plan.layers);
+    }
+}
+
+/// A random joint of a shop: butt, fillet, or an edge on a face, thin or 60 mm deep, with beads of gas-shielded wire.
+fn random_joint(random: &mut Random) -> String {
+    let (t, gap, psi) = (random.within(3.0, 60.0), random.within(0.0, 3.0), random.within(65.0, 130.0));
+    let face = random.within(0.0, 0.3) * t;
+    let (groove, dihedral) = match random.below(5) {
+        0 => (
+            format!(
+                "single_v = {{ thickness_mm = {t}, angle_deg = {}, root_gap_mm = {gap}, root_face_mm = {face} }}",
+                random.within(30.0, 70.0)
+            ),
+            180.0,
+        ),
+        1 => (
+            format!("bevel = {{ thickness_mm = {t}, angle_deg = {}, root_gap_mm = {gap} }}", random.within(25.0, 50.0)),
+            180.0,
+        ),
+        2 => (
+            format!(
+                "u = {{ thickness_mm = {t}, angle_deg = {}, radius_mm = {}, root_gap_mm = {gap} }}",
+                random.within(3.0, 15.0),
+                0.3 * t.min(20.0)
+            ),
+            180.0,
+        ),
+        3 => (format!("fillet = {{ leg_mm = {} }}", random.within(3.0, 25.0)), psi),
+        _ => (
+            format!(
+                "t_bevel = {{ thickness_mm = {t}, angle_deg = {}, root_gap_mm = {gap}, root_face_mm = {face}, leg_mm = {} }}",
+                random.within(30.0, 55.0),
+                random.within(0.0, 10.0)
+            ),
+            psi,
+        ),
+    };
+    let a = f64::to_radians(dihedral);
+    let normal = if dihedral < 180.0 { format!("[0, {}, {}]", -a.sin(), -a.cos()) } else { "[0, 0, 1]".to_owned() };
+    let root = if random.chance(0.6) {
+        format!("root = {{ area_mm2 = {} }}\n", random.within(8.0, 25.0))
+    } else {
+        String::new()
+    };
+    let adapt = if random.chance(0.3) { "adapt = \"passes\"\n" } else { "" };
+    let fit = if random.chance(0.5) && gap > 0.0 {
+        format!(
+            "[[joint.fit_up]]\ns_mm = 0\nroot_gap_mm = {gap}\n[[joint.fit_up]]\ns_mm = 150\nroot_gap_mm = {}\n",
+            0.5 * gap
+        )
+    } else {
+        String::new()
+    };
+    format!(
+        "[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [200, 0, 0]\nfirst_normal = {normal}\nsecond_normal = [0, 0, 1]\n\
+         [joint]\ncap_mm = {}\npreparation.{groove}\n{fit}[beads]\nstation_mm = 40\n{adapt}{root}\
+         fill = {{ area_mm2 = {}, layer_mm = {} }}\ncap = {{ area_mm2 = {} }}\n",
+        random.within(0.0, 2.5),
+        random.within(10.0, 40.0),
+        random.within(2.0, 4.0),
+        random.within(10.0, 35.0)
+    )
+}
+
+/// Beads sum to groove and cap, are drawn with that area, and lie outside their windows only with a finding. How many
+/// joints are without any is printed.
+#[test]
+fn beads_of_random_joints_keep_their_windows_or_say_so() {
+    let mut random = Random::new(46);
+    let (mut plain, mut slowest) = (0, std::time::Duration::ZERO);
+    for _ in 0..cases(2000) {
+        let text = random_joint(&mut random);
+        let started = std::time::Instant::now();
+        let planned = plan(&text);
+        slowest = slowest.max(started.elapsed());
+        let found = planned.plan.findings(&planned.runs, |b| b + 1);
+        plain += usize::from(found.is_empty());
+        let Planned { seam, joint, plan, runs } = &planned;
+        for (i, s) in plan.stations.iter().enumerate() {
+            let section = joint.section(&seam.at(*s)).unwrap();
+            let beads = plan.at_station(i);
+            let ends = plan.parts.iter().flatten().flat_map(|(from, to)| [*from, *to]);
+            if ends.into_iter().any(|end| (s - end).abs() <= 10.0) {
+                continue;
+            }
+            let sum: f64 = beads.iter().map(|b| b.area).sum();
+            assert!((sum - section.total()).abs() < 1e-9 * sum, "{text}");
+            for (b, bead) in beads.iter().enumerate().filter(|(_, bead)| bead.area > 0.0) {
+                let (layer, run) = (plan.layers[bead.layer], runs.of(plan.layers[bead.layer].role));
+                let w = run.window;
+                let within = |[low, high]: [f64; 2], v: f64| (low * (1.0 - 1e-6)..=high * (1.0 + 1e-6)).contains(&v);
+                // Alone in its layer it is as wide as the groove.
+                let wide = bead.width <= w.width_mm[1].min(w.max_unwoven_mm) + 1e-6
+                    && (layer.beads == 1 || bead.width >= w.width_mm[0] - 1e-6);
+                let kept =
+                    wide && within(w.height_mm, bead.height) && within(w.width_to_height, bead.width / bead.height);
+                let area = within([0.75 * run.area, 1.25 * run.area], bead.area);
+                let reported = |code: &str| found.iter().any(|f| f.pass == b + 1 && f.message.code.starts_with(code));
+                assert!(kept || reported("weld-bead-"), "{bead:?} {text}");
+                assert!(area || reported("weld-bead-area"), "{bead:?} {text}");
+                // A bead's area is that of its parabola, or of what it fills between the walls.
+                if layer.beads > 1 {
+                    assert!((bead.area - 2.0 / 3.0 * bead.width * bead.height).abs() < 1e-9 * bead.area);
+                }
+            }
+            if i == 2 {
+                let there = plan.in_order(&section, *s);
+                let covered: f64 = section.outlines(&there).iter().map(|o| shoelace(o)).sum();
+                assert!((covered - sum).abs() < 1e-3 * sum, "{covered} for {sum}: {text}");
+            }
         }
     }
+    println!("{plain} of {} joints without a finding; slowest plan {slowest:?}", cases(2000));
 }

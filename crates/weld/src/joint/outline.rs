@@ -70,7 +70,7 @@ impl SeamJoint {
             }
             Preparation::Fillet(p) => {
                 let (i, t) = (index(p.prepared), UNKNOWN * size);
-                let lift = p.root_gap_mm.get() / section.dihedral.sin() * along[i];
+                let lift = section.gap * along[i];
                 let foot = lift - t / section.dihedral.sin() * along[1 - i];
                 let end = far(i) * along[i];
                 sides(p.prepared, vec![foot, lift, end, end - t * out[i]], through(1 - i, t / section.dihedral.sin()))

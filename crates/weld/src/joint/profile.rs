@@ -3,7 +3,7 @@ use seamwright_document::{NonNegative, Positive};
 use seamwright_program::{J, TJ, U};
 use std::f64::consts::FRAC_PI_2;
 
-/// Chords of an arc: its area is short by less than 0.1 % of the radius' square.
+/// Chords of an arc.
 const CHORDS: u32 = 24;
 
 /// Length of an edge's straight part, as a multiple of the depth: it is cut off at the part's surface.
@@ -37,6 +37,18 @@ impl Profile {
         }
     }
 
+    /// The same with the root face, a part of the wall's thickness, longer by this factor: as long as it is in a section
+    /// whose depth does not go square through the wall.
+    pub(crate) fn scaled(self, factor: f64) -> Self {
+        match self {
+            Self::Bevel { root_face, angle } => Self::Bevel { root_face: factor * root_face, angle },
+            Self::Curved { root_face, angle, radius, land } => {
+                Self::Curved { root_face: factor * root_face, angle, radius, land }
+            }
+            Self::Square | Self::Round { .. } => self,
+        }
+    }
+
     /// Corners of the edge in (lateral, depth), mm, from the root at lateral `gap` and depth `thickness` on, until far
     /// outside of the part; a round edge ends where it touches the surface.
     pub(crate) fn corners(self, gap: f64, thickness: f64) -> Vec<DVec2> {
@@ -56,7 +68,7 @@ impl Profile {
                 let sweep = FRAC_PI_2 - angle;
                 let on_arc = |k: u32| {
                     let turn = sweep * f64::from(k) / f64::from(CHORDS);
-                    centre + radius * DVec2::new(turn.sin(), turn.cos())
+                    centre + corner_radius(radius, sweep, k) * DVec2::new(turn.sin(), turn.cos())
                 };
                 let mut corners = vec![root, edge];
                 corners.extend((0..=CHORDS).map(on_arc));
@@ -68,13 +80,22 @@ impl Profile {
                 // By the angle about the round part's axis, from that of the contact up to the surface.
                 let first = (unfilled / radius).asin();
                 let on_arc = |k: u32| {
-                    let turn = first + (FRAC_PI_2 - first) * f64::from(k) / f64::from(CHORDS);
-                    DVec2::new(gap, 0.0) + radius * DVec2::new(1.0 - turn.cos(), 1.0 - turn.sin())
+                    let sweep = FRAC_PI_2 - first;
+                    let turn = first + sweep * f64::from(k) / f64::from(CHORDS);
+                    let at = corner_radius(radius, sweep, k) * DVec2::new(turn.cos(), turn.sin());
+                    DVec2::new(gap, 0.0) + DVec2::splat(radius) - at
                 };
                 (0..=CHORDS).map(on_arc).collect()
             }
         }
     }
+}
+
+/// Distance of corner `k` of an arc's chords from its centre: a little more than the radius between the arc's ends, so
+/// that the chords enclose the arc's area within 0.003 % of the radius' square.
+fn corner_radius(radius: f64, sweep: f64, k: u32) -> f64 {
+    let step = sweep / f64::from(CHORDS);
+    if k == 0 || k == CHORDS { radius } else { radius * (step / step.sin()).sqrt() }
 }
 
 impl From<&U> for Profile {

@@ -17,6 +17,8 @@ const MIN_BUTT: f64 = 120.0 * PI / 180.0;
 pub struct Section {
     /// Dihedral angle between the faces, rad.
     pub dihedral: f64,
+    /// Root gap, mm: along the wall of the part that stands; in a butt joint across the bisector.
+    pub gap: f64,
     /// Edge of the first part where the weld fuses to it, from the root to the toe.
     pub first: Vec<DVec2>,
     /// The same of the second part.
@@ -36,7 +38,7 @@ pub struct Section {
 pub(crate) struct Place {
     /// Dihedral angle, rad.
     pub(crate) dihedral: f64,
-    /// Root gap, mm.
+    /// Root gap, mm: see [`Section::gap`].
     pub(crate) gap: f64,
     /// Height of the second part over the first, mm.
     pub(crate) mismatch: f64,
@@ -116,6 +118,14 @@ impl Faces {
     }
 }
 
+/// A wall: its surface through `at` with the outward normal `out`.
+#[derive(Clone, Copy)]
+struct Wall {
+    at: DVec2,
+    out: DVec2,
+    thickness: f64,
+}
+
 /// An edge of a part: a profile seen along a depth direction.
 struct EdgeFrame {
     /// Origin of depth and lateral distance.
@@ -125,23 +135,22 @@ struct EdgeFrame {
 }
 
 impl EdgeFrame {
-    /// Corners in the section, cut off at the surface through `at` with the outward normal `out`.
-    fn cut(&self, corners: &[DVec2], at: DVec2, out: DVec2) -> Option<Vec<DVec2>> {
-        let place = |c: &DVec2| self.origin + c.x * self.lateral + c.y * self.depth;
-        let height = |p: DVec2| (p - at).dot(out);
-        let mut edge: Vec<DVec2> = Vec::with_capacity(corners.len());
-        for corner in corners.iter().map(place) {
-            let h = height(corner);
-            if h < 0.0 {
-                edge.push(corner);
-                continue;
-            }
-            let before = *edge.last()?;
-            let b = height(before);
-            edge.push(before + (corner - before) * (b / (b - h)));
-            return Some(edge);
+    /// The edge in the section within its wall: from its inside face to the surface.
+    fn cut(&self, corners: &[DVec2], wall: Wall) -> Option<Vec<DVec2>> {
+        let all = self.all(corners);
+        let height = |p: DVec2| (p - wall.at).dot(wall.out);
+        let crossing = |a: DVec2, b: DVec2, level: f64| a + (b - a) * ((level - height(a)) / (height(b) - height(a)));
+        let outside = all.iter().position(|c| height(*c) >= 0.0).filter(|i| *i > 0)?;
+        let mut edge = all[..outside].to_vec();
+        edge.push(crossing(all[outside - 1], all[outside], 0.0));
+        // A floor square to the depth may start beyond the inside of a wall that slopes.
+        let inside = -wall.thickness - ON_LINE_MM;
+        let within = edge.iter().rposition(|c| height(*c) < inside).map_or(0, |last| last + 1);
+        if within > 0 {
+            edge[within - 1] = crossing(edge[within - 1], edge[within], -wall.thickness);
+            edge.drain(..within - 1);
         }
-        None
+        Some(edge)
     }
 
     fn all(&self, corners: &[DVec2]) -> Vec<DVec2> {
@@ -195,8 +204,7 @@ impl Section {
                 if angle < 0.0 {
                     return Err(NoGroove::Inside(angle.to_degrees()));
                 }
-                let sin = place.dihedral.sin();
-                let edge = Profile::Bevel { root_face: p.root_face_mm.get() / sin, angle };
+                let edge = Profile::Bevel { root_face: p.root_face_mm.get(), angle };
                 let thickness = p.thickness_mm.get();
                 corner(&faces, place, Corner { edge, prepared: p.prepared, thickness, leg: p.leg_mm.get() })?
             }
@@ -205,10 +213,10 @@ impl Section {
                 corner(&faces, place, Corner { edge, prepared: p.prepared, thickness, leg: p.leg_mm.get() })?
             }
         };
-        Self::between(place.dihedral, first, second, cap_height)
+        Self::between(place, first, second, cap_height)
     }
 
-    fn between(dihedral: f64, first: Vec<DVec2>, second: Vec<DVec2>, cap_height: f64) -> Result<Self, NoGroove> {
+    fn between(place: Place, first: Vec<DVec2>, second: Vec<DVec2>, cap_height: f64) -> Result<Self, NoGroove> {
         // Both edges have corners: they are made of profiles.
         let [Some(toe1), Some(toe2)] = [first.last(), second.last()] else { return Err(NoGroove::Empty) };
         let chord = *toe1 - *toe2;
@@ -220,7 +228,8 @@ impl Section {
         let turns = (0..corners.len()).map(|i| corners[i].perp_dot(corners[(i + 1) % corners.len()])).sum::<f64>();
         let slices = Slices::new(&corners, up).filter(|_| turns > 0.0).ok_or(NoGroove::Empty)?;
         let cap = 2.0 / 3.0 * chord.length() * cap_height;
-        Ok(Self { dihedral, first, second, up, slices, cap, cap_height })
+        let Place { dihedral, gap, .. } = place;
+        Ok(Self { dihedral, gap, first, second, up, slices, cap, cap_height })
     }
 
     /// Area of the groove up to the line from toe to toe, mm^2.
@@ -236,6 +245,12 @@ impl Section {
     /// Unit vector across [`Section::up`], towards the first part.
     pub fn across(&self) -> DVec2 {
         DVec2::new(self.up.y, -self.up.x)
+    }
+
+    /// Length of the line from toe to toe, mm.
+    pub fn chord(&self) -> f64 {
+        let [first, second] = self.toes();
+        first.distance(second)
     }
 
     /// The toes on the first and the second part.
@@ -257,8 +272,10 @@ fn one(side: Profile, prepared: Member) -> [(Profile, f64); 2] {
     }
 }
 
-/// Both edges of a butt joint: depth goes in along the bisector. The second part lies `mismatch` further out.
+/// Both edges of a butt joint: depth goes in along the bisector, to the parts' inside faces. The second part lies
+/// `mismatch` further out.
 fn butt(faces: &Faces, place: Place, sides: [(Profile, f64); 2], thickness: f64) -> Result<[Vec<DVec2>; 2], NoGroove> {
+    let (sin, cos) = (0.5 * place.dihedral).sin_cos();
     let edge = |i: usize| {
         let (profile, share) = sides[i];
         let shift = if i == 1 { place.mismatch } else { 0.0 };
@@ -267,10 +284,15 @@ fn butt(faces: &Faces, place: Place, sides: [(Profile, f64); 2], thickness: f64)
             depth: DVec2::NEG_Y,
             lateral: if i == 0 { DVec2::X } else { DVec2::NEG_X },
         };
-        let corners = profile.corners(share * place.gap, thickness);
+        let gap = share * place.gap;
+        let corners = match profile {
+            Profile::Round { .. } => profile.corners(gap, thickness),
+            // Faces that slope away from the bisector: a wall measures more along it, less the slope over the gap.
+            _ => profile.scaled(1.0 / sin).corners(gap, (thickness - gap * cos) / sin),
+        };
         match profile {
             Profile::Round { .. } => Ok(frame.all(&corners)),
-            _ => frame.cut(&corners, frame.origin, faces.out[i]).ok_or(NoGroove::Empty),
+            _ => frame.cut(&corners, Wall { at: frame.origin, out: faces.out[i], thickness }).ok_or(NoGroove::Empty),
         }
     };
     Ok([edge(0)?, edge(1)?])
@@ -288,14 +310,21 @@ struct Corner {
 }
 
 /// Both edges where the depth goes in along the face of the part that goes through, under the other.
+///
+/// The root gap is measured along the wall of the part that stands: that part is lifted by it. So the root stays on the
+/// wall's inside (a nozzle's bore) at every dihedral angle, and the face begins where that inside meets it.
 fn corner(faces: &Faces, place: Place, c: Corner) -> Result<[Vec<DVec2>; 2], NoGroove> {
     let (on, through) = match c.prepared {
         Member::First => (0, 1),
         Member::Second => (1, 0),
     };
     let frame = EdgeFrame { origin: DVec2::ZERO, depth: -faces.along[through], lateral: faces.out[through] };
-    let slant = c.thickness / place.dihedral.sin();
-    let corners = c.edge.corners(place.gap, slant);
+    let (sin, cos) = place.dihedral.sin_cos();
+    let slant = c.thickness / sin;
+    let corners = match c.edge {
+        Profile::Round { .. } => c.edge.corners(place.gap, slant),
+        edge => edge.scaled(1.0 / sin).corners(place.gap * sin, slant - place.gap * cos),
+    };
     let edge = match c.edge.angle() {
         None => frame.all(&corners),
         Some(angle) => {
@@ -303,11 +332,11 @@ fn corner(faces: &Faces, place: Place, c: Corner) -> Result<[Vec<DVec2>; 2], NoG
             if angle >= place.dihedral {
                 return Err(never);
             }
-            frame.cut(&corners, DVec2::ZERO, faces.out[on]).ok_or(never)?
+            frame.cut(&corners, Wall { at: DVec2::ZERO, out: faces.out[on], thickness: c.thickness }).ok_or(never)?
         }
     };
-    let deepest = corners.first().map_or(slant, |root| root.y);
-    let mut face = vec![deepest * frame.depth];
+    let inside = if c.edge.angle().is_some() { slant } else { corners.first().map_or(slant, |root| root.y) };
+    let mut face = vec![inside * frame.depth];
     if c.leg > 0.0 {
         face.push(-c.leg * frame.depth);
     } else {
@@ -327,21 +356,22 @@ fn fillet(faces: &Faces, place: Place, p: &Fillet) -> [Vec<DVec2>; 2] {
         (None, None) => 0.0,
     };
     let legs = [p.first_leg_mm, p.second_leg_mm].map(|leg| leg.map_or(equal, seamwright_document::Positive::get));
-    let longer = place.gap / place.dihedral.sin();
     let edge = |i: usize, member: Member| {
-        let leg = if p.prepared == member { legs[i] + longer } else { legs[i] };
+        let leg = if p.prepared == member { legs[i] + place.gap } else { legs[i] };
         vec![DVec2::ZERO, leg * faces.along[i]]
     };
     [edge(0, Member::First), edge(1, Member::Second)]
 }
 
-/// True if the edges cross, other than at their roots.
+/// Points nearer to a line than this are on it, mm: far above rounding, and far below what can be cut.
+const ON_LINE_MM: f64 = 1e-9;
+
+/// True if the edges cross, other than at their roots or where they lie on each other.
 fn crossing(first: &[DVec2], second: &[DVec2]) -> bool {
-    let side = |a: DVec2, b: DVec2, p: DVec2| (b - a).perp_dot(p - a);
-    first.windows(2).any(|a| {
-        second.windows(2).any(|b| {
-            side(a[0], a[1], b[0]) * side(a[0], a[1], b[1]) < -1e-18
-                && side(b[0], b[1], a[0]) * side(b[0], b[1], a[1]) < -1e-18
-        })
-    })
+    let apart = |line: &[DVec2], ends: &[DVec2]| {
+        let along = (line[1] - line[0]).normalize_or_zero();
+        let [a, b] = [0, 1].map(|i| along.perp_dot(ends[i] - line[0]));
+        a.min(b) < -ON_LINE_MM && a.max(b) > ON_LINE_MM
+    };
+    first.windows(2).any(|a| second.windows(2).any(|b| apart(a, b) && apart(b, a)))
 }

@@ -66,7 +66,7 @@ proptest! {
             let u = section(&format!("p.u = {{ {keys} }}"), flat(gap));
             let j = section(&format!("p.j = {{ {keys} }}"), flat(gap));
             // Arcs are chords here.
-            let slack = 1e-3 * radius * radius;
+            let slack = 3e-5 * radius * radius;
             prop_assert!((u.area() - (gap * t + 2.0 * (land * h + s))).abs() < 2.0 * slack);
             prop_assert!((j.area() - (gap * t + land * h + s)).abs() < slack);
         }
@@ -86,46 +86,49 @@ proptest! {
         prop_assert!((throat.toes()[0].dot(throat.up) - z1).abs() < 1e-9);
         prop_assert!(throat.up.dot(DVec2::Y) > 1.0 - 1e-12);
     }
+}
 
-    /// Points of a grid that are in neither part and inside the line from toe to toe, found by angles only.
-    #[test]
-    fn t_bevels_agree_with_a_grid(
-        t in 5.0..30.0f64, share in 0.0..0.5f64, gap in 0.0..4.0f64, degrees in 30.0..60.0f64,
-        psi_deg in 65.0..150.0f64, leg in 0.0..10.0f64, second in any::<bool>(),
-    ) {
-        let (c, psi, phi) = (share * t, psi_deg.to_radians(), degrees.to_radians());
-        let text = format!(
-            "p.t_bevel = {{ thickness_mm = {t}, root_face_mm = {c}, root_gap_mm = {gap}, angle_deg = {degrees}, \
-             leg_mm = {leg}, prepared = \"{}\" }}",
-            if second { "second" } else { "first" }
-        );
-        let s = section(&text, Place { dihedral: psi, gap, mismatch: 0.0 });
-        // Mirrored so that the prepared part is the first; then turned so that the other part's face is x < 0, the
-        // torch above it: depth is x.
-        let turn = DVec2::from_angle(-(0.5 * psi + FRAC_PI_2));
-        let flip = |p: DVec2| if second { DVec2::new(-p.x, p.y) } else { p };
-        let place = |p: DVec2| { let q = turn.rotate(flip(p)); DVec2::new(-q.x, -q.y) };
-        let all: Vec<DVec2> = polygon(&s).into_iter().map(place).collect();
-        prop_assert!((shoelace(&all).abs() - s.area()).abs() < 1e-9 * s.area());
-        let low = all.iter().copied().reduce(DVec2::min).unwrap();
-        let high = all.iter().copied().reduce(DVec2::max).unwrap();
-        let toes = s.toes().map(place);
-        let (depth, edge) = (t / psi.sin(), (t - c) / psi.sin());
-        let n = 150;
-        let (mut inside, step) = (0, (high - low) / f64::from(n));
-        for i in 0..n {
-            for k in 0..n {
-                let p = low + DVec2::new(f64::from(i) + 0.5, f64::from(k) + 0.5) * step;
-                let over_face = p.y > 0.0;
-                // The standing part's outer surface goes up from the seam at the dihedral angle from the face.
-                let behind_surface = p.y.atan2(-p.x) > psi;
-                let cut = if p.x > edge { p.y < gap } else { (p.y - gap).max(0.0).atan2(edge - p.x) < phi || p.y < gap };
-                let below = (toes[1] - toes[0]).perp_dot(p - toes[0]) * (toes[1] - toes[0]).perp_dot(DVec2::new(depth, 0.0) - toes[0]) > 0.0;
-                inside += i32::from(over_face && (cut || !behind_surface) && below && p.x < depth);
-            }
+/// A groove of `peers/grooves.py`, which cuts the parts as solids.
+#[derive(serde::Deserialize)]
+struct Reference {
+    preparation: String,
+    dihedral_deg: f64,
+    gap_mm: f64,
+    mismatch_mm: f64,
+    area_mm2: f64,
+}
+
+#[test]
+fn areas_are_those_of_parts_cut_as_solids() {
+    let all: Vec<Reference> = serde_json::from_str(include_str!("../../../../tests/data/grooves.json")).unwrap();
+    assert!(all.len() >= 1000);
+    let mut worst: f64 = 0.0;
+    for r in &all {
+        let place = Place { dihedral: r.dihedral_deg.to_radians(), gap: r.gap_mm, mismatch: r.mismatch_mm };
+        let s = section(&r.preparation, place);
+        let off = (s.area() / r.area_mm2 - 1.0).abs();
+        assert!(off < 1e-3, "{} {place:?}: {} for {}", r.preparation, s.area(), r.area_mm2);
+        assert!((shoelace(&polygon(&s)) / s.area() - 1.0).abs() < 1e-9);
+        worst = worst.max(off);
+    }
+    println!("largest deviation of {} areas: {:.4} %", all.len(), 100.0 * worst);
+}
+
+#[test]
+fn the_root_of_a_sloping_wall_lies_on_its_inside() {
+    for psi in [50.0f64, 75.0, 90.0, 113.6, 140.0] {
+        for kind in ["t_bevel = { angle_deg = 40,", "t_j = { angle_deg = 5, radius_mm = 2,"] {
+            let text = format!("p.{kind} thickness_mm = 12, root_face_mm = 1.5, prepared = \"second\" }}");
+            let (gap, dihedral) = (3.0, psi.to_radians());
+            let s = section(&text, Place { dihedral, gap, mismatch: 0.0 });
+            // The second part stands: its outside rises from the seam towards the left.
+            let up = DVec2::new(-(0.5 * dihedral).sin(), (0.5 * dihedral).cos());
+            let [root, face] = [s.second[0], s.first[0]];
+            assert!(
+                (up.perp_dot(root).abs() - 12.0).abs() < 1e-9 && (up.perp_dot(s.second[1]).abs() - 10.5).abs() < 1e-9
+            );
+            assert!((root - face - gap * up).length() < 1e-9, "{psi}");
         }
-        let grid = f64::from(inside) * step.x * step.y;
-        prop_assert!((grid - s.area()).abs() < 0.03 * s.area() + 0.03, "{grid} {}", s.area());
     }
 }
 
@@ -136,10 +139,10 @@ fn flares_have_the_area_beside_the_circle() {
     let one = r * r * (1.0 - PI / 4.0);
     for round in ["first", "second"] {
         let s = section(&format!("p.flare_bevel = {{ radius_mm = {r}, round = \"{round}\" }}"), corner);
-        assert!((s.area() - one).abs() < 0.005 * one, "{} {one}", s.area());
+        assert!((s.area() - one).abs() < 2e-4 * one, "{} {one}", s.area());
     }
     let s = section(&format!("p.flare_v = {{ radius_mm = {r} }}"), flat(0.0));
-    assert!((s.area() - 2.0 * one).abs() < 0.01 * one);
+    assert!((s.area() - 2.0 * one).abs() < 4e-4 * one);
     let less = section(&format!("p.flare_v = {{ radius_mm = {r}, unfilled_mm = 3 }}"), flat(0.0));
     assert!(less.area() < s.area() && less.slices.heights().0 > s.slices.heights().0);
 }

@@ -89,13 +89,13 @@ fn layers_that_end_leave_the_sum_right_but_at_their_ends() {
         &[
             ("radius_mm = 60", "radius_mm = 120"),
             ("thickness_mm = 8 ", "thickness_mm = 25 "),
-            ("adapt = \"speed\"", "adapt = \"passes\""),
+            ("adapt = \"speed\"", "adapt = \"passes\"\ntie_in_mm = 0"),
         ],
     ));
     let passes = &welding.program.value.passes;
     let partial: Vec<&Pass> = passes.iter().filter(|p| p.length() < welding.seam().length()).collect();
     assert!(!partial.is_empty() && partial.iter().all(|p| p.length() >= 50.0 && p.name.starts_with("fill")));
-    // Speeds of the others change over one station where a layer ends: apart from there all is filled.
+    // Without a tie-in the others change over one station where a layer ends: apart from there all is filled.
     let (joint, turn) = (welding.joint.as_ref().unwrap(), welding.seam().length());
     let ends: Vec<f64> = partial.iter().flat_map(|p| [p.begin_mm.get(), p.begin_mm.get() + p.length()]).collect();
     let mut looked = 0;
@@ -138,6 +138,8 @@ fn mistakes_have_an_address_and_a_cure() {
     };
     let key = |from: &str, to: &str| wrong(&[(from, to)]).0;
     let t_bevel = |key: &str| format!("joint.preparation.t_bevel{key}");
+    assert_eq!(key("root_gap_mm = 2", "root_gap_mm = 20"), t_bevel(".root_gap_mm"));
+    assert!(wrong(&[("root_gap_mm = 2", "root_gap_mm = 20")]).1.contains("0 mm to 8.0 mm"));
     assert_eq!(key("root_face_mm = 1.5", "root_face_mm = 8"), t_bevel(".root_face_mm"));
     assert_eq!(key("cut_deg = 45 ", "cut_deg = 45\nangle_deg = 50 "), t_bevel(""));
     assert_eq!(key("cut_deg = 45 ", "angle_deg = 110 "), t_bevel(".angle_deg"));
@@ -157,7 +159,8 @@ fn mistakes_have_an_address_and_a_cure() {
     assert_eq!(key("[beads]", "[beads]\nstation_mm = 0.01"), "beads.station_mm");
     assert_eq!(key("[beads]", "[[joint.fit_up]]\ns_mm = 1e4\nroot_gap_mm = 1\n[beads]"), "joint.fit_up[0].s_mm");
     // Beads too large for the groove are understood, but cannot be welded.
-    let welding = read(&changed(HILLSIDE, &[("fill = { layer_mm = 3 }", "fill = { layer_mm = 3 }\nmost_percent = 3")]));
+    let welding =
+        read(&changed(HILLSIDE, &[("fill = { layer_mm = 3.5 }", "fill = { layer_mm = 3.5 }\nmost_percent = 3")]));
     let findings = welding.findings();
     assert!(!findings.is_empty() && findings.iter().all(|f| f.kind == "bead" && f.cure.is_some()), "{findings:#?}");
 }

@@ -30,7 +30,8 @@ fn a_groove_of_too_many_beads_is_refused_before_they_are_made() {
     let e = refusal(&changed(HILLSIDE, &[("thickness_mm = 8 ", "thickness_mm = 8000 ")]));
     assert_eq!((e.key.as_str(), e.value.as_str()), ("joint.preparation.t_bevel.thickness_mm", "8000"));
     // If the bead is the mistake, its run is named.
-    let e = refusal(&changed(HILLSIDE, &[("fill = { layer_mm = 3 }", "fill = { layer_mm = 3, area_mm2 = 1e-9 }")]));
+    let e =
+        refusal(&changed(HILLSIDE, &[("fill = { layer_mm = 3.5 }", "fill = { layer_mm = 3e-4, area_mm2 = 1e-9 }")]));
     assert_eq!(e.key, "beads.fill");
     let e = refusal(&changed(HILLSIDE, &[("wire_mm = 1.2", "wire_mm = 1e-6")]));
     assert!(e.key.starts_with("beads"), "{e}");
@@ -118,7 +119,7 @@ fn layers_left_out_of_a_thick_groove_are_chosen_in_seconds() {
     let begin = std::time::Instant::now();
     for text in [job.clone(), job.replace("[beads]", fit_up)] {
         let plan = read(&text).plan.unwrap();
-        assert!(plan.count() > 3000, "{}", plan.count());
+        assert!(plan.count() > 2000, "{}", plan.count());
         println!("{} beads, {:?}", plan.count(), begin.elapsed());
     }
     // A minute in an optimised build would be a fault of the order of growth; tests run unoptimised.

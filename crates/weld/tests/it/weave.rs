@@ -120,7 +120,8 @@ fn jobs_put_the_weave_into_their_passes() {
         assert_eq!(again.path(0).pose(s), job.path(0).pose(s));
     }
     // In a weld of several passes a run has its own, or that of the weld.
-    let own = HILLSIDE.replacen("layer_mm = 2.5 }", "layer_mm = 2.5, weave = { width_mm = 5, pitch_mm = 3 } }", 1);
+    let own =
+        HILLSIDE.replacen("7.5, layer_mm = 3.5 }", "7.5, layer_mm = 3.5, weave = { width_mm = 5, pitch_mm = 3 } }", 1);
     let text = format!("{own}\n[weld.weave]\nwidth_mm = 2\npitch_mm = 2\n");
     let job = read(&text);
     for pass in &job.program.value.passes {
@@ -165,7 +166,8 @@ fn weaves_are_as_wide_as_the_groove() {
         assert_eq!(pass.speed_at(100.0), other.speed_at(100.0));
         assert!(other.bead.as_ref().unwrap().weave_part.is_empty());
     }
-    assert!(wide > 2.0 * narrow && near > 100 && wide < 4.501, "{narrow} {wide} {near}");
+    // Between rows a width may pass its largest by a hundredth.
+    assert!(wide > 2.0 * narrow && near > 100 && wide < 4.51, "{narrow} {wide} {near}");
     let text = HILLSIDE.replacen("adapt = \"speed\"", "adapt = \"weave_width\"", 1);
     let e = Welding::read("job.toml", &text).unwrap_err();
     assert!(e.key == "beads.adapt" && e.message.code == "weld-no-bead-weaves", "{e}");

@@ -1,0 +1,176 @@
+//! Findings against beads: areas that a run cannot have, sections outside their windows, layers of another height.
+
+use super::file::Asked;
+use super::fill::BeadAt;
+use super::layers::{Runs, excess};
+use super::plan::BeadPlan;
+use super::shape::BeadSize;
+use seamwright_message::{Message, Unit};
+use seamwright_program::{Finding, PathRange};
+
+/// A quantity of a bead's section that has a window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Quantity {
+    Width,
+    Height,
+    WidthToHeight,
+    /// The width of a bead without a weave.
+    Unwoven,
+}
+
+/// A quantity outside its window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Breach {
+    quantity: Quantity,
+    value: f64,
+    range: [f64; 2],
+    /// Logarithm of the factor by which it is outside.
+    pub(crate) excess: f64,
+}
+
+/// Factor by which a layer's height may differ from the wanted one without a finding: a groove of one and a half layers
+/// takes one or two.
+const WHOLE_LAYERS: f64 = 1.5;
+
+/// A layer's rounding beside a window's end.
+const ROUNDING: f64 = 1e-9;
+
+impl Asked {
+    /// The quantity that is farthest outside its window, in a layer of `count` beads.
+    pub(crate) fn outside(&self, size: BeadSize, count: usize) -> Option<Breach> {
+        let window = &self.window;
+        // Alone in its layer a bead is as wide as the groove.
+        let narrowest = if count == 1 { 0.0 } else { window.width_mm[0] };
+        let unwoven = if self.weave.is_some() { f64::INFINITY } else { window.max_unwoven_mm };
+        let all = [
+            (Quantity::Unwoven, size.width, [0.0, unwoven]),
+            (Quantity::Width, size.width, [narrowest, window.width_mm[1]]),
+            (Quantity::Height, size.height, window.height_mm),
+            (Quantity::WidthToHeight, size.width / size.height, window.width_to_height),
+        ];
+        let breaches =
+            all.map(|(quantity, value, range)| Breach { quantity, value, range, excess: excess(value, range) });
+        breaches.into_iter().filter(|b| b.excess > ROUNDING).max_by(|a, b| a.excess.total_cmp(&b.excess))
+    }
+}
+
+impl Breach {
+    fn message(&self, bead: &BeadAt, s: f64) -> Message {
+        let (code, unit) = match self.quantity {
+            Quantity::Width => ("weld-bead-width-out-of-window", Unit::Mm),
+            Quantity::Height => ("weld-bead-height-out-of-window", Unit::Mm),
+            Quantity::WidthToHeight => ("weld-bead-ratio-out-of-window", Unit::One),
+            Quantity::Unwoven => ("weld-bead-too-wide-without-weave", Unit::Mm),
+        };
+        let message = Message::new(code)
+            .quantity("width", bead.width, Unit::Mm, 1)
+            .quantity("height", bead.height, Unit::Mm, 1)
+            .quantity("s", s, Unit::Mm, 0);
+        let message = if self.quantity == Quantity::WidthToHeight {
+            message.quantity("ratio", self.value, unit, 2)
+        } else {
+            message
+        };
+        let message =
+            if self.quantity == Quantity::Unwoven { message } else { message.quantity("min", self.range[0], unit, 1) };
+        message.quantity("max", self.range[1], unit, 1)
+    }
+
+    fn cure(&self) -> Message {
+        Message::new(match self.quantity {
+            Quantity::Unwoven => "weld-cure-weave-or-smaller-beads",
+            _ => "weld-cure-bead-window",
+        })
+    }
+}
+
+/// A value that is wrong at some stations: the first and the last of them, and the worst.
+struct Wrong<T> {
+    range: PathRange,
+    worst: T,
+    station: usize,
+}
+
+impl BeadPlan {
+    /// Beads whose area differs more than the runs allow from their run's, beads outside their windows, and layers that
+    /// are not as high as asked for. `pass_of` gives the number of a bead's pass.
+    pub(crate) fn findings(&self, runs: &Runs, pass_of: impl Fn(usize) -> usize) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        for b in 0..self.count() {
+            let asked = runs.of(self.layers[self.beads[b].layer].role);
+            findings.extend(self.area_finding(b, asked, runs.most, pass_of(b)));
+            findings.extend(self.window_finding(b, asked, pass_of(b)));
+            if self.beads[b].index == 0 {
+                findings.extend(self.layer_finding(b, asked, pass_of(b)));
+            }
+        }
+        findings
+    }
+
+    /// The stations at which bead `b` has a `fault`, of which the one with the largest logarithm is the worst.
+    fn wrong<T>(&self, b: usize, fault: impl Fn(&BeadAt) -> Option<(f64, T)>) -> Option<Wrong<T>> {
+        let at = |i: usize| Some(&self.at_station(i)[b]).filter(|bead| bead.area > 0.0);
+        let all = (0..self.stations.len()).filter_map(|i| Some((i, fault(at(i)?)?)));
+        let mut found: Option<(Wrong<T>, f64)> = None;
+        for (i, (size, fault)) in all {
+            let s = self.stations[i];
+            match &mut found {
+                None => {
+                    let range = PathRange { from_mm: s, to_mm: s };
+                    found = Some((Wrong { range, worst: fault, station: i }, size));
+                }
+                Some((wrong, largest)) => {
+                    wrong.range.to_mm = s;
+                    if size > *largest {
+                        (wrong.worst, wrong.station, *largest) = (fault, i, size);
+                    }
+                }
+            }
+        }
+        found.map(|(wrong, _)| wrong)
+    }
+
+    fn area_finding(&self, b: usize, asked: &Asked, most: f64, pass: usize) -> Option<Finding> {
+        let off = |bead: &BeadAt| {
+            let ratio = bead.area / asked.area;
+            ((ratio - 1.0).abs() > most + ROUNDING).then(|| (ratio.ln().abs(), ratio))
+        };
+        let wrong = self.wrong(b, off)?;
+        let cure = if wrong.worst > 1.0 { "weld-cure-thinner-layers" } else { "weld-cure-smaller-beads" };
+        let message = Message::new("weld-bead-area-out-of-range")
+            .quantity("area", wrong.worst * asked.area, Unit::Mm2, 1)
+            .quantity("s", self.stations[wrong.station], Unit::Mm, 0)
+            .quantity("ratio", 100.0 * wrong.worst, Unit::Percent, 0)
+            .quantity("run", asked.area, Unit::Mm2, 1)
+            .quantity("min", 100.0 * (1.0 - most), Unit::Percent, 0)
+            .quantity("max", 100.0 * (1.0 + most), Unit::Percent, 0);
+        Some(Finding::error("bead", message, pass, wrong.range, Message::new(cure)))
+    }
+
+    fn window_finding(&self, b: usize, asked: &Asked, pass: usize) -> Option<Finding> {
+        let count = self.layers[self.beads[b].layer].beads;
+        let outside = |bead: &BeadAt| {
+            let breach = asked.outside(BeadSize { width: bead.width, height: bead.height }, count)?;
+            Some((breach.excess, breach))
+        };
+        let wrong = self.wrong(b, outside)?;
+        let message = wrong.worst.message(&self.at_station(wrong.station)[b], self.stations[wrong.station]);
+        let finding = Finding::error("bead", message, pass, wrong.range, wrong.worst.cure());
+        Some(Finding { allowed: !asked.window.is_binding, ..finding })
+    }
+
+    fn layer_finding(&self, b: usize, asked: &Asked, pass: usize) -> Option<Finding> {
+        let off = |bead: &BeadAt| {
+            let off = (bead.layer_height / asked.layer).ln().abs();
+            (off > WHOLE_LAYERS.ln() + ROUNDING).then_some((off, bead.layer_height))
+        };
+        let wrong = self.wrong(b, off)?;
+        let message = Message::new("weld-layer-height-not-kept")
+            .quantity("height", wrong.worst, Unit::Mm, 1)
+            .quantity("s", self.stations[wrong.station], Unit::Mm, 0)
+            .quantity("wanted", asked.layer, Unit::Mm, 1)
+            .quantity("area", asked.area, Unit::Mm2, 1);
+        let finding = Finding::error("bead", message, pass, wrong.range, Message::new("weld-cure-layer-height"));
+        Some(Finding { allowed: true, ..finding })
+    }
+}
