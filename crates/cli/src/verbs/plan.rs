@@ -47,8 +47,11 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     if let Some(cut) = &loaded.welding.cut {
         output.text("cut.csv", &cut_table(cut))?;
     }
-    for (i, pass) in loaded.welding.program.value.passes.iter().enumerate() {
-        if let Some(oscillation) = &pass.oscillation {
+    let passes = &loaded.welding.program.value.passes;
+    for (i, pass) in passes.iter().enumerate() {
+        // Passes with the same oscillation share a file.
+        let is_new = passes[..i].iter().all(|earlier| earlier.oscillation != pass.oscillation);
+        if let Some(oscillation) = pass.oscillation.as_ref().filter(|_| is_new) {
             let name = if i == 0 { "oscillation.csv".to_owned() } else { format!("pass-{}-oscillation.csv", i + 1) };
             output.text(&name, &oscillation_table(oscillation))?;
         }
