@@ -177,6 +177,20 @@ motion-procedure-unbounded = { $quantity } ist bei s = { $at } unbegrenzt, wo de
 motion-procedure-no-power = die Lage gibt { $keys } nicht an, daher ist ihre Wärmeeinbringung unbekannt; { $procedure } erlaubt ({ $run }) { $min } bis { $max }
 motion-procedure-no-faces = die Flächen des Stoßes sind unbekannt, daher auch der Arbeitswinkel; { $procedure } erlaubt ({ $run }) { $min } bis { $max }
 motion-procedure-missing = die Lage gibt { $key } nicht an; { $procedure } erlaubt ({ $run }) { $min } bis { $max }
+motion-implausible = { $key } = { $found } passt nicht zu { $current }: üblich ist { $expected }, { $percent } mehr oder weniger
+motion-cure-implausible = { $key }, Strom und Draht prüfen; bei einem besonderen Lichtbogen percent in [plausibility] der Anweisung erweitern
+motion-cooling-outside = die Naht kühlt in { $found } von 800 auf 500 °C ab; erlaubt sind { $min } bis { $max }
+motion-cooling-unbounded = der Brenner hält mit Lichtbogen an: die Abkühlzeit ist unbegrenzt; erlaubt sind { $min } bis { $max } (höchstens { $found })
+motion-cure-cooling-slow = Wärmeeinbringung oder Zwischenlagentemperatur senken
+motion-cure-cooling-fast = Wärmeeinbringung oder Vorwärmung erhöhen
+motion-preheat-low = die Anweisung wärmt auf { $found } vor; EN 1011-2 (Verfahren B) verlangt { $needed }
+motion-cure-preheat-low = die Untergrenze von preheat_c und interpass_c auf { $needed } anheben
+motion-preheat-range = die Vorwärmung ist extrapoliert: Verfahren B der EN 1011-2 gilt für CET 0,2 bis 0,5 %, 10 bis 90 mm, 1 bis 20 ml Wasserstoff in 100 g und 0,5 bis 4 kJ/mm
+motion-interpass-wait = wartet { $time }, bis die Naht abgekühlt ist
+motion-interpass-thickness = das Warten auf die Zwischenlagentemperatur braucht die Dicke der Teile
+motion-interpass-power = das Warten auf die Zwischenlagentemperatur braucht die Wärmeeinbringung
+motion-interpass-never = die Naht kühlt in zwei Tagen nicht unter die Zwischenlagentemperatur ab
+motion-cure-interpass = [materials] und die Anweisung ergänzen, oder in [interpass] wait_s statt below_c angeben
 motion-procedure-no-run = kein Eintrag von { $procedure } gilt für Lage { $pass } ({ $name })
 motion-procedure-position = die Naht liegt in Position { $position }; { $procedure } erlaubt ({ $run }) { $positions }
 motion-procedure-inclination = die Naht liegt in Position { $position } (Neigung { $min_slope } bis { $max_slope }, Drehung { $min_rotation } bis { $max_rotation }); { $procedure } erlaubt ({ $run }) { $positions }

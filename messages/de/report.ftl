@@ -103,6 +103,18 @@ report-column-arc-energy = Streckenenergie, kJ/mm
 report-column-heat-input = Wärmeeinbringung, kJ/mm
 report-column-length-mm = Länge, mm
 report-column-wire-m = Draht, m
+report-column-bead = Raupe im Schnitt
+report-column-weld-metal-kg = Schweißgut, kg
+report-column-wait-before-s = Warten davor, s
+report-column-group = Gruppe (ISO/TR 15608)
+report-column-thickness = Dicke, mm
+report-column-ce = CE (IIW), %
+report-column-cet = CET, %
+report-column-pcm = Pcm, %
+report-column-preheat = Vorwärmung nach EN 1011-2, °C
+report-column-work = Werkstück vor der Lage, °C
+report-column-t85 = t8/5, s
+report-column-heat-flow = Wärmeableitung
 report-column-at-requested-speed = Mit verlangter Geschwindigkeit, %
 report-column-attitude-error = Stellungsfehler, °
 report-column-clearance = Kleinster Abstand, mm
@@ -170,20 +182,23 @@ report-heading-record = Protokoll
 report-heading-procedure = Schweißanweisung
 report-heading-program = Programm
 report-heading-signatures = Unterschriften
-report-heading-order = Schweißfolge
+report-heading-errors = Fehler
+report-heading-map = Schweißplan und Zeitplan
+report-heading-process = Prozess entlang der Naht
+report-heading-materials = Werkstoffe, Vorwärmung und Abkühlung
+report-heading-cut = Rohrschnitt
+report-heading-source = Text des Auftrags
 report-heading-passes = Lagen
 report-heading-checks = Prüfungen
-report-heading-curves = Kurven
+report-heading-curves = Anhang: Kurven
 report-heading-seam = Naht und Brenner
 report-heading-joint = Fuge
 report-heading-taught = Geteachte Abschnitte
-report-heading-clearance = Freiraum
-report-heading-speed = Geschwindigkeit
 report-heading-tracking = Nahtverfolgung
 report-heading-simulated = Simulierte Schweißung
 report-heading-axes = Achsen
 report-heading-programs = Teileprogramme
-report-heading-job = Auftrag
+report-heading-job = Anfang und Ende der Lagen
 report-heading-released = Freigegeben
 report-heading-pass-curves = Lage { $pass } ({ $name }): Kurven
 
@@ -243,6 +258,7 @@ report-verdict-outside = Außerhalb von { $procedure }: { $n ->
         [one] 1 Befund
        *[other] { $n } Befunde
     }.
+report-verdict-findings = Befunde: { $errors } zu beheben, { $warnings } zu prüfen.
 report-verdict-simulated = Simuliert: Bahnfehler höchstens { $error } von { $allowed } erlaubten, Geschwindigkeit auf { $ripple } genau ({ $ripple_allowed } erlaubt).
 report-verdict-simulated-short = Simuliert: Bahnfehler höchstens { $error } von { $allowed } erlaubten, zu kurz, um die Geschwindigkeit zu beurteilen.
 
@@ -254,9 +270,6 @@ report-through-points = durch Punkte
 report-tile-weld-time = Schweißzeit
 report-travel = Fahrt von Stillstand zu Stillstand
 report-travel-of-passes = Fahrt aller { $n } Lagen von Stillstand zu Stillstand
-report-cycle = ganzer Zyklus { $total }, Leerfahrten { $transfer }
-report-tile-speed = Geschwindigkeit, geplant
-report-speed-requested = verlangt { $requested }, größte { $max }
 report-tile-path-error = Bahnfehler, simuliert
 report-path-error-rms = größter; RMS { $rms }
 report-tile-speed-ripple = Geschwindigkeitswelligkeit, simuliert
@@ -265,9 +278,29 @@ report-too-short = Naht zu kurz zum Beurteilen
 report-tile-attitude-error = Stellungsfehler
 report-attitude-error-of-plan = größter, des Plans
 report-tile-arc-energy = Streckenenergie
-report-arc-energy-formula = U I / v, ohne Wirkungsgrad
 report-arc-energy-range = größte; kleinste { $min }; U I / v
 report-tile-wire = Draht
+report-wire-length = { $length } bei brennendem Lichtbogen
+report-tile-weld-metal = Schweißgut
+report-tile-gas = Schutzgas
+report-gas-time = von Vor- bis Nachströmung
+report-tile-flux = Pulver
+report-tile-energy = Energie des Lichtbogens
+report-mains = { $energy } aus dem Netz
+report-tile-heat-input = Wärmeeinbringung
+report-heat-input-range = größte; kleinste { $min }
+report-tile-total = Gesamtzeit
+report-total-parts = von Grundstellung zu Grundstellung; Leerfahrten { $transfer }
+report-total-parts-waiting = von Grundstellung zu Grundstellung; Leerfahrten { $transfer }, Warten { $wait }
+report-duty = { $part } der Gesamtzeit; Einschaltdauer { $duty } in 10 Minuten
+report-tile-cost = Kosten
+report-cost-labour = Lohn
+report-cost-machine = Maschine
+report-cost-wire = Draht
+report-cost-gas = Gas
+report-cost-flux = Pulver
+report-cost-energy = Energie
+report-cost-incomplete = unvollständig: eine Menge ist unbekannt
 report-wire-with-arc = solange der Lichtbogen brennt
 
 # Plan: order of welding.
@@ -276,15 +309,26 @@ report-chart-order = Schweißfolge: { $n } Lagen, { $view }
 report-order-key = Punkt: Anfang. Pfeil: Schweißrichtung. Gestrichelt: Leerfahrten, gerade gezeichnet.
 report-order-key-tacks = Orange, Nummern außen: Heftstellen.
 report-order-lines = { $title }: { $n } Linien der Reihe nach
-report-caption-order-table = Lagen in der Reihenfolge des Schweißens
+report-caption-map = Schweißplan: die Naht abgewickelt, eine Zeile je Raupe in der Reihenfolge des Schweißens.
+report-chart-map = Schweißplan auf der abgewickelten Naht
+report-map-key = Punkt: Anfang. Strich: Ende. Pfeil: Schweißrichtung. Nummern: Lagen.
+report-map-copies = Die erste von { $n } Nähten.
+report-map-label = { $title }: { $n } Zeilen, { $length }
+report-caption-order-table = Zeitplan: Lagen in der Reihenfolge des Schweißens
 report-all-from-home = alles, von Grundstellung zu Grundstellung
 
 # Plan: passes.
-report-caption-passes = Werte jeder Lage nach Plan
+report-caption-passes = Werte jeder Lage, wie geplant
 report-all-passes = alle Lagen
 report-caption-checks = Prüfungen jeder Lage
+report-caption-materials = Grundwerkstoffe und Schweißgut mit Kohlenstoffäquivalenten: CE des IIW, CET der EN 1011-2, Pcm nach Ito und Bessyo.
+report-materials-decisive = Für die Vorwärmung zählt CET { $cet } mit { $hydrogen } ml Wasserstoff in 100 g.
+report-caption-heat = Vorwärmung nach Verfahren B und Abkühlzeit von 800 auf 500 °C nach EN 1011-2, für { $thickness }: von der kleinsten Wärmeeinbringung auf dem kältesten zur größten auf dem wärmsten Werkstück.
+report-no-preheat = keine
+report-weld-metal = Schweißgut
+report-material-group = Gruppe { $group }
 report-caption-simulated-passes = Ergebnisse jeder simulierten Lage
-report-about-curves = Kurven je einer Lage jeder Art: einer mit einem Fehler, sonst der längsten. Das Planen an der Kommandozeile schreibt die Kurven aller Lagen.
+report-about-curves = Kurven je einer Lage jeder Art: einer mit einem Fehler, sonst der längsten. `plan --plots` schreibt die aller Lagen.
 
 # Plan: seam, torch and process.
 report-caption-seam = Naht mit der verlangten Brennerachse, im Koordinatensystem des Auftrags, Projektionsmethode 1.
@@ -337,7 +381,6 @@ report-procedure = { $number } ({ $title }), { $run }. Prozess { $process }: { $
         [fillet] Kehlnaht
        *[butt] Stumpfnaht
     }.
-report-caption-plan-values = Der Plan gegen die Schweißanweisung
 report-caption-plan-values-of = Der Plan gegen die Schweißanweisung, Lage { $passes }
 report-unbounded = ohne Grenze
 report-to-be-measured = zu messen
@@ -369,7 +412,6 @@ report-longer = länger
 report-taught-span = Abschnitt { $number }: s = { $from } bis { $to } ({ $length } { $change } als die Sollnaht dort), { $n } geteachte Punkte; bis zu { $distance } neben der Sollnaht und { $angle } neben ihrer Richtung.
 
 # Plan: clearance.
-report-nearest = Kleinster Abstand: { $objects }, { $distance } bei s = { $s }.
 report-caption-clearance = Kleinster Abstand von Brenner, Gliedern, Werkstück, Vorrichtungen und Zonen voneinander und seine untere Schranke entlang der ganzen Lage.
 report-chart-clearance = Kleinster Abstand (angegeben bis { $limit })
 report-curve-clearance = kleinster Abstand
@@ -450,15 +492,15 @@ report-as-in-program = wie im Programm
 report-caption-program = Größte Abweichungen von { $file }
 
 # Plan: job data.
-report-caption-job = Auftragsdaten
+report-caption-job = Zeiten und Werte vor und nach der Fahrt
 report-row-seam = Naht
 report-row-seam-length = Nahtlänge
-report-row-dihedral-min = Flächenwinkel, kleinster
-report-row-dihedral-max = Flächenwinkel, größter
 report-row-acceleration-phase = Anlauf
 report-row-deceleration-phase = Auslauf
 report-row-start-angle = Anfangswinkel
 report-row-direction = Schweißrichtung
+report-row-dihedral = Flächenwinkel
+report-row-preparation = Nahtvorbereitung
 report-counter-clockwise = gegen den Uhrzeigersinn
 report-clockwise = im Uhrzeigersinn
 report-row-overlap = Überlappung

@@ -173,6 +173,7 @@ weld-allowed-procedure = { $names } oder der Pfad einer Schweißanweisung vom Or
 weld-procedure-not-text = das ist keine Textdatei
 weld-allowed-toml = eine TOML-Datei in UTF-8
 weld-wrong-wire = { $procedure } wird mit einem Draht von { $wire } geschweißt
+weld-two-wires = `{ $other }` ist { $wire }: ein Draht hat einen Durchmesser
 weld-allowed-wire = { $wire }, oder eine andere Schweißanweisung
 
 # Taught spans.

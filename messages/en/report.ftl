@@ -103,6 +103,18 @@ report-column-arc-energy = Arc energy, kJ/mm
 report-column-heat-input = Heat input, kJ/mm
 report-column-length-mm = Length, mm
 report-column-wire-m = Wire, m
+report-column-bead = Bead in section
+report-column-weld-metal-kg = Weld metal, kg
+report-column-wait-before-s = Wait before, s
+report-column-group = Group (ISO/TR 15608)
+report-column-thickness = Thickness, mm
+report-column-ce = CE (IIW), %
+report-column-cet = CET, %
+report-column-pcm = Pcm, %
+report-column-preheat = Preheat by EN 1011-2, °C
+report-column-work = Work before the pass, °C
+report-column-t85 = t8/5, s
+report-column-heat-flow = Heat flow
 report-column-at-requested-speed = At requested speed, %
 report-column-attitude-error = Attitude error, °
 report-column-clearance = Minimum clearance, mm
@@ -170,20 +182,23 @@ report-heading-record = Record
 report-heading-procedure = Procedure
 report-heading-program = Program
 report-heading-signatures = Signatures
-report-heading-order = Order of welding
+report-heading-errors = Errors
+report-heading-map = Weld map and schedule
+report-heading-process = Process along the seam
+report-heading-materials = Materials, preheat and cooling
+report-heading-cut = Cut of the tube
+report-heading-source = Text of the job
 report-heading-passes = Passes
 report-heading-checks = Checks
-report-heading-curves = Curves
+report-heading-curves = Appendix: curves
 report-heading-seam = Seam and torch
 report-heading-joint = Joint
 report-heading-taught = Taught spans
-report-heading-clearance = Clearance
-report-heading-speed = Speed
 report-heading-tracking = Tracking
 report-heading-simulated = Simulated weld
 report-heading-axes = Axes
 report-heading-programs = Part programs
-report-heading-job = Job
+report-heading-job = Start and end of the passes
 report-heading-released = Released
 report-heading-pass-curves = Pass { $pass } ({ $name }): curves
 
@@ -243,6 +258,7 @@ report-verdict-outside = Outside { $procedure }: { $n ->
         [one] 1 finding
        *[other] { $n } findings
     }.
+report-verdict-findings = Findings: { $errors } to be corrected, { $warnings } to be reviewed.
 report-verdict-simulated = Simulated: path error up to { $error } ({ $allowed } allowed), speed within { $ripple } ({ $ripple_allowed } allowed).
 report-verdict-simulated-short = Simulated: path error up to { $error } ({ $allowed } allowed), too short to evaluate its speed.
 
@@ -254,9 +270,6 @@ report-through-points = through points
 report-tile-weld-time = Weld time
 report-travel = travel, rest to rest
 report-travel-of-passes = travel of all { $n } passes, rest to rest
-report-cycle = whole cycle { $total }, transfer moves { $transfer }
-report-tile-speed = Speed, planned
-report-speed-requested = requested { $requested }, maximum { $max }
 report-tile-path-error = Path error, simulated
 report-path-error-rms = maximum; RMS { $rms }
 report-tile-speed-ripple = Speed ripple, simulated
@@ -265,9 +278,29 @@ report-too-short = weld too short to evaluate
 report-tile-attitude-error = Attitude error
 report-attitude-error-of-plan = maximum of the plan
 report-tile-arc-energy = Arc energy
-report-arc-energy-formula = U I / v, without thermal efficiency
 report-arc-energy-range = maximum; minimum { $min }; U I / v
 report-tile-wire = Wire
+report-wire-length = { $length } while the arc is on
+report-tile-weld-metal = Weld metal
+report-tile-gas = Gas
+report-gas-time = from preflow to postflow
+report-tile-flux = Flux
+report-tile-energy = Energy of the arc
+report-mains = { $energy } from the mains
+report-tile-heat-input = Heat input
+report-heat-input-range = maximum; minimum { $min }
+report-tile-total = Total time
+report-total-parts = from home to home; transfer moves { $transfer }
+report-total-parts-waiting = from home to home; transfer moves { $transfer }, waits { $wait }
+report-duty = { $part } of the total; duty cycle { $duty } in 10 minutes
+report-tile-cost = Cost
+report-cost-labour = labour
+report-cost-machine = machine
+report-cost-wire = wire
+report-cost-gas = gas
+report-cost-flux = flux
+report-cost-energy = energy
+report-cost-incomplete = incomplete: a quantity is unknown
 report-wire-with-arc = while the arc is on
 
 # Plan: order of welding.
@@ -276,15 +309,26 @@ report-chart-order = Order of welding: { $n } passes, { $view }
 report-order-key = Dot: start. Arrow: direction of welding. Dashed: transfer moves, drawn as straight lines.
 report-order-key-tacks = Orange, numbers outside: tacks.
 report-order-lines = { $title }: { $n } lines
-report-caption-order-table = Passes in the order of welding
+report-caption-map = Weld map: the seam unrolled, a row for each bead in the order of welding.
+report-chart-map = Weld map on the unrolled seam
+report-map-key = Dot: start. Stroke: stop. Arrow: direction of welding. Numbers: passes.
+report-map-copies = The first of { $n } seams.
+report-map-label = { $title }: { $n } rows, { $length }
+report-caption-order-table = Schedule: passes in the order of welding
 report-all-from-home = all, from home to home
 
 # Plan: passes.
 report-caption-passes = Values of each pass, as planned
 report-all-passes = all passes
 report-caption-checks = Checks of each pass
+report-caption-materials = Base materials and weld metal with carbon equivalents: CE of the IIW, CET of EN 1011-2, Pcm of Ito and Bessyo.
+report-materials-decisive = For the preheat counts CET { $cet } with { $hydrogen } ml of hydrogen in 100 g.
+report-caption-heat = Preheat by method B and cooling time from 800 to 500 °C by EN 1011-2, for { $thickness }: from the lowest heat input on the coldest work to the highest on the hottest.
+report-no-preheat = none
+report-weld-metal = weld metal
+report-material-group = group { $group }
 report-caption-simulated-passes = Results of each simulated pass
-report-about-curves = Curves of one pass of each kind: a pass with an error, or else the longest. Planning at the command line writes those of every pass.
+report-about-curves = Curves of one pass of each kind: a pass with an error, or else the longest. `plan --plots` writes those of every pass.
 
 # Plan: seam, torch and process.
 report-caption-seam = Seam with the requested torch axis, in the frame of the job, first-angle projection.
@@ -337,7 +381,6 @@ report-procedure = { $number } ({ $title }), { $run }. Process { $process }: { $
         [fillet] fillet
        *[butt] butt
     } weld.
-report-caption-plan-values = Planned values and the procedure
 report-caption-plan-values-of = Planned values and the procedure, pass { $passes }
 report-unbounded = unbounded
 report-to-be-measured = to be measured
@@ -369,7 +412,6 @@ report-longer = longer
 report-taught-span = Span { $number }: s = { $from } to { $to } ({ $length } { $change } than the nominal seam there), { $n } taught points; up to { $distance } from the nominal seam and { $angle } from its direction.
 
 # Plan: clearance.
-report-nearest = Minimum clearance: { $objects }, { $distance } at s = { $s }.
 report-caption-clearance = Minimum clearance between torch, links, part, fixtures and zones, and its lower bound along the whole pass.
 report-chart-clearance = Minimum clearance (shown up to { $limit })
 report-curve-clearance = minimum clearance
@@ -450,15 +492,15 @@ report-as-in-program = as in the program
 report-caption-program = Maximum deviations of { $file }
 
 # Plan: job data.
-report-caption-job = Job data
+report-caption-job = Times and values before and after the travel
 report-row-seam = Seam
 report-row-seam-length = Seam length
-report-row-dihedral-min = Dihedral angle, minimum
-report-row-dihedral-max = Dihedral angle, maximum
 report-row-acceleration-phase = Acceleration phase
 report-row-deceleration-phase = Deceleration phase
 report-row-start-angle = Start angle
 report-row-direction = Direction of welding
+report-row-dihedral = Dihedral angle
+report-row-preparation = Joint preparation
 report-counter-clockwise = counter-clockwise
 report-clockwise = clockwise
 report-row-overlap = Overlap

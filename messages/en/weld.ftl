@@ -305,6 +305,9 @@ weld-allowed-toml = a TOML file in UTF-8
 weld-wrong-wire = { $procedure } is welded with a wire of { $wire }
     .cause = `beads.wire_mm` of the job differs from `wire_diameter_mm` of the procedure.
     .cure = Set `beads.wire_mm` to the wire on the machine. Name another procedure if that wire is not qualified.
+weld-two-wires = `{ $other }` is { $wire }: one wire has one diameter
+    .cause = `beads.wire_mm` and `consumables.wire_mm` differ.
+    .cure = Give the diameter once, or the same at both.
 weld-allowed-wire = { $wire }, or another procedure
 
 # Taught spans.

@@ -182,6 +182,20 @@ motion-procedure-unbounded = { $quantity } не ограничено на s = { 
 motion-procedure-no-power = проход не задаёт { $keys }, поэтому его тепловложение неизвестно; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-procedure-no-faces = поверхности соединения неизвестны, поэтому и поперечный угол неизвестен; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-procedure-missing = проход не задаёт { $key }; { $procedure } разрешает ({ $run }) от { $min } до { $max }
+motion-implausible = { $key } = { $found } не подходит к { $current }: обычно { $expected } ± { $percent }
+motion-cure-implausible = проверьте { $key }, ток и проволоку; для особой дуги увеличьте percent в [plausibility] процедуры
+motion-cooling-outside = шов остывает с 800 до 500 °C за { $found }; допустимо от { $min } до { $max }
+motion-cooling-unbounded = горелка останавливается с дугой: время остывания не ограничено; допустимо от { $min } до { $max } (не более { $found })
+motion-cure-cooling-slow = уменьшите погонную энергию или межслойную температуру
+motion-cure-cooling-fast = увеличьте погонную энергию или подогрев
+motion-preheat-low = процедура требует подогрев { $found }; EN 1011-2 (метод B) — { $needed }
+motion-cure-preheat-low = повысьте минимум preheat_c и interpass_c до { $needed }
+motion-preheat-range = подогрев экстраполирован: метод B по EN 1011-2 — для CET 0,2–0,5 %, 10–90 мм, 1–20 мл водорода на 100 г и 0,5–4 кДж/мм
+motion-interpass-wait = ожидание { $time }, пока шов остынет
+motion-interpass-thickness = для ожидания межслойной температуры нужна толщина деталей
+motion-interpass-power = для ожидания межслойной температуры нужна погонная энергия
+motion-interpass-never = шов не остывает ниже межслойной температуры за двое суток
+motion-cure-interpass = дополните [materials] и процедуру или задайте wait_s вместо below_c в [interpass]
 motion-procedure-no-run = ни один проход технологии { $procedure } не относится к проходу { $pass } ({ $name })
 motion-procedure-position = шов в положении { $position }; { $procedure } разрешает ({ $run }) { $positions }
 motion-procedure-inclination = шов в положении { $position } (наклон от { $min_slope } до { $max_slope }, поворот от { $min_rotation } до { $max_rotation }); { $procedure } разрешает ({ $run }) { $positions }

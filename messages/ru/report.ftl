@@ -100,6 +100,18 @@ report-column-arc-energy = Погонная энергия дуги, кДж/мм
 report-column-heat-input = Тепловложение, кДж/мм
 report-column-length-mm = Длина, мм
 report-column-wire-m = Проволока, м
+report-column-bead = Валик на сечении
+report-column-weld-metal-kg = Наплавлено, кг
+report-column-wait-before-s = Ожидание перед, с
+report-column-group = Группа (ISO/TR 15608)
+report-column-thickness = Толщина, мм
+report-column-ce = CE (IIW), %
+report-column-cet = CET, %
+report-column-pcm = Pcm, %
+report-column-preheat = Подогрев по EN 1011-2, °C
+report-column-work = Деталь перед проходом, °C
+report-column-t85 = t8/5, с
+report-column-heat-flow = Теплоотвод
 report-column-at-requested-speed = С заданной скоростью, %
 report-column-attitude-error = Погрешность наклона, °
 report-column-clearance = Наименьшее расстояние, мм
@@ -167,20 +179,23 @@ report-heading-record = Запись
 report-heading-procedure = Технология
 report-heading-program = Программа
 report-heading-signatures = Подписи
-report-heading-order = Порядок сварки
+report-heading-errors = Ошибки
+report-heading-map = Схема сварки и график
+report-heading-process = Процесс вдоль шва
+report-heading-materials = Материалы, подогрев и остывание
+report-heading-cut = Рез трубы
+report-heading-source = Текст задания
 report-heading-passes = Проходы
 report-heading-checks = Проверки
-report-heading-curves = Кривые
+report-heading-curves = Приложение: кривые
 report-heading-seam = Шов и горелка
 report-heading-joint = Стык
 report-heading-taught = Обученные участки
-report-heading-clearance = Просвет
-report-heading-speed = Скорость
 report-heading-tracking = Слежение
 report-heading-simulated = Симуляция сварки
 report-heading-axes = Оси
 report-heading-programs = Программы ЧПУ
-report-heading-job = Задание
+report-heading-job = Начало и конец проходов
 report-heading-released = Утверждено
 report-heading-pass-curves = Проход { $pass } ({ $name }): кривые
 
@@ -237,6 +252,7 @@ report-verdict-planned = Запланировано: все оси в преде
 report-verdict-planned-slowed = Запланировано: все оси в пределах, замедлено до { $speed } там, где этого требует ось.
 report-verdict-within = В пределах { $procedure }.
 report-verdict-outside = Вне { $procedure }, замечаний: { $n }.
+report-verdict-findings = Замечания: исправить { $errors }, рассмотреть { $warnings }.
 report-verdict-simulated = Симуляция: отклонение от пути не более { $error } при допустимых { $allowed }, отклонение скорости не более { $ripple } при допустимых { $ripple_allowed }.
 report-verdict-simulated-short = Симуляция: отклонение от пути не более { $error } при допустимых { $allowed }, слишком короткий, чтобы судить о скорости.
 
@@ -248,9 +264,6 @@ report-through-points = через точки
 report-tile-weld-time = Время сварки
 report-travel = ход от покоя до покоя
 report-travel-of-passes = ход всех проходов ({ $n }) от покоя до покоя
-report-cycle = весь цикл { $total }, холостые ходы { $transfer }
-report-tile-speed = Скорость по плану
-report-speed-requested = задано { $requested }, наибольшая { $max }
 report-tile-path-error = Отклонение от пути, симуляция
 report-path-error-rms = наибольшее; СКЗ { $rms }
 report-tile-speed-ripple = Неравномерность скорости, симуляция
@@ -259,9 +272,29 @@ report-too-short = шов слишком короткий, чтобы судит
 report-tile-attitude-error = Погрешность наклона
 report-attitude-error-of-plan = наибольшая, по плану
 report-tile-arc-energy = Погонная энергия дуги
-report-arc-energy-formula = U I / v, без коэффициента полезного действия
 report-arc-energy-range = наибольшая; наименьшая { $min }; U I / v
 report-tile-wire = Проволока
+report-wire-length = { $length } за время дуги
+report-tile-weld-metal = Металл шва
+report-tile-gas = Газ
+report-gas-time = от предварительной до конечной подачи
+report-tile-flux = Флюс
+report-tile-energy = Энергия дуги
+report-mains = { $energy } из сети
+report-tile-heat-input = Погонная энергия
+report-heat-input-range = наибольшая; наименьшая { $min }
+report-tile-total = Общее время
+report-total-parts = от исходной до исходной; холостые ходы { $transfer }
+report-total-parts-waiting = от исходной до исходной; холостые ходы { $transfer }, ожидание { $wait }
+report-duty = { $part } общего времени; ПВ { $duty } за 10 минут
+report-tile-cost = Стоимость
+report-cost-labour = труд
+report-cost-machine = станок
+report-cost-wire = проволока
+report-cost-gas = газ
+report-cost-flux = флюс
+report-cost-energy = энергия
+report-cost-incomplete = неполная: неизвестно количество
 report-wire-with-arc = пока горит дуга
 
 # Plan: order of welding.
@@ -270,15 +303,26 @@ report-chart-order = Порядок сварки, проходов: { $n }, { $v
 report-order-key = Точка: начало. Стрелка: направление сварки. Штрих: холостые ходы, прямо.
 report-order-key-tacks = Оранжевые, номера снаружи: прихватки.
 report-order-lines = { $title }: линий по порядку: { $n }
-report-caption-order-table = Проходы в порядке сварки
+report-caption-map = Схема сварки: развёрнутый шов, строка на каждый валик в порядке сварки.
+report-chart-map = Схема сварки на развёрнутом шве
+report-map-key = Точка: начало. Черта: конец. Стрелка: направление сварки. Номера: проходы.
+report-map-copies = Первый из швов, всего { $n }.
+report-map-label = { $title }: строк { $n }, { $length }
+report-caption-order-table = График: проходы в порядке сварки
 report-all-from-home = всё, от исходного положения до него же
 
 # Plan: passes.
-report-caption-passes = Значения для каждого прохода по плану
+report-caption-passes = Значения каждого прохода по плану
 report-all-passes = все проходы
 report-caption-checks = Проверки каждого прохода
+report-caption-materials = Основные материалы и металл шва с углеродными эквивалентами: CE по IIW, CET по EN 1011-2, Pcm по Ито и Бессё.
+report-materials-decisive = Для подогрева: CET { $cet } и { $hydrogen } мл водорода на 100 г.
+report-caption-heat = Подогрев по методу B и время остывания с 800 до 500 °C по EN 1011-2 для { $thickness }: от наименьшей погонной энергии на самой холодной детали до наибольшей на самой горячей.
+report-no-preheat = нет
+report-weld-metal = металл шва
+report-material-group = группа { $group }
 report-caption-simulated-passes = Результаты каждого прохода в симуляции
-report-about-curves = Кривые одного прохода каждого вида: с ошибкой или самого длинного. Планирование из командной строки записывает кривые всех проходов.
+report-about-curves = Кривые по одному проходу каждого вида: с ошибкой, иначе самому длинному. `plan --plots` записывает кривые всех проходов.
 
 # Plan: seam, torch and process.
 report-caption-seam = Шов с заданной осью горелки, в системе координат задания, проекция по методу первого угла.
@@ -328,7 +372,6 @@ report-procedure = { $number } ({ $title }), { $run }. Процесс { $process
         [fillet] углового
        *[butt] стыкового
     } шва.
-report-caption-plan-values = План и технология
 report-caption-plan-values-of = План и технология, проход { $passes }
 report-unbounded = без предела
 report-to-be-measured = нужно измерить
@@ -357,7 +400,6 @@ report-longer = длиннее
 report-taught-span = Участок { $number }: s = { $from } … { $to } (на { $length } { $change }, чем номинальный шов там), обученных точек: { $n }; до { $distance } от номинального шва и { $angle } от его направления.
 
 # Plan: clearance.
-report-nearest = Наименьшее расстояние: { $objects }, { $distance } на s = { $s }.
 report-caption-clearance = Наименьшее расстояние между горелкой, звеньями, деталью, оснасткой и зонами и его нижняя граница вдоль всего прохода.
 report-chart-clearance = Наименьшее расстояние (показано до { $limit })
 report-curve-clearance = наименьшее расстояние
@@ -435,15 +477,15 @@ report-as-in-program = как в программе
 report-caption-program = Наибольшие отклонения { $file }
 
 # Plan: job data.
-report-caption-job = Данные задания
+report-caption-job = Время и значения до и после движения
 report-row-seam = Шов
 report-row-seam-length = Длина шва
-report-row-dihedral-min = Двугранный угол, наименьший
-report-row-dihedral-max = Двугранный угол, наибольший
 report-row-acceleration-phase = Разгон
 report-row-deceleration-phase = Торможение
 report-row-start-angle = Начальный угол
 report-row-direction = Направление сварки
+report-row-dihedral = Двугранный угол
+report-row-preparation = Подготовка кромок
 report-counter-clockwise = против часовой стрелки
 report-clockwise = по часовой стрелке
 report-row-overlap = Перекрытие

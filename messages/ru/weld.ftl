@@ -168,6 +168,7 @@ weld-allowed-procedure = { $names } или путь к файлу техноло
 weld-procedure-not-text = это не текстовый файл
 weld-allowed-toml = файл TOML в UTF-8
 weld-wrong-wire = по { $procedure } сваривают проволокой { $wire }
+weld-two-wires = `{ $other }` = { $wire }: у проволоки один диаметр
 weld-allowed-wire = { $wire } или другая технология
 
 # Taught spans.

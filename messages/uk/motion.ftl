@@ -182,6 +182,20 @@ motion-procedure-unbounded = { $quantity } необмежене на s = { $at }
 motion-procedure-no-power = прохід не задає { $keys }, тому його тепловкладення невідоме; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-procedure-no-faces = поверхні з’єднання невідомі, тому й кут поперек шва невідомий; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-procedure-missing = прохід не задає { $key }; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
+motion-implausible = { $key } = { $found } не пасує до { $current }: зазвичай { $expected } ± { $percent }
+motion-cure-implausible = перевірте { $key }, струм і дріт; для особливої дуги збільште percent у [plausibility] процедури
+motion-cooling-outside = шов охолоджується з 800 до 500 °C за { $found }; допустимо від { $min } до { $max }
+motion-cooling-unbounded = пальник зупиняється з дугою: час охолодження не обмежений; допустимо від { $min } до { $max } (не більше { $found })
+motion-cure-cooling-slow = зменште погонну енергію або міжшарову температуру
+motion-cure-cooling-fast = збільште погонну енергію або підігрів
+motion-preheat-low = процедура вимагає підігрів { $found }; EN 1011-2 (метод B) — { $needed }
+motion-cure-preheat-low = підвищте мінімум preheat_c та interpass_c до { $needed }
+motion-preheat-range = підігрів екстрапольовано: метод B за EN 1011-2 — для CET 0,2–0,5 %, 10–90 мм, 1–20 мл водню на 100 г та 0,5–4 кДж/мм
+motion-interpass-wait = очікування { $time }, доки шов охолоне
+motion-interpass-thickness = для очікування міжшарової температури потрібна товщина деталей
+motion-interpass-power = для очікування міжшарової температури потрібна погонна енергія
+motion-interpass-never = шов не охолоджується нижче міжшарової температури за дві доби
+motion-cure-interpass = доповніть [materials] і процедуру або задайте wait_s замість below_c в [interpass]
 motion-procedure-no-run = жоден прохід технології { $procedure } не стосується проходу { $pass } ({ $name })
 motion-procedure-position = шов у положенні { $position }; { $procedure } дозволяє ({ $run }) { $positions }
 motion-procedure-inclination = шов у положенні { $position } (нахил від { $min_slope } до { $max_slope }, поворот від { $min_rotation } до { $max_rotation }); { $procedure } дозволяє ({ $run }) { $positions }

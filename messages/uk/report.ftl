@@ -100,6 +100,18 @@ report-column-arc-energy = Погонна енергія дуги, кДж/мм
 report-column-heat-input = Тепловкладення, кДж/мм
 report-column-length-mm = Довжина, мм
 report-column-wire-m = Дріт, м
+report-column-bead = Валик на перерізі
+report-column-weld-metal-kg = Наплавлено, кг
+report-column-wait-before-s = Очікування перед, с
+report-column-group = Група (ISO/TR 15608)
+report-column-thickness = Товщина, мм
+report-column-ce = CE (IIW), %
+report-column-cet = CET, %
+report-column-pcm = Pcm, %
+report-column-preheat = Підігрів за EN 1011-2, °C
+report-column-work = Деталь перед проходом, °C
+report-column-t85 = t8/5, с
+report-column-heat-flow = Тепловідвід
 report-column-at-requested-speed = Із заданою швидкістю, %
 report-column-attitude-error = Похибка нахилу, °
 report-column-clearance = Найменша відстань, мм
@@ -167,20 +179,23 @@ report-heading-record = Запис
 report-heading-procedure = Технологія
 report-heading-program = Програма
 report-heading-signatures = Підписи
-report-heading-order = Порядок зварювання
+report-heading-errors = Помилки
+report-heading-map = Схема зварювання та графік
+report-heading-process = Процес уздовж шва
+report-heading-materials = Матеріали, підігрів та охолодження
+report-heading-cut = Різ труби
+report-heading-source = Текст завдання
 report-heading-passes = Проходи
 report-heading-checks = Перевірки
-report-heading-curves = Криві
+report-heading-curves = Додаток: криві
 report-heading-seam = Шов і пальник
 report-heading-joint = Стик
 report-heading-taught = Навчені ділянки
-report-heading-clearance = Просвіт
-report-heading-speed = Швидкість
 report-heading-tracking = Стеження
 report-heading-simulated = Симуляція зварювання
 report-heading-axes = Осі
 report-heading-programs = Програми ЧПК
-report-heading-job = Завдання
+report-heading-job = Початок і кінець проходів
 report-heading-released = Затверджено
 report-heading-pass-curves = Прохід { $pass } ({ $name }): криві
 
@@ -237,6 +252,7 @@ report-verdict-planned = Заплановано: усі осі в межах, з
 report-verdict-planned-slowed = Заплановано: усі осі в межах, сповільнено до { $speed } там, де цього потребує вісь.
 report-verdict-within = У межах { $procedure }.
 report-verdict-outside = Поза { $procedure }, зауважень: { $n }.
+report-verdict-findings = Зауваження: виправити { $errors }, розглянути { $warnings }.
 report-verdict-simulated = Симуляція: відхилення від шляху не більше { $error } з { $allowed } дозволених, швидкість у межах { $ripple } з { $ripple_allowed } дозволених.
 report-verdict-simulated-short = Симуляція: відхилення від шляху не більше { $error } з { $allowed } дозволених, закороткий, щоб судити про швидкість.
 
@@ -248,9 +264,6 @@ report-through-points = через точки
 report-tile-weld-time = Час зварювання
 report-travel = хід від спокою до спокою
 report-travel-of-passes = хід усіх проходів ({ $n }) від спокою до спокою
-report-cycle = увесь цикл { $total }, холості ходи { $transfer }
-report-tile-speed = Швидкість за планом
-report-speed-requested = задано { $requested }, найбільша { $max }
 report-tile-path-error = Відхилення від шляху, симуляція
 report-path-error-rms = найбільше; СКВ { $rms }
 report-tile-speed-ripple = Нерівність швидкості, симуляція
@@ -259,9 +272,29 @@ report-too-short = шов закороткий, щоб судити
 report-tile-attitude-error = Похибка нахилу
 report-attitude-error-of-plan = найбільша, за планом
 report-tile-arc-energy = Погонна енергія дуги
-report-arc-energy-formula = U I / v, без коефіцієнта корисної дії
 report-arc-energy-range = найбільша; найменша { $min }; U I / v
 report-tile-wire = Дріт
+report-wire-length = { $length } за час дуги
+report-tile-weld-metal = Метал шва
+report-tile-gas = Газ
+report-gas-time = від попередньої до кінцевої подачі
+report-tile-flux = Флюс
+report-tile-energy = Енергія дуги
+report-mains = { $energy } з мережі
+report-tile-heat-input = Погонна енергія
+report-heat-input-range = найбільша; найменша { $min }
+report-tile-total = Загальний час
+report-total-parts = від вихідної до вихідної; холості ходи { $transfer }
+report-total-parts-waiting = від вихідної до вихідної; холості ходи { $transfer }, очікування { $wait }
+report-duty = { $part } загального часу; ТВ { $duty } за 10 хвилин
+report-tile-cost = Вартість
+report-cost-labour = праця
+report-cost-machine = верстат
+report-cost-wire = дріт
+report-cost-gas = газ
+report-cost-flux = флюс
+report-cost-energy = енергія
+report-cost-incomplete = неповна: невідома кількість
 report-wire-with-arc = поки горить дуга
 
 # Plan: order of welding.
@@ -270,15 +303,26 @@ report-chart-order = Порядок зварювання, проходів: { $n
 report-order-key = Крапка: початок. Стрілка: напрям зварювання. Штрих: холості ходи, прямо.
 report-order-key-tacks = Оранжеві, номери зовні: прихватки.
 report-order-lines = { $title }: ліній за порядком: { $n }
-report-caption-order-table = Проходи в порядку зварювання
+report-caption-map = Схема зварювання: розгорнутий шов, рядок на кожен валик у порядку зварювання.
+report-chart-map = Схема зварювання на розгорнутому шві
+report-map-key = Крапка: початок. Риска: кінець. Стрілка: напрям зварювання. Номери: проходи.
+report-map-copies = Перший зі швів, усього { $n }.
+report-map-label = { $title }: рядків { $n }, { $length }
+report-caption-order-table = Графік: проходи в порядку зварювання
 report-all-from-home = усе, від вихідного положення до нього ж
 
 # Plan: passes.
-report-caption-passes = Значення для кожного проходу за планом
+report-caption-passes = Значення кожного проходу за планом
 report-all-passes = усі проходи
 report-caption-checks = Перевірки кожного проходу
+report-caption-materials = Основні матеріали та метал шва з вуглецевими еквівалентами: CE за IIW, CET за EN 1011-2, Pcm за Іто і Бессьо.
+report-materials-decisive = Для підігріву: CET { $cet } і { $hydrogen } мл водню на 100 г.
+report-caption-heat = Підігрів за методом B та час охолодження з 800 до 500 °C за EN 1011-2 для { $thickness }: від найменшої погонної енергії на найхолоднішій деталі до найбільшої на найгарячішій.
+report-no-preheat = немає
+report-weld-metal = метал шва
+report-material-group = група { $group }
 report-caption-simulated-passes = Результати кожного проходу в симуляції
-report-about-curves = Криві одного проходу кожного виду: з помилкою або найдовшого. Планування з командного рядка записує криві всіх проходів.
+report-about-curves = Криві по одному проходу кожного виду: з помилкою, інакше найдовшому. `plan --plots` записує криві всіх проходів.
 
 # Plan: seam, torch and process.
 report-caption-seam = Шов із заданою віссю пальника, у системі координат завдання, проєкція за методом першого кута.
@@ -328,7 +372,6 @@ report-procedure = { $number } ({ $title }), { $run }. Процес { $process }
         [fillet] кутового
        *[butt] стикового
     } шва.
-report-caption-plan-values = План і технологія
 report-caption-plan-values-of = План і технологія, прохід { $passes }
 report-unbounded = без меж
 report-to-be-measured = треба виміряти
@@ -357,7 +400,6 @@ report-longer = довше
 report-taught-span = Ділянка { $number }: s = { $from } … { $to } (на { $length } { $change }, ніж номінальний шов там), навчених точок: { $n }; до { $distance } від номінального шва і { $angle } від його напряму.
 
 # Plan: clearance.
-report-nearest = Найменша відстань: { $objects }, { $distance } на s = { $s }.
 report-caption-clearance = Найменша відстань між пальником, ланками, деталлю, оснащенням і зонами та її нижня межа вздовж усього проходу.
 report-chart-clearance = Найменша відстань (показано до { $limit })
 report-curve-clearance = найменша відстань
@@ -435,15 +477,15 @@ report-as-in-program = як у програмі
 report-caption-program = Найбільші відхилення { $file }
 
 # Plan: job data.
-report-caption-job = Дані завдання
+report-caption-job = Час і значення до та після руху
 report-row-seam = Шов
 report-row-seam-length = Довжина шва
-report-row-dihedral-min = Двогранний кут, найменший
-report-row-dihedral-max = Двогранний кут, найбільший
 report-row-acceleration-phase = Розгін
 report-row-deceleration-phase = Гальмування
 report-row-start-angle = Початковий кут
 report-row-direction = Напрям зварювання
+report-row-dihedral = Двогранний кут
+report-row-preparation = Підготовка кромок
 report-counter-clockwise = проти годинникової стрілки
 report-clockwise = за годинниковою стрілкою
 report-row-overlap = Перекриття

@@ -168,6 +168,7 @@ weld-allowed-procedure = { $names } або шлях до файлу технол
 weld-procedure-not-text = це не текстовий файл
 weld-allowed-toml = файл TOML в UTF-8
 weld-wrong-wire = за { $procedure } зварюють дротом { $wire }
+weld-two-wires = `{ $other }` = { $wire }: у дроту один діаметр
 weld-allowed-wire = { $wire } або інша технологія
 
 # Taught spans.

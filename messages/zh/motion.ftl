@@ -168,6 +168,20 @@ motion-procedure-unbounded = { $quantity }在 s = { $at } 处无上限：焊枪�
 motion-procedure-no-power = 焊道没有给出 { $keys }，因此其热输入未知；{ $procedure } 允许（{ $run }）{ $min } 至 { $max }
 motion-procedure-no-faces = 接头两面未知，因此工作角未知；{ $procedure } 允许（{ $run }）{ $min } 至 { $max }
 motion-procedure-missing = 焊道没有给出 { $key }；{ $procedure } 允许（{ $run }）{ $min } 至 { $max }
+motion-implausible = { $key } = { $found } 与 { $current } 不符：通常为 { $expected }，上下 { $percent }
+motion-cure-implausible = 检查 { $key }、电流和焊丝；特殊电弧可放宽规程 [plausibility] 中的 percent
+motion-cooling-outside = 焊缝从 800 冷却到 500 °C 用时 { $found }；允许 { $min } 至 { $max }
+motion-cooling-unbounded = 焊枪带弧停住：冷却时间无上限；允许 { $min } 至 { $max }（最多 { $found }）
+motion-cure-cooling-slow = 降低热输入或层间温度
+motion-cure-cooling-fast = 提高热输入或预热温度
+motion-preheat-low = 规程预热至 { $found }；EN 1011-2（方法 B）要求 { $needed }
+motion-cure-preheat-low = 将 preheat_c 和 interpass_c 的下限提高到 { $needed }
+motion-preheat-range = 预热为外推值：EN 1011-2 方法 B 适用于 CET 0.2 至 0.5 %、10 至 90 mm、每 100 g 氢 1 至 20 ml、0.5 至 4 kJ/mm
+motion-interpass-wait = 等待 { $time }，直到焊缝冷却
+motion-interpass-thickness = 等待层间温度需要工件厚度
+motion-interpass-power = 等待层间温度需要热输入
+motion-interpass-never = 两天内焊缝不会冷却到层间温度以下
+motion-cure-interpass = 补全 [materials] 和规程，或在 [interpass] 中用 wait_s 代替 below_c
 motion-procedure-no-run = { $procedure } 中没有适用于焊道 { $pass }（{ $name }）的条目
 motion-procedure-position = 焊缝处于 { $position } 位置；{ $procedure } 允许（{ $run }）{ $positions }
 motion-procedure-inclination = 焊缝处于 { $position } 位置（倾角 { $min_slope } 至 { $max_slope }，转角 { $min_rotation } 至 { $max_rotation }）；{ $procedure } 允许（{ $run }）{ $positions }

@@ -100,6 +100,18 @@ report-column-arc-energy = 电弧能量，kJ/mm
 report-column-heat-input = 热输入，kJ/mm
 report-column-length-mm = 长度，mm
 report-column-wire-m = 焊丝，m
+report-column-bead = 截面中的焊道号
+report-column-weld-metal-kg = 熔敷金属, kg
+report-column-wait-before-s = 之前等待, s
+report-column-group = 组别 (ISO/TR 15608)
+report-column-thickness = 厚度, mm
+report-column-ce = CE (IIW), %
+report-column-cet = CET, %
+report-column-pcm = Pcm, %
+report-column-preheat = 按 EN 1011-2 预热, °C
+report-column-work = 焊前工件, °C
+report-column-t85 = t8/5, s
+report-column-heat-flow = 导热
 report-column-at-requested-speed = 达到要求速度，%
 report-column-attitude-error = 姿态误差，°
 report-column-clearance = 最小距离，mm
@@ -167,20 +179,23 @@ report-heading-record = 记录
 report-heading-procedure = 焊接工艺规程
 report-heading-program = 程序
 report-heading-signatures = 签字
-report-heading-order = 焊接顺序
+report-heading-errors = 错误
+report-heading-map = 焊接图与时间表
+report-heading-process = 沿焊缝的工艺
+report-heading-materials = 材料、预热与冷却
+report-heading-cut = 管端切口
+report-heading-source = 任务文本
 report-heading-passes = 焊道
 report-heading-checks = 检查
-report-heading-curves = 曲线
+report-heading-curves = 附录：曲线
 report-heading-seam = 焊缝与焊枪
 report-heading-joint = 接头
 report-heading-taught = 示教区段
-report-heading-clearance = 间距
-report-heading-speed = 速度
 report-heading-tracking = 焊缝跟踪
 report-heading-simulated = 仿真焊接
 report-heading-axes = 各轴
 report-heading-programs = 零件程序
-report-heading-job = 任务
+report-heading-job = 焊道的开始与结束
 report-heading-released = 批准
 report-heading-pass-curves = 焊道 { $pass }（{ $name }）：曲线
 
@@ -237,6 +252,7 @@ report-verdict-planned = 已规划：所有轴均在限值内，从加速段到�
 report-verdict-planned-slowed = 已规划：所有轴均在限值内，在轴需要处减速至 { $speed }。
 report-verdict-within = 符合 { $procedure }。
 report-verdict-outside = 超出 { $procedure }：{ $n } 项。
+report-verdict-findings = 检查结果：待改正 { $errors } 项，待复核 { $warnings } 项。
 report-verdict-simulated = 仿真：路径误差最大 { $error }（允许 { $allowed }），速度偏差 { $ripple }（允许 { $ripple_allowed }）。
 report-verdict-simulated-short = 仿真：路径误差最大 { $error }（允许 { $allowed }），太短，无法评价速度。
 
@@ -248,9 +264,6 @@ report-through-points = 通过各点
 report-tile-weld-time = 焊接时间
 report-travel = 从静止到静止的行走
 report-travel-of-passes = 全部 { $n } 道从静止到静止的行走
-report-cycle = 整个循环 { $total }，空程 { $transfer }
-report-tile-speed = 规划速度
-report-speed-requested = 要求 { $requested }，最大 { $max }
 report-tile-path-error = 路径误差（仿真）
 report-path-error-rms = 最大；RMS { $rms }
 report-tile-speed-ripple = 速度波动（仿真）
@@ -259,9 +272,29 @@ report-too-short = 焊缝太短，无法评价
 report-tile-attitude-error = 姿态误差
 report-attitude-error-of-plan = 规划中的最大值
 report-tile-arc-energy = 电弧能量
-report-arc-energy-formula = U I / v，未计热效率
 report-arc-energy-range = 最大；最小 { $min }；U I / v
 report-tile-wire = 焊丝
+report-wire-length = 燃弧期间 { $length }
+report-tile-weld-metal = 焊缝金属
+report-tile-gas = 保护气
+report-gas-time = 从提前送气到滞后送气
+report-tile-flux = 焊剂
+report-tile-energy = 电弧能量
+report-mains = 电网 { $energy }
+report-tile-heat-input = 热输入
+report-heat-input-range = 最大；最小 { $min }
+report-tile-total = 总时间
+report-total-parts = 从原位到原位；空程 { $transfer }
+report-total-parts-waiting = 从原位到原位；空程 { $transfer }，等待 { $wait }
+report-duty = 占总时间 { $part }；10 分钟负载持续率 { $duty }
+report-tile-cost = 成本
+report-cost-labour = 人工
+report-cost-machine = 设备
+report-cost-wire = 焊丝
+report-cost-gas = 气体
+report-cost-flux = 焊剂
+report-cost-energy = 电能
+report-cost-incomplete = 不完整：有数量未知
 report-wire-with-arc = 燃弧期间
 
 # Plan: order of welding.
@@ -270,15 +303,26 @@ report-chart-order = 焊接顺序：{ $n } 道，{ $view }
 report-order-key = 圆点：起点。箭头：焊接方向。虚线：空程，画成直线。
 report-order-key-tacks = 橙色、编号在外：定位焊。
 report-order-lines = { $title }：{ $n } 条线，按顺序
-report-caption-order-table = 按焊接顺序排列的焊道
+report-caption-map = 焊接图：焊缝展开，每条焊道一行，按焊接顺序排列。
+report-chart-map = 展开焊缝上的焊接图
+report-map-key = 圆点：起点。短线：终点。箭头：焊接方向。编号：焊道。
+report-map-copies = { $n } 条焊缝中的第一条。
+report-map-label = { $title }：{ $n } 行，{ $length }
+report-caption-order-table = 时间表：按焊接顺序排列的焊道
 report-all-from-home = 全部，从原位回到原位
 
 # Plan: passes.
-report-caption-passes = 各焊道的规划值
+report-caption-passes = 每道焊道的计划值
 report-all-passes = 全部焊道
 report-caption-checks = 各焊道的检查
+report-caption-materials = 母材和焊缝金属的碳当量：IIW 的 CE、EN 1011-2 的 CET、伊藤和别所的 Pcm。
+report-materials-decisive = 预热按 CET { $cet } 和每 100 g 氢 { $hydrogen } ml 计算。
+report-caption-heat = 按 EN 1011-2 方法 B 的预热和 800 至 500 °C 冷却时间，厚度 { $thickness }：从最冷工件上的最小热输入到最热工件上的最大热输入。
+report-no-preheat = 无
+report-weld-metal = 焊缝金属
+report-material-group = { $group } 组
 report-caption-simulated-passes = 各仿真焊道的结果
-report-about-curves = 每种焊道给出一道的曲线：有错误的一道，否则为最长的一道。在命令行规划时会写出所有焊道的曲线。
+report-about-curves = 每种焊道给出一道的曲线：有错误的一道，否则为最长的一道。`plan --plots` 写出所有焊道的曲线。
 
 # Plan: seam, torch and process.
 report-caption-seam = 焊缝与要求的焊枪轴线，任务坐标系，第一角画法。
@@ -328,7 +372,6 @@ report-procedure = { $number }（{ $title }），{ $run }。焊接方法 { $proc
         [fillet] 角
        *[butt] 对接
     }焊缝确定。
-report-caption-plan-values = 规划与工艺规程
 report-caption-plan-values-of = 规划与工艺规程对照，焊道 { $passes }
 report-unbounded = 无上限
 report-to-be-measured = 待测量
@@ -357,7 +400,6 @@ report-longer = 长
 report-taught-span = 区段 { $number }：s = { $from } 至 { $to }（比该处标称焊缝{ $change } { $length }），{ $n } 个示教点；偏离标称焊缝最多 { $distance }，方向偏差最多 { $angle }。
 
 # Plan: clearance.
-report-nearest = 最小距离：{ $objects }，s = { $s } 处为 { $distance }。
 report-caption-clearance = 焊枪、连杆、工件、夹具和区域之间的最小距离及其沿整个焊道的下界。
 report-chart-clearance = 最小距离（显示至 { $limit }）
 report-curve-clearance = 最小距离
@@ -435,15 +477,15 @@ report-as-in-program = 同程序
 report-caption-program = { $file } 的最大偏差
 
 # Plan: job data.
-report-caption-job = 任务数据
+report-caption-job = 行走前后的时间与数值
 report-row-seam = 焊缝
 report-row-seam-length = 焊缝长度
-report-row-dihedral-min = 二面角，最小
-report-row-dihedral-max = 二面角，最大
 report-row-acceleration-phase = 加速段
 report-row-deceleration-phase = 减速段
 report-row-start-angle = 起始角
 report-row-direction = 焊接方向
+report-row-dihedral = 二面角
+report-row-preparation = 坡口
 report-counter-clockwise = 逆时针
 report-clockwise = 顺时针
 report-row-overlap = 搭接

@@ -164,6 +164,7 @@ weld-allowed-procedure = { $names }，或相对任务文件夹的工艺文件路
 weld-procedure-not-text = 这不是文本文件
 weld-allowed-toml = UTF-8 编码的 TOML 文件
 weld-wrong-wire = { $procedure } 使用 { $wire } 的焊丝
+weld-two-wires = `{ $other }` 为 { $wire }：焊丝只有一个直径
 weld-allowed-wire = { $wire }，或另一份工艺规程
 
 # Taught spans.

@@ -25,7 +25,7 @@ pub(crate) mod teach;
 
 use clap::error::{ContextKind, ErrorKind};
 use clap::{Args, Command, CommandFactory as _, FromArgMatches as _, Id, Parser, Subcommand, ValueEnum};
-pub(crate) use planning::{KinematicsArgs, PlanningArgs};
+pub(crate) use planning::{AppendixArgs, KinematicsArgs, PlanningArgs};
 pub(crate) use pulses::PulsesArgs;
 pub(crate) use simulate::SimulateArgs;
 use std::ffi::OsString;
@@ -251,6 +251,8 @@ pub(crate) struct PlanArgs {
     /// Also write the plots of the report as SVG files, into the folder plots/
     #[arg(long)]
     pub(crate) plots: bool,
+    #[command(flatten)]
+    pub(crate) appendix: AppendixArgs,
     /// Also write the part program for this control, with its proof in the report; may be repeated
     #[arg(long, value_enum, value_name = "DIALECT")]
     pub(crate) post: Vec<post::DialectArg>,

@@ -7,7 +7,7 @@ use std::fmt::{Display, Write as _};
 const MIN_WIDTH: usize = 12;
 
 /// Labels whose width decides the width of all labels of a summary.
-const LABELS: [&str; 11] = [
+const LABELS: [&str; 14] = [
     "cli-label-machine",
     "cli-label-seam",
     "cli-label-speed",
@@ -15,6 +15,9 @@ const LABELS: [&str; 11] = [
     "cli-label-energy",
     "cli-label-clearance",
     "cli-label-takes",
+    "cli-label-duty",
+    "cli-label-cost",
+    "cli-label-waits",
     "cli-label-transfers",
     "cli-label-wrote",
     "cli-label-path-error",

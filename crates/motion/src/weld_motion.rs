@@ -236,12 +236,17 @@ impl WeldMotion {
 
     /// Time from home to home, s.
     pub fn total_s(&self) -> f64 {
-        self.passes.iter().map(PassMotion::total_s).sum::<f64>() + self.air_s()
+        self.passes.iter().map(PassMotion::total_s).sum::<f64>() + self.air_s() + self.wait_s()
     }
 
-    /// Time of the transfer moves, s.
+    /// Time of the transfer moves, s, without waits in them.
     pub fn air_s(&self) -> f64 {
-        self.transfers.iter().map(TransferMove::duration).sum()
+        self.transfers.iter().map(|transfer| transfer.duration() - transfer.rest_s()).sum()
+    }
+
+    /// Time of the waits between passes, s.
+    pub fn wait_s(&self) -> f64 {
+        self.transfers.iter().map(TransferMove::rest_s).sum()
     }
 }
 

@@ -293,6 +293,21 @@ impl Preparation {
         }
     }
 
+    /// Thickness of the prepared part, mm; none of a fillet or a flare groove.
+    pub fn thickness_mm(&self) -> Option<f64> {
+        let thickness = match self {
+            Self::Square(p) => p.thickness_mm,
+            Self::SingleV(p) => p.thickness_mm,
+            Self::Bevel(p) => p.thickness_mm,
+            Self::U(p) => p.thickness_mm,
+            Self::J(p) => p.thickness_mm,
+            Self::TBevel(p) => p.thickness_mm,
+            Self::TJ(p) => p.thickness_mm,
+            Self::Fillet(_) | Self::FlareBevel(_) | Self::FlareV(_) => return None,
+        };
+        Some(thickness.get())
+    }
+
     /// Key of the size that the area of the groove follows from, below [`Preparation::key`].
     pub fn size_key(&self) -> &'static str {
         match self {

@@ -46,12 +46,15 @@ mod arc_time;
 mod at_corner;
 mod bead;
 mod branch;
+mod consumables;
 mod copies;
 pub mod edit;
 mod finding;
 mod finding_groups;
+mod interpass;
 mod joint;
 mod keyed;
+mod metallurgy;
 mod nozzle;
 mod offsets;
 mod oscillation;
@@ -88,14 +91,20 @@ pub use arc_time::ArcTime;
 pub use at_corner::AtCorner;
 pub use bead::Bead;
 pub use branch::{Branch, OtherBranch};
+pub use consumables::{Consumables, Costs};
 pub use copies::SeamCopy;
 pub use finding::{Finding, Severity, finding_data};
 pub use finding_groups::{FindingGroup, FindingPlace, group_findings};
+pub use interpass::Interpass;
 pub use joint::{
     Bevel, Fillet, FilletOrButt, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ,
     U,
 };
 pub use keyed::Keyed;
+pub use metallurgy::{
+    CarbonEquivalents, Composition, CoolingTime, Hardening, HeatFlow, Material, MaterialGroup, Materials,
+    PREHEAT_RANGE, PreheatRange, ShapeFactors, WeldMetal,
+};
 pub use nozzle::{Body, Mount, Nozzle, NozzleCurve};
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use oscillation::Oscillation;
@@ -108,11 +117,12 @@ pub use points::{
     Along, Columns, NUMBER_COLUMN, POSE_COLUMNS, PointEvent, PointSpan, Points, SPEED_COLUMN, TIME_COLUMN,
 };
 pub use procedure::{
-    BeadWindow, ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits,
-    PositionStretch, Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
+    BeadWindow, ButtLimits, Expected, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, Plausibility,
+    PositionLimits, PositionStretch, Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window,
+    shipped_procedure,
 };
 pub use process::{ProcessValue, ProcessValues, check_process, check_process_name, check_process_value};
-pub use program::Program;
+pub use program::{Program, check_metals};
 pub use repeat::Repeat;
 pub use seam::{Direction as WeldDirection, Ellipse, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};

@@ -1,6 +1,9 @@
+use crate::consumables::{Consumables, Costs};
 use crate::copies::SeamCopy;
+use crate::interpass::Interpass;
 use crate::joint::Joint;
 use crate::keyed::Keyed;
+use crate::metallurgy::Materials;
 use crate::offsets::{Offsets, check_offset};
 use crate::part::{Clearance, Part};
 use crate::pass::Pass;
@@ -68,6 +71,18 @@ pub struct Program {
     /// Moves with the arc off.
     #[serde(default, skip_serializing_if = "TransferMoves::is_usual")]
     pub air: TransferMoves,
+    /// Base materials and weld metal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub materials: Option<Materials>,
+    /// Waiting between passes until the weld has cooled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub interpass: Option<Interpass>,
+    /// Filler metal, gas and flux, for the totals.
+    #[serde(default, skip_serializing_if = "Consumables::is_usual")]
+    pub consumables: Consumables,
+    /// Rates for the cost of the weld.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub costs: Option<Costs>,
     /// The welding procedure that the passes must keep to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub procedure: Option<Procedure>,
@@ -101,6 +116,8 @@ impl Program {
             return Err(document.error_at("passes", Message::new("program-no-passes"), allowed));
         }
         Self::check_extent(&document)?;
+        let value = &document.value;
+        check_metals(&document, value.materials.as_ref(), value.interpass.as_ref(), &value.consumables)?;
         if let Some(procedure) = &document.value.procedure {
             procedure.check(&document, "procedure")?;
             procedure.check_passes(&document, "procedure", &document.value.passes)?;
@@ -191,6 +208,21 @@ impl Program {
             "# A Seamwright weld program. Lengths in mm, angles in degrees, times in s; s counts from the weld's start.\n{body}"
         ))
     }
+}
+
+/// Checks the tables `materials`, `interpass` and `consumables` of a job or program file.
+///
+/// # Errors
+/// With the key's address.
+pub fn check_metals<T>(
+    file: &Document<T>,
+    materials: Option<&Materials>,
+    interpass: Option<&Interpass>,
+    consumables: &Consumables,
+) -> Result<(), DocumentError> {
+    materials.map_or(Ok(()), |materials| materials.check(file, "materials"))?;
+    interpass.map_or(Ok(()), |interpass| interpass.check(file, "interpass"))?;
+    consumables.check(file, "consumables")
 }
 
 /// Tables of points with a line for each, so that differences of files are those of points.

@@ -412,6 +412,8 @@ impl Loaded {
             if let Some(procedure) = &program.procedure {
                 motion.hold_to(procedure, machine, &passes);
             }
+            let seam = self.welding.seam.as_ref();
+            motion.cool(program, seam.filter(|seam| seam.all_round()).map(SeamCurve::length));
             if !around.is_empty() {
                 motion.findings.extend(self.part_not_watched());
             }

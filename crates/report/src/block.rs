@@ -13,6 +13,10 @@ pub enum Block {
     Tiles(Vec<Tile>),
     /// A section heading.
     Heading(String),
+    /// A section heading that begins a printed page.
+    Page(String),
+    /// Names and values side by side.
+    Facts(Vec<(String, String)>),
     /// Running text.
     Paragraph(String),
     /// A numbered table.
@@ -24,6 +28,8 @@ pub enum Block {
         /// Caption of the figure.
         caption: String,
     },
+    /// Drawings that take a part of a printed page only.
+    Small(Vec<Block>),
     /// Findings of a check; an empty list is reported as such.
     Findings(Vec<Finding>),
     /// A listing with line numbers, such as a job file.
@@ -195,6 +201,8 @@ impl Block {
         match self {
             Self::Tiles(tiles) => html! { div class="tiles" { @for tile in tiles { (tile.render(language)) } } },
             Self::Heading(text) => html! { h2 { (text) } },
+            Self::Page(text) => html! { h2 class="page" { (text) } },
+            Self::Facts(facts) => facts_list(facts),
             Self::Paragraph(text) => html! { p { (text) } },
             Self::Table(table) => {
                 counters.tables += 1;
@@ -208,6 +216,7 @@ impl Block {
                     figure { div class="drawing" { (PreEscaped(svg)) } figcaption { (numbered(&number, caption)) } }
                 }
             }
+            Self::Small(blocks) => html! { div class="small" { @for block in blocks { (block.render(counters)) } } },
             Self::Findings(findings) if findings.is_empty() => html! { p { (language.words("report-no-findings")) } },
             Self::Findings(findings) => html! {
                 ul class="findings" { @for finding in findings { (finding.render(language)) } }
@@ -220,6 +229,11 @@ impl Block {
             },
         }
     }
+}
+
+/// Renders names and values as in a title block.
+pub(crate) fn facts_list(facts: &[(String, String)]) -> Markup {
+    html! { dl class="meta" { @for (name, value) in facts { div { dt { (name) } dd { (minus(value)) } } } } }
 }
 
 fn numbered(number: &str, caption: &str) -> Markup {

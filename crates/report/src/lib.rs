@@ -8,6 +8,7 @@
 //! - [`Chart`] plots series over one axis, against limits; [`ChartGrid`] sets several on one x axis.
 //! - [`Bode`] plots a frequency response with its margins.
 //! - [`ThreeViews`] draws a curve in space in first-angle projection.
+//! - [`WeldMap`] unrolls a weld: its passes with starts, stops and tacks along the seam.
 //! - [`Page`] combines figures, tables, findings and listings in one HTML file.
 //!
 //! Each [`Drawing`] comes in two forms: `to_svg` for a [`Page`], which carries the styles, and `to_svg_standalone` for a
@@ -62,6 +63,7 @@ mod three_views;
 mod ticks;
 mod value_names;
 mod weld;
+mod weld_map;
 mod words;
 
 pub use block::{Block, Finding, Severity, Table, Tile};
@@ -80,5 +82,6 @@ pub use series::{Series, Style};
 pub use sheet::sheet;
 pub use svg::Drawing;
 pub use three_views::{Mark, ThreeViews};
-pub use weld::{CertificateFigures, PassFigures, Plots, PostFigures, SimulationCurves, WeldReport, sections};
+pub use weld::{CertificateFigures, Extent, PassFigures, Plots, PostFigures, SimulationCurves, WeldReport, sections};
+pub use weld_map::{MapPiece, MapRow, WeldMap};
 pub(crate) use words::Words;

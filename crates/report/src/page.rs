@@ -1,7 +1,7 @@
 //! The report as one HTML file.
 
 use crate::Words as _;
-use crate::block::{Block, Counters};
+use crate::block::{Block, Counters, facts_list};
 use crate::style::page_sheet;
 use crate::text::{fit, printable};
 use crate::{Language, icon};
@@ -57,11 +57,7 @@ impl Page {
                         header {
                             h1 { (self.title) }
                             @if !self.subtitle.is_empty() { p class="subtitle" { (self.subtitle) } }
-                            @if !self.meta.is_empty() {
-                                dl class="meta" {
-                                    @for (name, value) in &self.meta { div { dt { (name) } dd { (value) } } }
-                                }
-                            }
+                            @if !self.meta.is_empty() { (facts_list(&self.meta)) }
                             @if let Some(verdict) = &self.verdict { (verdict.render(self.language)) }
                         }
                         @for block in &self.blocks { (block.render(&mut counters)) }

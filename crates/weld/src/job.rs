@@ -1,14 +1,16 @@
 use crate::allowed::by_key;
 use crate::beads::Beads;
 use crate::order::{self, Cosmetic, Rows, Tacks, WeldOrder};
+use crate::procedure;
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_message::Message;
 use seamwright_program::{
-    AtCorner, Clearance, Joint, Keyed, Offsets, OnLimit, Oscillation, Part, ProcessValues, Seam, SeamCopy, SeamStart,
-    Sequence, SpareAxes, Taught, Tolerance, Torch, TransferMoves, Weave, check_offset, check_process,
+    AtCorner, Clearance, Consumables, Costs, Interpass, Joint, Keyed, Materials, Offsets, OnLimit, Oscillation, Part,
+    ProcessValues, Seam, SeamCopy, SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, TransferMoves, Weave,
+    check_metals, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -62,6 +64,18 @@ pub struct Job {
     /// A pass over the finished weld.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cosmetic: Option<Cosmetic>,
+    /// Base materials and weld metal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub materials: Option<Materials>,
+    /// Waiting between passes until the weld has cooled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub interpass: Option<Interpass>,
+    /// Filler metal, gas and flux, for the totals.
+    #[serde(default, skip_serializing_if = "Consumables::is_usual")]
+    pub consumables: Consumables,
+    /// Rates for the cost of the weld.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub costs: Option<Costs>,
     /// Parts of the seam replaced by taught points, in order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub taught: Vec<Taught>,
@@ -154,6 +168,8 @@ impl Job {
             cosmetic.check(&job, sequence, process)?;
         }
         order::copies(&job)?;
+        check_metals(&job, job.value.materials.as_ref(), job.value.interpass.as_ref(), &job.value.consumables)?;
+        procedure::check_one_wire(&job)?;
         if let Some(beads) = &job.value.beads {
             beads.check(&job)?;
             if job.value.joint.is_none() {

@@ -7,7 +7,8 @@ use crate::seam::SeamCurve;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, Transform};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{
-    Pass, Program, Ramp, Span, SpanValue, check_process_name, check_process_value, is_beyond, is_same_position,
+    Consumables, Pass, Program, Ramp, Span, SpanValue, check_process_name, check_process_value, is_beyond,
+    is_same_position,
 };
 
 impl Job {
@@ -47,9 +48,24 @@ impl Job {
             fixtures: j.fixtures.clone(),
             clearance: j.clearance,
             air: j.air,
+            materials: j.materials.clone(),
+            interpass: j.interpass.clone(),
+            consumables: consumables(j),
+            costs: j.costs.clone(),
             passes: vec![pass],
             ..Program::default()
         })
+    }
+}
+
+/// The consumables of a job, with the wire of its beads.
+fn consumables(job: &Job) -> Consumables {
+    let of_beads = job.beads.as_ref();
+    let given = &job.consumables;
+    Consumables {
+        wire_mm: given.wire_mm.or(of_beads.and_then(|beads| beads.wire_mm)),
+        deposition: given.deposition.or(of_beads.map(|beads| beads.deposition)),
+        ..given.clone()
     }
 }
 

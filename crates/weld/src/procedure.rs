@@ -2,7 +2,7 @@
 
 use crate::job::Job;
 use crate::outside_data::Outside;
-use seamwright_document::{Document, DocumentError};
+use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{PROCEDURES, Procedure, shipped_procedure};
 use std::path::Path;
@@ -31,15 +31,36 @@ pub(crate) fn of_job(job: &Document<Job>, outside: &dyn Outside) -> Result<Optio
     Ok(Some(document))
 }
 
-/// Checks that the beads are planned with the procedure's wire.
+/// Checks that beads and consumables have the procedure's wire.
 fn check_wire(job: &Document<Job>, procedure: &Procedure) -> Result<(), DocumentError> {
-    let beads = job.value.beads.as_ref().and_then(|beads| beads.wire_mm);
-    match (beads, procedure.wire_diameter_mm) {
-        (Some(of_job), Some(allowed)) if of_job != allowed => {
+    let Some(allowed) = procedure.wire_diameter_mm else { return Ok(()) };
+    match wires(&job.value).into_iter().find(|(_, wire)| *wire != allowed) {
+        Some((key, _)) => {
             let message = Message::new("weld-wrong-wire").text("procedure", &procedure.number);
             let message = message.value("wire", allowed.get(), Unit::Mm);
             let allowed = Message::new("weld-allowed-wire").value("wire", allowed.get(), Unit::Mm);
-            Err(job.error_at("beads.wire_mm", message, allowed))
+            Err(job.error_at(key, message, allowed))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Diameters of the wire in a job, each with its key, mm.
+fn wires(job: &Job) -> Vec<(&'static str, Positive)> {
+    let given = [
+        ("beads.wire_mm", job.beads.as_ref().and_then(|beads| beads.wire_mm)),
+        ("consumables.wire_mm", job.consumables.wire_mm),
+    ];
+    given.into_iter().filter_map(|(key, wire)| Some((key, wire?))).collect()
+}
+
+/// Checks that a job does not contradict itself about its wire. Fails with the second key's address.
+pub(crate) fn check_one_wire(job: &Document<Job>) -> Result<(), DocumentError> {
+    match wires(&job.value).as_slice() {
+        [(first, wire), (second, other)] if wire != other => {
+            let message = Message::new("weld-two-wires").key("other", *first).value("wire", wire.get(), Unit::Mm);
+            let allowed = Message::new("weld-allowed-wire").value("wire", wire.get(), Unit::Mm);
+            Err(job.error_at(second, message, allowed))
         }
         _ => Ok(()),
     }

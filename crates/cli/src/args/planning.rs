@@ -1,4 +1,5 @@
 use clap::Args;
+use seamwright_report::Extent;
 
 /// Limits of planning.
 #[derive(Debug, Args)]
@@ -6,6 +7,20 @@ pub(crate) struct PlanningArgs {
     /// Time limit of planning's searches over all passes, s; at the limit the findings report the progress
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     pub(crate) time_limit: f64,
+}
+
+/// Content of the report.
+#[derive(Debug, Args)]
+pub(crate) struct AppendixArgs {
+    /// Add an appendix to report.html: curves of axes, speed and torch, more cross-sections, and the text of the job
+    #[arg(long)]
+    appendix: bool,
+}
+
+impl AppendixArgs {
+    pub(crate) fn extent(&self) -> Extent {
+        if self.appendix { Extent::WithAppendix } else { Extent::Summary }
+    }
 }
 
 #[derive(Debug, Args)]

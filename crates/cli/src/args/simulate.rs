@@ -1,7 +1,7 @@
 //! Arguments of `seamwright simulate`.
 
 use super::part::PartArgs;
-use super::planning::PlanningArgs;
+use super::planning::{AppendixArgs, PlanningArgs};
 use super::records::RecordArgs;
 use clap::Args;
 use std::path::PathBuf;
@@ -33,6 +33,8 @@ pub(crate) struct SimulateArgs {
     pub(crate) fault: Vec<seamwright_simulation::devices::Fault>,
     #[command(flatten)]
     pub(crate) record: RecordArgs,
+    #[command(flatten)]
+    pub(crate) appendix: AppendixArgs,
     /// Print report.json instead of a summary
     #[arg(long)]
     pub(crate) json: bool,

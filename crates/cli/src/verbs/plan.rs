@@ -12,7 +12,7 @@ use seamwright_program::Oscillation;
 use seamwright_project::failure::Failure;
 use seamwright_project::files::Output;
 use seamwright_project::load::{Loaded, load};
-use seamwright_report::{Language, Plots, PostFigures, WeldReport};
+use seamwright_report::{Extent, Language, Plots, PostFigures, WeldReport};
 use seamwright_weld::{Cut, Welding};
 use std::fmt::Write;
 use std::path::{Component, Path, PathBuf};
@@ -36,7 +36,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
         report.posts.push(figures);
     }
     write_program(&mut output, &loaded)?;
-    write_report(&mut output, &report, &plots, &loaded.welding, Language::of_process())?;
+    write_report(&mut output, &report, &plots, &loaded.welding, args.appendix.extent())?;
     for (i, plots) in plots.iter().enumerate().filter(|_| args.plots) {
         for (name, svg) in plots.files() {
             // The first pass's plots have the plain names.
@@ -47,8 +47,11 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     if let Some(cut) = &loaded.welding.cut {
         output.text("cut.csv", &cut_table(cut))?;
     }
-    for (i, pass) in loaded.welding.program.value.passes.iter().enumerate() {
-        if let Some(oscillation) = &pass.oscillation {
+    let passes = &loaded.welding.program.value.passes;
+    for (i, pass) in passes.iter().enumerate() {
+        // Passes with the same oscillation share a file.
+        let is_new = passes[..i].iter().all(|earlier| earlier.oscillation != pass.oscillation);
+        if let Some(oscillation) = pass.oscillation.as_ref().filter(|_| is_new) {
             let name = if i == 0 { "oscillation.csv".to_owned() } else { format!("pass-{}-oscillation.csv", i + 1) };
             output.text(&name, &oscillation_table(oscillation))?;
         }
@@ -122,16 +125,17 @@ pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), 
     output.text("program.toml", &text)
 }
 
-/// Adds report.json and, in this language, report.html.
+/// Adds report.json and, in the language of the process, report.html.
 pub(super) fn write_report(
     output: &mut Output,
     report: &WeldReport,
     plots: &[Plots],
     welding: &Welding,
-    language: Language,
+    extent: Extent,
 ) -> Result<(), Failure> {
     output.text("report.json", &json_text(report)?)?;
-    output.text("report.html", &report.page(plots, welding.program.text(), &clock::now(), language))
+    let language = Language::of_process();
+    output.text("report.html", &report.page(plots, welding.program.text(), &clock::now(), extent, language))
 }
 
 /// Gives the files their names and prints the summary.

@@ -81,7 +81,7 @@ pub(super) fn weld(
     }
     let files = files.map(|(name, text)| (name.to_owned(), text)).into();
     rows.finish(&report, files, desk.happened(), desk.was_stopped(), output)?;
-    write_report(output, &report, &plots, welding, Language::of_process())?;
+    write_report(output, &report, &plots, welding, args.appendix.extent())?;
     Ok((report, desk))
 }
 

@@ -25,6 +25,10 @@ pub(super) fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
         several_passes(&mut text, r);
     }
     consumption(&mut text, r);
+    if r.totals.wait_s > 0.0 {
+        let waits = Message::new("cli-summary-waits").quantity("time", r.totals.wait_s, Unit::S, 0);
+        labelled(&mut text, "cli-label-waits", waits);
+    }
     let transfers = Message::new("cli-summary-transfers").quantity("time", r.air_s, Unit::S, 2);
     labelled(&mut text, "cli-label-transfers", transfers.quantity("total", r.total_s, Unit::S, 2));
     for group in group_findings(&r.findings) {
@@ -40,9 +44,25 @@ fn consumption(text: &mut String, r: &WeldReport) {
     let energy = energy.map(|kj| Message::new("cli-summary-takes-energy").quantity("energy", kj, Unit::KiloJ, 1));
     let wire = r.totals.wire_m.filter(|m| *m > 0.0);
     let wire = wire.map(|m| Message::new("cli-summary-takes-wire").quantity("wire", m, Unit::M, 2));
-    let takes: Vec<String> = energy.into_iter().chain(wire).map(|message| message.to_string()).collect();
+    let kg = |code, mass: Option<f64>| {
+        mass.filter(|kg| *kg > 0.0).map(|kg| Message::new(code).quantity("mass", kg, Unit::Kg, 3))
+    };
+    let gas = r.totals.gas_l.map(|l| Message::new("cli-summary-takes-gas").quantity("gas", l, Unit::L, 0));
+    let metal = kg("cli-summary-takes-metal", r.totals.weld_metal_kg);
+    let takes = [energy, wire, metal, gas, kg("cli-summary-takes-flux", r.totals.flux_kg)];
+    let takes: Vec<String> = takes.into_iter().flatten().map(|message| message.to_string()).collect();
     if !takes.is_empty() {
         labelled(text, "cli-label-takes", takes.join(", "));
+    }
+    let duty = Message::new("cli-summary-duty").quantity("part", r.totals.arc_percent, Unit::Percent, 1);
+    labelled(text, "cli-label-duty", duty.quantity("duty", r.totals.duty_percent, Unit::Percent, 1));
+    if let Some(cost) = &r.totals.cost {
+        let complete = cost.without.is_empty();
+        let message = Message::new(if complete { "cli-summary-cost" } else { "cli-summary-cost-incomplete" })
+            .number("total", cost.total, 2)
+            .text("currency", cost.currency.as_str());
+        let message = if complete { message } else { message.text("without", cost.without.join(", ")) };
+        labelled(text, "cli-label-cost", message);
     }
 }
 

@@ -7,8 +7,8 @@ use std::fs;
 use std::path::Path;
 
 /// Words that are the same in all languages, or are not translated.
-const SAME: [&str; 11] =
-    ["seamwright", "rms", "iso", "utc", "csv", "svg", "report", "json", "oscillation", "mag", "min"];
+const SAME: [&str; 12] =
+    ["seamwright", "rms", "iso", "utc", "csv", "svg", "report", "json", "oscillation", "mag", "min", "kwh"];
 /// Words that German shares with English.
 const GERMAN: [&str; 11] =
     ["name", "position", "plan", "orange", "hand", "simulation", "interpolation", "links", "zone", "was", "minus"];

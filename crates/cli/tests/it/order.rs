@@ -13,7 +13,7 @@ fn a_radiator_is_welded_back_and_forth() {
     let file = |name: &str| fs::read_to_string(folder.path().join("weld").join(name)).unwrap();
     let svg = file("plots/order.svg");
     assert!((1..=12).all(|number| svg.contains(&format!(">{number}</text>"))), "{svg}");
-    assert!(file("report.html").contains("Passes in the order of welding"));
+    assert!(file("report.html").contains("passes in the order of welding"));
     let planned: Value = serde_json::from_str(&file("report.json")).unwrap();
     let passes = planned["passes"].as_array().unwrap();
     let rows: Vec<&str> = passes.iter().map(|pass| &pass["copy"].as_str().unwrap()[..5]).collect();

@@ -8,6 +8,7 @@
 mod findings;
 mod inclination;
 mod planned_pass;
+mod plausibility;
 mod window_check;
 
 pub use planned_pass::{PlannedPass, Quantity};
@@ -56,6 +57,7 @@ impl PassProcedure {
             findings: Vec::new(),
         };
         held.findings = findings::findings(&held, procedure, run, planned);
+        held.findings.extend(plausibility::findings(procedure, planned));
         held
     }
 

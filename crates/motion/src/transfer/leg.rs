@@ -22,6 +22,16 @@ impl Leg {
         Self { from: *from, to: *to, part: RestToRest::new(parts.fold(AxisLimits::NONE, AxisLimits::min)) }
     }
 
+    /// Rest of all axes at `q` for `time_s`.
+    pub fn rest(q: &Joints, time_s: f64) -> Self {
+        Self { from: *q, to: *q, part: RestToRest::resting(time_s) }
+    }
+
+    /// True if no axis moves.
+    pub fn is_rest(&self) -> bool {
+        self.from.iter().zip(&self.to).all(|(from, to)| from.to_bits() == to.to_bits())
+    }
+
     /// Time from rest to rest, s.
     pub fn duration(&self) -> f64 {
         self.part.duration()
@@ -116,9 +126,25 @@ impl TransferMove {
         Self { legs, retracts: false, approaches: false }
     }
 
-    /// Time from rest to rest, s.
+    /// Time from rest to rest, s, with rests between.
     pub fn duration(&self) -> f64 {
         self.legs.iter().map(Leg::duration).sum()
+    }
+
+    /// Adds a rest of `time_s`: after the retract, away from the hot weld, or without one at `start`, before the next
+    /// pass.
+    pub(crate) fn rest(&mut self, start: &Joints, time_s: f64) {
+        let after = usize::from(self.retracts).min(self.legs.len());
+        let q = match after.checked_sub(1) {
+            Some(retract) => *self.legs[retract].end(),
+            None => self.legs.first().map_or(*start, |leg| *leg.start()),
+        };
+        self.legs.insert(after, Leg::rest(&q, time_s));
+    }
+
+    /// Time of the rests, s.
+    pub fn rest_s(&self) -> f64 {
+        self.legs.iter().filter(|leg| leg.is_rest()).map(Leg::duration).sum()
     }
 
     /// The leg at time `t` (s) from its start and the time since that leg's start; none if there is no leg.

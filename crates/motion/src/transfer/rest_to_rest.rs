@@ -31,6 +31,11 @@ impl RestToRest {
         Self { jerk: j, speed, times: [with_jerk, with_acceleration, with_speed] }
     }
 
+    /// No motion for `time` (s), then at the end.
+    pub(super) fn resting(time: f64) -> Self {
+        Self { jerk: 0.0, speed: 0.0, times: [0.0, 0.0, time] }
+    }
+
     pub(super) fn duration(&self) -> f64 {
         let [with_jerk, with_acceleration, with_speed] = self.times;
         4.0 * with_jerk + 2.0 * with_acceleration + with_speed

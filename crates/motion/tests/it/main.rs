@@ -29,6 +29,7 @@ mod speed_profile;
 mod taught;
 mod tip_limits;
 mod transfer;
+mod waits;
 mod weave;
 mod weld_motion;
 

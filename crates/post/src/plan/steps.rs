@@ -89,6 +89,10 @@ impl<'a> Steps<'a> {
         let inner = air.legs.len().saturating_sub(usize::from(air.approaches));
         let level = std::mem::replace(&mut self.level, Level::Joint);
         for leg in air.legs.iter().take(inner).skip(skip) {
+            if leg.is_rest() {
+                self.dwell(leg.duration(), "wait until the weld has cooled");
+                continue;
+            }
             self.go_to(&self.standing(leg.end()), false);
             self.push(Path::Rapid, 0.0, false);
         }

@@ -2,6 +2,7 @@
 
 mod bead_window;
 mod pass_numbers;
+mod plausibility;
 mod position;
 mod power;
 mod shipped;
@@ -10,6 +11,7 @@ mod window;
 
 pub use bead_window::BeadWindow;
 pub use pass_numbers::PassNumbers;
+pub use plausibility::{Expected, Plausibility};
 pub use position::{ButtLimits, FilletLimits, Inclination, PositionLimits, PositionStretch, WeldingPosition};
 pub use shipped::{PROCEDURES, ShippedProcedure, shipped_procedure};
 pub use welding_process::WeldingProcess;
@@ -56,6 +58,9 @@ pub struct Procedure {
     /// Limits of each welding position.
     #[serde(default, skip_serializing_if = "PositionLimits::is_usual")]
     pub position_limits: PositionLimits,
+    /// Comparison of current, voltage and wire feed with one another.
+    #[serde(default, skip_serializing_if = "Plausibility::is_usual")]
+    pub plausibility: Plausibility,
     /// Requirements for the passes.
     pub runs: Vec<Run>,
 }

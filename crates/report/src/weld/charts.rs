@@ -4,7 +4,7 @@ use super::limits::binds;
 use super::samples::Sample;
 use super::taught::{TaughtPlot, taught};
 use super::{
-    CertificateFigures, SimulationCurves, cut_template, procedure, sections, tracking, weave_charts, welding_order,
+    CertificateFigures, SimulationCurves, cut_template, map, procedure, sections, tracking, weave_charts, welding_order,
 };
 use crate::block::figure;
 use crate::{
@@ -53,6 +53,8 @@ pub(super) struct PlottedPass<'a> {
     pub(super) summary: Option<&'a Summary>,
 }
 
+/// Number of places at which the extremes of the dihedral angle are looked for.
+const STATIONS: u32 = 720;
 /// Number of torch vectors drawn along the seam.
 const VECTORS: u32 = 36;
 
@@ -95,12 +97,19 @@ impl Plots {
             let attitude = Chart::along(language, "report-chart-attitude", angle, errors);
             plots.add("attitude", "report-caption-attitude", Some(attitude));
         }
-        plots.add("order", "report-caption-order", if first { welding_order::order(welding, language) } else { None });
+        if first {
+            // On one seam the map shows the order too.
+            let spread = welding.seam.is_none() || welding.program.value.copies.len() > 1;
+            let order = if spread { welding_order::order(welding, language) } else { None };
+            plots.add("order", "report-caption-order", order);
+            plots.add("map", "report-caption-map", map::map(welding, language));
+        }
         if let Some(cut) = welding.cut.as_ref().filter(|_| first) {
             let picture = Picture::Ready(cut_template::template(cut, language));
             plots.plots.push(Plot { name: "cut", caption: "report-caption-cut", picture });
         }
         let jointed = welding.joint.as_ref().and(welding.seam.as_ref()).filter(|_| first);
+        plots.add("section", "report-caption-sections", jointed.map(|seam| extremes(welding, seam, language)));
         plots.add("sections", "report-caption-sections", jointed.map(|seam| gallery(welding, seam, language)));
         plots.taught = welding.seam.as_ref().map_or(Vec::new(), |seam| taught(machine, seam, motion, language));
         plots
@@ -147,6 +156,22 @@ fn gallery(welding: &Welding, seam: &SeamCurve, language: Language) -> Gallery {
     let step = if seam.all_round() { seam.length() / 9.0 } else { seam.weld_length() / 8.0 };
     let places: Vec<f64> = (0..9).map(|i| f64::from(i) * step).collect();
     sections(welding, &places, language)
+}
+
+/// Dihedral angles that differ by less make alike cross-sections, rad.
+const ALIKE: f64 = 0.02;
+
+/// Draws the cross-section at the start, or those where the faces are farthest apart and nearest if these differ.
+fn extremes(welding: &Welding, seam: &SeamCurve, language: Language) -> Gallery {
+    let length = if seam.all_round() { seam.length() } else { seam.weld_length() };
+    let places = (0..STATIONS).map(|i| length * f64::from(i) / f64::from(STATIONS));
+    let angles: Vec<(f64, f64)> = places.map(|s| (seam.at(s).dihedral, s)).collect();
+    let least = angles.iter().copied().reduce(|a, b| if b.0 < a.0 { b } else { a });
+    let most = angles.iter().copied().reduce(|a, b| if b.0 > a.0 { b } else { a });
+    match (least, most) {
+        (Some(least), Some(most)) if most.0 - least.0 > ALIKE => sections(welding, &[most.1, least.1], language),
+        _ => sections(welding, &[0.0], language),
+    }
 }
 
 fn views(welding: &Welding, pass: usize, language: Language) -> ThreeViews {

@@ -1,15 +1,16 @@
 use super::CertificateFigures;
 use super::charts::PlottedPass;
+use super::materials::MaterialsFigures;
 use super::plan::PlanFigures;
 use super::procedure::{PassProcedureFigures, ProcedureFigures};
 use super::samples::samples;
-use super::totals::{self, TotalsFigures};
+use super::totals::{self, TotalsFigures, Wire};
 use super::{Plots, PostFigures, SimulationCurves};
 use crate::Language;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
-use seamwright_motion::{PassClearance, WeldMotion};
-use seamwright_program::{Finding, Pass, Role, Seam};
+use seamwright_motion::{PassClearance, PassHeat, WeldMotion};
+use seamwright_program::{Bead, Finding, Joint, Pass, Role, Seam};
 use seamwright_simulation::Summary;
 use seamwright_weld::{SeamCurve, Welding};
 use serde::Serialize;
@@ -31,6 +32,12 @@ pub struct WeldReport {
     /// The seam, if any pass runs along one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seam: Option<SeamFigures>,
+    /// The joint as in the job, if it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint: Option<Joint>,
+    /// Base materials and weld metal, if the job has them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub materials: Option<MaterialsFigures>,
     /// The plan of the first pass.
     pub plan: PlanFigures,
     /// The simulated first pass, if it was simulated.
@@ -39,7 +46,7 @@ pub struct WeldReport {
     pub totals: TotalsFigures,
     /// All passes.
     pub passes: Vec<PassFigures>,
-    /// Time of the transfer moves: from home, between passes and back home, s.
+    /// Time of the transfer moves: from home, between passes and back home, s; without waits.
     pub air_s: f64,
     /// Time from home to home, s.
     pub total_s: f64,
@@ -100,14 +107,26 @@ pub struct PassFigures {
     /// Role: `tack`, `root`, `fill`, `cap` or `cosmetic`, if known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub role: Option<&'static str>,
+    /// Number of its bead in the cross-sections, if every bead is all along the seam.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bead: Option<usize>,
     /// Minimum and maximum of each process value in the pass, by name.
     pub process_range: BTreeMap<String, (f64, f64)>,
     /// Arc energy U I t, kJ; `None` without current and voltage.
     pub arc_energy_kj: Option<f64>,
     /// Length of wire, m; `None` without a wire feed.
     pub wire_m: Option<f64>,
+    /// Mass of wire, kg; `None` also without its diameter.
+    pub wire_kg: Option<f64>,
+    /// Mass of weld metal, kg.
+    pub weld_metal_kg: Option<f64>,
     /// Time of the transfer move before it, s.
     pub air_before_s: f64,
+    /// Time of the wait before it, s.
+    pub wait_before_s: f64,
+    /// Preheat and cooling time by EN 1011-2, if the job has materials.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heat: Option<PassHeat>,
     /// The plan.
     pub plan: PlanFigures,
     /// Speeds of the pass and their bounds.
@@ -152,6 +171,9 @@ impl WeldReport {
         let (summaries, curves) = simulation.unzip();
         let mut findings = motion.findings.clone();
         let (mut passes, mut plots) = (Vec::new(), Vec::new());
+        let wire = Wire::of(&program.consumables, program.procedure.as_ref());
+        let heat = motion.heat(program);
+        let beads = bead_numbers(welding);
         for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
             let samples = samples(machine, welding, i, planned);
             let certificate = CertificateFigures::new(machine, pass, planned);
@@ -170,14 +192,21 @@ impl WeldReport {
                 summary: summary.as_ref(),
             };
             plots.push(Plots::new(machine, welding, &plotted, language));
+            let wire_m = totals::wire_m(pass, planned);
+            let wire_kg = wire.mass_kg(wire_m);
             passes.push(PassFigures {
                 name: pass.name.clone(),
                 copy: program.copy_name(pass.copy).map(str::to_owned),
                 role: pass.known_role().map(Role::name),
+                bead: beads.get(i).copied().flatten(),
                 process_range: process_range(pass),
                 arc_energy_kj: totals::arc_energy_kj(pass, planned),
-                wire_m: totals::wire_m(pass, planned),
-                air_before_s: motion.transfers[i].duration(),
+                wire_m,
+                wire_kg,
+                weld_metal_kg: wire.weld_metal_kg(wire_kg),
+                air_before_s: motion.transfers[i].duration() - motion.transfers[i].rest_s(),
+                wait_before_s: motion.transfers[i].rest_s(),
+                heat: heat.get(i).copied().flatten(),
                 plan: PlanFigures::new(machine, welding, i, planned, &samples),
                 certificate,
                 procedure: procedure.map(|(held, run)| PassProcedureFigures::new(held, run)),
@@ -196,9 +225,11 @@ impl WeldReport {
             },
             procedure: program.procedure.as_ref().map(ProcedureFigures::new),
             seam: program.seam.as_ref().zip(welding.seam.as_ref()).map(|(seam, curve)| SeamFigures::new(seam, curve)),
+            joint: program.joint.clone(),
+            materials: program.materials.as_ref().map(MaterialsFigures::new),
             plan: passes[0].plan.clone(),
             simulation: passes[0].simulation.clone(),
-            totals: TotalsFigures::new(&passes, motion),
+            totals: TotalsFigures::new(&passes, program, motion),
             passes,
             air_s: motion.air_s(),
             total_s: motion.total_s(),
@@ -216,6 +247,25 @@ impl PassFigures {
         let quantities = self.procedure.iter().flat_map(|procedure| &procedure.quantities);
         quantities.filter(|q| q.key == "heat_input_kj_mm").find_map(|q| q.found)
     }
+}
+
+/// Returns the number of each pass' bead in the cross-sections: they count the beads at a station in the order of
+/// welding. Empty where some beads are not all along the seam, as then the numbers differ along it.
+fn bead_numbers(welding: &Welding) -> Vec<Option<usize>> {
+    if welding.plan.as_ref().is_none_or(|plan| plan.parts.iter().any(|parts| !parts.is_empty())) {
+        return Vec::new();
+    }
+    let mut known: Vec<&Bead> = Vec::new();
+    let mut numbers = Vec::new();
+    for pass in &welding.program.value.passes {
+        // A tack lies on the line of the root without being it.
+        let bead = pass.bead.as_ref().filter(|_| pass.role != Some(Role::Tack));
+        if let Some(new) = bead.filter(|bead| !known.contains(bead)) {
+            known.push(new);
+        }
+        numbers.push(bead.and_then(|bead| known.iter().position(|other| *other == bead)).map(|i| i + 1));
+    }
+    numbers
 }
 
 fn process_range(pass: &Pass) -> BTreeMap<String, (f64, f64)> {

@@ -1,14 +1,11 @@
-//! Data of the job.
+//! Times of the job before and after the travel.
 
 use super::figures::WeldReport;
 use super::range::Range;
-use crate::number::{from_to, number};
+use crate::number::number;
 use crate::{Block, Language, Table, Words as _, value_names};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Sequence, Slope, WeldDirection};
-
-/// Kinds of seams that do not go around a tube.
-const STRAIGHT: [&str; 3] = ["line", "T-joint", "spline"];
+use seamwright_program::{Sequence, Slope};
 
 /// A slope of process values: labels of its values and of its time, and its accessor.
 type SlopeRows = (&'static str, &'static str, fn(&Sequence) -> Option<&Slope>);
@@ -22,35 +19,16 @@ const SLOPES: [SlopeRows; 2] = [
 type Row = [String; 3];
 
 impl WeldReport {
+    /// Returns times before and after the travel, and the process values of a weld in one pass.
     pub(super) fn data_table(&self, language: Language) -> Block {
-        let mut rows = self.seam_rows(language);
-        let value_row = |label, value: f64, unit| row(language, label, number(value, language), unit);
-        let several = self.passes.len() > 1;
-        if !several {
+        let mut rows = self.sequence_rows(language);
+        if self.passes.len() == 1 {
+            let value_row = |label, value: f64, unit| row(language, label, number(value, language), unit);
             rows.extend([
                 value_row("report-row-acceleration-phase", self.plan.run_up_mm, Unit::Mm),
                 value_row("report-row-deceleration-phase", self.plan.run_down_mm, Unit::Mm),
             ]);
         }
-        let start = &self.plan.start;
-        if self.seam.as_ref().is_some_and(|s| !STRAIGHT.contains(&s.kind)) {
-            let direction = match start.direction {
-                WeldDirection::CounterClockwise => "report-counter-clockwise",
-                WeldDirection::Clockwise => "report-clockwise",
-            };
-            rows.push(value_row("report-row-start-angle", start.phi_deg.get(), Unit::Deg));
-            rows.push(row(language, "report-row-direction", language.words(direction), Unit::One));
-            rows.push(value_row("report-row-overlap", start.overlap_mm.get(), Unit::Mm));
-        }
-        rows.extend(self.sequence_rows(language));
-        // With several passes the table of passes shows their process values.
-        let process = self.plan.process.iter().filter(|_| !several);
-        rows.extend(process.map(|(name, value)| {
-            let [title, unit] = value_names::value_parts(language, name);
-            let (from, to) = value.ends();
-            let [from, to] = [from, to].map(|value| number(value, language));
-            [title, if value.is_ramp() { from_to(from, to, language) } else { from }, unit]
-        }));
         Table::of(language, rows)
             .text("", |row| row[0].clone())
             .number("report-column-value", |row| row[1].clone())
@@ -84,19 +62,6 @@ impl WeldReport {
         rows.extend(time_row("report-row-crater", &|sequence| Some(sequence.crater_s.get())));
         rows.extend(time_row("report-row-postflow", &|sequence| Some(sequence.postflow_s.get())));
         rows
-    }
-
-    fn seam_rows(&self, language: Language) -> Vec<Row> {
-        let Some(s) = &self.seam else { return Vec::new() };
-        let row = |label, value: f64, unit| row(language, label, number(value, language), unit);
-        let kind = language.named("key", s.kind).unwrap_or_else(|| s.kind.to_owned());
-        vec![
-            [language.words("report-row-seam"), kind, String::new()],
-            row("report-row-seam-length", s.length_mm, Unit::Mm),
-            row("report-tile-weld-length", s.weld_length_mm, Unit::Mm),
-            row("report-row-dihedral-min", s.dihedral_min_deg, Unit::Deg),
-            row("report-row-dihedral-max", s.dihedral_max_deg, Unit::Deg),
-        ]
     }
 }
 

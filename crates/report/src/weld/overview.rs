@@ -4,11 +4,14 @@ use super::figures::{PassFigures, WeldReport};
 use super::plan::PlanFigures;
 use super::range::Range;
 use crate::block::tile;
-use crate::number::{NONE, Significant as _, number, range, significant, small};
-use crate::{Language, Severity, Tile, Verdict, Words as _};
+use crate::number::{NONE, Significant as _, fixed, number, range, significant, small};
+use crate::{Language, Tile, Verdict, Words as _};
 use seamwright_message::{Argument, Message, Unit};
-use seamwright_program::group_findings;
+use seamwright_program::{Severity, group_findings};
 use seamwright_simulation::Summary;
+
+/// Attitude errors above this are worth the reader's attention, degrees.
+const ATTITUDE_DEG: f64 = 0.5;
 
 impl WeldReport {
     /// Describes the checks that were made and their limits.
@@ -37,6 +40,12 @@ impl WeldReport {
             n => Message::new("report-verdict-outside").text("procedure", &p.number).count("n", n),
         }));
         text.extend(self.worst_simulated().map(|(pass, s)| pass.plan.simulated(s)));
+        let groups = group_findings(&self.findings);
+        let count = |wanted: Severity| groups.iter().filter(|g| g.finding.severity() == wanted).count();
+        let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
+        if errors + warnings > 0 {
+            text.push(Message::new("report-verdict-findings").count("errors", errors).count("warnings", warnings));
+        }
         let text: Vec<String> = text.iter().map(|message| message.in_language(language)).collect();
         Verdict { ok: self.findings.iter().all(|f| f.allowed), text: language.sentences(&text) }
     }
@@ -47,8 +56,21 @@ impl WeldReport {
         simulated.max_by(|a, b| a.1.path_error_mm.max.total_cmp(&b.1.path_error_mm.max))
     }
 
-    /// Returns the key figures of the weld; with several passes sums, and the extremes of all passes.
+    /// Returns the totals of the weld: lengths, times, metal, consumables, energy and cost.
     pub(super) fn tiles(&self, language: Language) -> Vec<Tile> {
+        let mut tiles = self.time_tiles(language);
+        tiles.extend(self.consumption_tiles(language));
+        tiles.extend(self.cost_tile(language));
+        tiles.extend(self.worst_simulated().iter().flat_map(|(_, s)| simulated_tiles(s, language)));
+        let plans = self.passes.iter().map(|pass| &pass.plan);
+        let worst = plans.max_by(|a, b| a.attitude_error_deg.total_cmp(&b.attitude_error_deg));
+        tiles.extend(
+            worst.filter(|plan| plan.attitude_error_deg > ATTITUDE_DEG).map(|plan| plan.attitude_tile(language)),
+        );
+        tiles
+    }
+
+    fn time_tiles(&self, language: Language) -> Vec<Tile> {
         let totals = &self.totals;
         let tile = |label, value: f64, unit, note: Message| {
             tile(language, label, unit, number(value, language), note.in_language(language))
@@ -64,27 +86,88 @@ impl WeldReport {
             travel = Message::new("report-travel-of-passes").count("n", totals.passes);
         }
         let length = self.seam.as_ref().map_or(totals.length_mm, |seam| seam.weld_length_mm);
-        let cycle = Message::new("report-cycle").significant("total", totals.total_s, Unit::S, 5);
-        let cycle = cycle.significant("transfer", totals.air_s, Unit::S, 5);
-        let plans = || self.passes.iter().map(|pass| &pass.plan);
-        let asked = Range::of(plans().flat_map(|plan| [plan.asked_speed_mm_s.0, plan.asked_speed_mm_s.1]));
-        let planned = Range::of(plans().flat_map(|plan| [plan.least_speed_mm_s, plan.greatest_speed_mm_s]));
-        let speeds = Message::new("report-speed-requested").text("requested", asked.text(language));
-        let speeds = speeds.significant("max", planned.max, Unit::One, 5);
-        let mut tiles = vec![
+        let parts = Message::new(if totals.wait_s > 0.0 { "report-total-parts-waiting" } else { "report-total-parts" });
+        let parts = parts.significant("transfer", totals.air_s, Unit::S, 4);
+        let parts = parts.significant("wait", totals.wait_s, Unit::S, 4);
+        let duty = Message::new("report-duty").significant("part", totals.arc_percent, Unit::Percent, 3).significant(
+            "duty",
+            totals.duty_percent,
+            Unit::Percent,
+            3,
+        );
+        vec![
             tile("report-tile-weld-length", length, Unit::Mm, of),
             tile("report-tile-weld-time", totals.weld_s, Unit::S, travel),
-            tile("report-tile-arc-on", totals.arc_on_s, Unit::S, cycle),
-            tile("report-tile-speed", planned.min, Unit::MmPerS, speeds),
+            tile("report-tile-arc-on", totals.arc_on_s, Unit::S, duty),
+            tile("report-tile-total", totals.total_s, Unit::S, parts),
+        ]
+    }
+
+    fn consumption_tiles(&self, language: Language) -> Vec<Tile> {
+        let totals = &self.totals;
+        let positive = |value: Option<f64>| value.filter(|value| *value > 0.0);
+        let tile = |label, value: f64, unit, note: Option<Message>| {
+            let note = note.map_or_else(String::new, |note| note.in_language(language));
+            tile(language, label, unit, significant(value, 4, language), note)
+        };
+        let length = |code, metres: f64| Message::new(code).significant("length", metres, Unit::M, 4);
+        let wire = match (positive(totals.wire_kg), positive(totals.wire_m)) {
+            (Some(kg), metres) => {
+                let note = metres.map(|m| length("report-wire-length", m));
+                Some(tile("report-tile-wire", kg, Unit::Kg, note))
+            }
+            (None, Some(m)) => Some(tile("report-tile-wire", m, Unit::M, Some(Message::new("report-wire-with-arc")))),
+            (None, None) => None,
+        };
+        let energies = self.passes.iter().filter_map(|pass| pass.plan.arc_energy_kj_mm);
+        let heat = self.passes.iter().filter_map(PassFigures::heat_input_kj_mm);
+        let per_length = |label, ends: Range, code| {
+            let note = Message::new(code).significant("min", ends.min, Unit::One, 3);
+            let max = (1000.0 * ends.max).round() / 1000.0;
+            ends.max.is_finite().then(|| tile(label, max, Unit::KiloJPerMm, Some(note)))
+        };
+        let heat = Range::of(heat.flat_map(|(min, max)| [min, max]).filter(|heat| heat.is_finite()));
+        let energy = Range::of(energies.flat_map(|(min, max)| [min, max]));
+        let mains = |kwh| Message::new("report-mains").significant("energy", kwh, Unit::KiloWh, 3);
+        [
+            positive(totals.weld_metal_kg).map(|kg| tile("report-tile-weld-metal", kg, Unit::Kg, None)),
+            wire,
+            positive(totals.gas_l).map(|l| tile("report-tile-gas", l, Unit::L, Some(Message::new("report-gas-time")))),
+            positive(totals.flux_kg).map(|kg| tile("report-tile-flux", kg, Unit::Kg, None)),
+            positive(totals.arc_energy_kj)
+                .map(|kj| tile("report-tile-energy", kj, Unit::KiloJ, totals.mains_kwh.map(mains))),
+            per_length("report-tile-heat-input", heat, "report-heat-input-range")
+                .or_else(|| per_length("report-tile-arc-energy", energy, "report-arc-energy-range")),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    fn cost_tile(&self, language: Language) -> Option<Tile> {
+        let cost = self.totals.cost.as_ref()?;
+        let money = |value: f64| fixed(value, 2, language);
+        let items = [
+            ("report-cost-labour", cost.labour),
+            ("report-cost-machine", cost.machine),
+            ("report-cost-wire", cost.wire),
+            ("report-cost-gas", cost.gas),
+            ("report-cost-flux", cost.flux),
+            ("report-cost-energy", cost.energy),
         ];
-        tiles.extend(self.worst_simulated().iter().flat_map(|(_, s)| simulated_tiles(s, language)));
-        let worst = plans().max_by(|a, b| a.attitude_error_deg.total_cmp(&b.attitude_error_deg));
-        tiles.extend(worst.map(|plan| plan.attitude_tile(language)));
-        let energies = plans().filter_map(|plan| plan.arc_energy_kj_mm).flat_map(|(least, greatest)| [least, greatest]);
-        tiles.extend(energy_tile(Range::of(energies), language));
-        let wire = |metres: f64| tile("report-tile-wire", metres, Unit::M, Message::new("report-wire-with-arc"));
-        tiles.extend(totals.wire_m.filter(|metres| *metres > 0.0).map(wire));
-        tiles
+        let item =
+            |(code, value): (&'static str, Option<f64>)| Some(format!("{} {}", language.words(code), money(value?)));
+        let mut notes: Vec<String> = items.into_iter().filter_map(item).collect();
+        if !cost.without.is_empty() {
+            notes.push(language.words("report-cost-incomplete"));
+        }
+        Some(Tile {
+            label: language.words("report-tile-cost"),
+            value: money(cost.total),
+            unit: cost.currency.clone(),
+            note: notes.join(", "),
+            severity: (!cost.without.is_empty()).then_some(crate::Severity::Warning),
+        })
     }
 }
 
@@ -119,21 +202,8 @@ impl PlanFigures {
         let error = significant(self.attitude_error_deg, 3, language);
         let note = language.words("report-attitude-error-of-plan");
         Tile {
-            severity: (self.attitude_error_deg > 0.5).then_some(Severity::Warning),
+            severity: Some(crate::Severity::Warning),
             ..tile(language, "report-tile-attitude-error", Unit::Deg, error, note)
         }
     }
-}
-
-fn energy_tile(energy_kj_mm: Range, language: Language) -> Option<Tile> {
-    let Range { min, max } = energy_kj_mm;
-    if !max.is_finite() {
-        return None;
-    }
-    let note = match max - min < 1e-3 * max {
-        true => Message::new("report-arc-energy-formula"),
-        false => Message::new("report-arc-energy-range").significant("min", min, Unit::One, 3),
-    };
-    let value = significant(max, 3, language);
-    Some(tile(language, "report-tile-arc-energy", Unit::KiloJPerMm, value, note.in_language(language)))
 }

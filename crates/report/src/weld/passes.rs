@@ -1,62 +1,22 @@
-//! Page of a weld of several passes: tables by pass, and the curves of one pass of each kind. The curves of all passes
-//! would fill a book with repetitions.
+//! Tables by pass, and the passes whose curves stand for all.
 
-use super::Plots;
 use super::certificate::UseFigures;
 use super::figures::{PassFigures, WeldReport};
-use super::limits::{axes_table, speed_text, uses_table};
-use super::page::SEAM;
+use super::limits::{axes_table, uses_table};
 use super::plan::AxisFigures;
 use super::range::Range;
 use super::simulated::simulation_text;
 use super::tracking;
-use crate::block::{paragraph, sections};
 use crate::number::{NONE, Significant as _, from_to, number, significant, small};
 use crate::{Block, Language, Table, Words as _, value_names};
 use seamwright_message::{Message, Unit};
 use seamwright_simulation::Summary;
 use seamwright_simulation::tracking::HeadSummary;
 
-/// Drawings of one pass of several, after those of its seam.
-const CURVES: [&str; 9] =
-    ["heat-input", "position", "clearance", "speed", "speed-deviation", "tracking", "path-error", "following", "axes"];
-
 impl WeldReport {
-    pub(super) fn all_passes(&self, plots: &[Plots], language: Language) -> Vec<Block> {
-        let first = |name| plots.first().map_or(Vec::new(), |plots| plots.figures(&[name], language));
-        let mut order = first("order");
-        order.push(self.order_table(language));
-        let axes = axes_table(&self.axes_of_all(), language);
-        let uses = uses_table(&self.uses_of_all(), language);
-        let parts = [
-            ("report-heading-passes", vec![self.passes_table(language)]),
-            ("report-heading-order", order),
-            ("report-heading-joint", first("sections")),
-            ("report-heading-procedure", self.procedure_of_all(language)),
-            ("report-heading-checks", vec![self.checks_table(language), axes, uses]),
-            ("report-heading-simulated", self.simulated_of_all(language)),
-            ("report-heading-tracking", self.tracked_of_all(language)),
-        ];
-        sections(parts, language).collect()
-    }
-
-    pub(super) fn curves(&self, plots: &[Plots], language: Language) -> Vec<Block> {
-        let mut blocks = vec![paragraph("report-about-curves", language)];
-        for i in self.typical_passes() {
-            let (pass, Some(plots)) = (&self.passes[i], plots.get(i)) else { continue };
-            let heading = Message::new("report-heading-pass-curves").pass("pass", i + 1).text("name", &pass.name);
-            blocks.push(Block::Heading(heading.in_language(language)));
-            blocks.push(Block::Paragraph(speed_text(&pass.certificate, language)));
-            blocks.extend(plots.figures(&SEAM, language));
-            blocks.extend(plots.taught(language));
-            blocks.extend(plots.figures(&CURVES, language));
-        }
-        blocks
-    }
-
     /// Returns one pass of each kind, in the order of welding: one with a finding against it, or else the longest. A
     /// pass without a role, as in a program of points, is alike only to those of its name.
-    fn typical_passes(&self) -> Vec<usize> {
+    pub(super) fn typical_passes(&self) -> Vec<usize> {
         let weight = |i: usize| {
             let against = self.findings.iter().any(|f| f.pass == i + 1 && !f.allowed);
             (against, self.passes[i].plan.length_mm)
@@ -75,14 +35,17 @@ impl WeldReport {
     }
 
     /// Returns process values and results of each pass, with equal passes in one row. Times of arc and gas are in the
-    /// table of the order, because the table would be wider than a page.
-    fn passes_table(&self, language: Language) -> Block {
+    /// schedule, because the table would be wider than a page.
+    pub(super) fn passes_table(&self, language: Language) -> Block {
         let any = |has: fn(&PassFigures) -> bool| self.passes.iter().any(has);
         let short = |of: Option<(f64, f64)>| optional(of.map(|range| Range::from(range).short_text(language)));
         let mut names: Vec<&String> = self.passes.iter().flat_map(|pass| pass.process_range.keys()).collect();
         names.sort_unstable();
         names.dedup();
         let mut table = Table::of(language, &self.passes);
+        if any(|pass| pass.bead.is_some()) {
+            table = table.number("report-column-bead", |pass| optional(pass.bead.map(|bead| bead.to_string())));
+        }
         for name in names {
             let value = |pass: &&PassFigures| pass.process_range.get(name).map(|r| Range::from(*r).text(language));
             table = table.column(value_names::value(language, name), true, |pass| optional(value(pass)));
@@ -90,11 +53,11 @@ impl WeldReport {
         table = table.number("report-column-speed-mm-s", |pass| {
             short(Some((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s)))
         });
-        if any(|pass| pass.plan.arc_energy_kj_mm.is_some()) {
-            table = table.number("report-column-arc-energy", |pass| short(pass.plan.arc_energy_kj_mm));
-        }
+        // Heat input is the arc energy times the thermal efficiency: one of them is enough for a page.
         if any(|pass| pass.heat_input_kj_mm().is_some()) {
             table = table.number("report-column-heat-input", |pass| short(pass.heat_input_kj_mm()));
+        } else if any(|pass| pass.plan.arc_energy_kj_mm.is_some()) {
+            table = table.number("report-column-arc-energy", |pass| short(pass.plan.arc_energy_kj_mm));
         }
         let totals = &self.totals;
         table = table
@@ -106,15 +69,20 @@ impl WeldReport {
             table = table.number("report-column-wire-m", metres);
             sums.push(number(wire, language));
         }
+        if let Some(metal) = totals.weld_metal_kg.filter(|metal| *metal > 0.0) {
+            let mass = |pass: &&PassFigures| optional(pass.weld_metal_kg.map(|kg| significant(kg, 3, language)));
+            table = table.number("report-column-weld-metal-kg", mass);
+            sums.push(significant(metal, 4, language));
+        }
         let mut table = self.by_pass(table.table(language.words("report-caption-passes")), language);
         // Sums are below the last columns.
-        let mut row = vec![String::new(), language.words("report-all-passes")];
+        let mut row = vec![String::new(), in_one_line(&language.words("report-all-passes"))];
         row.resize(table.head.len() - sums.len(), String::new());
         table.rows.push([row, sums].concat());
         Block::Table(table)
     }
 
-    fn checks_table(&self, language: Language) -> Block {
+    pub(super) fn checks_table(&self, language: Language) -> Block {
         let mut table = Table::of(language, &self.passes)
             .number("report-column-at-requested-speed", |pass| {
                 significant(pass.certificate.at_asked_percent, 3, language)
@@ -136,7 +104,12 @@ impl WeldReport {
         Block::Table(self.by_pass(table.table(language.words("report-caption-checks")), language))
     }
 
-    fn axes_of_all(&self) -> Vec<AxisFigures> {
+    /// Returns the ranges of the axes and how much of their limits is used, over all passes.
+    pub(super) fn axes_of_all(&self, language: Language) -> [Block; 2] {
+        [axes_table(&self.axis_ranges(), language), uses_table(&self.axis_uses(), language)]
+    }
+
+    fn axis_ranges(&self) -> Vec<AxisFigures> {
         let mut passes = self.passes.iter().map(|pass| &pass.plan.axes);
         let mut all = passes.next().cloned().unwrap_or_default();
         for axes in passes {
@@ -147,7 +120,7 @@ impl WeldReport {
         all
     }
 
-    fn uses_of_all(&self) -> Vec<UseFigures> {
+    fn axis_uses(&self) -> Vec<UseFigures> {
         let mut passes = self.passes.iter().map(|pass| &pass.certificate.uses);
         let mut all = passes.next().cloned().unwrap_or_default();
         for uses in passes {
@@ -160,7 +133,7 @@ impl WeldReport {
         all
     }
 
-    fn simulated_of_all(&self, language: Language) -> Vec<Block> {
+    pub(super) fn simulated_of_all(&self, language: Language) -> Vec<Block> {
         let Some((_, worst)) = self.worst_simulated() else { return Vec::new() };
         let simulated = |pass: &PassFigures, of: fn(&Summary) -> Option<f64>| {
             optional(pass.simulation.as_ref().and_then(of).map(|value| small(value, language)))
@@ -175,7 +148,7 @@ impl WeldReport {
     }
 
     /// Returns the deviation of each pass from the joint, and the corrections of beams, if any pass was tracked.
-    fn tracked_of_all(&self, language: Language) -> Vec<Block> {
+    pub(super) fn tracked_of_all(&self, language: Language) -> Vec<Block> {
         let heads = |pass: &PassFigures| pass.simulation.as_ref().map_or_else(Vec::new, |s| s.heads.clone());
         let all: Vec<HeadSummary> = self.passes.iter().flat_map(heads).collect();
         if all.is_empty() {
@@ -197,7 +170,7 @@ impl WeldReport {
     }
 
     /// Joins rows of consecutive passes with equal cells, and adds the numbers and names of their passes in front.
-    fn by_pass(&self, table: Table, language: Language) -> Table {
+    pub(super) fn by_pass(&self, table: Table, language: Language) -> Table {
         let mut joined: Vec<(usize, usize, Vec<String>)> = Vec::new();
         for (i, cells) in table.rows.into_iter().enumerate() {
             match joined.last_mut() {
@@ -206,7 +179,7 @@ impl WeldReport {
             }
         }
         let rows = joined.into_iter().map(|(first, last, cells)| {
-            let (number, name) = ((first + 1).to_string(), self.passes[first].name.clone());
+            let (number, name) = ((first + 1).to_string(), in_one_line(&self.passes[first].name));
             let front = match first == last {
                 true => vec![number, name],
                 false => {
@@ -244,6 +217,14 @@ fn joined(tables: impl Iterator<Item = (usize, Table)>, language: Language) -> O
     Some(all)
 }
 
+/// Longest name of a pass that is not broken over lines, in characters.
+const UNBROKEN: usize = 12;
+
+/// Returns a short name with spaces at which no line breaks.
+fn in_one_line(name: &str) -> String {
+    if name.chars().count() <= UNBROKEN { name.replace(' ', "\u{a0}") } else { name.to_owned() }
+}
+
 fn optional(text: Option<String>) -> String {
     text.unwrap_or_else(|| NONE.to_owned())
 }
@@ -253,7 +234,7 @@ impl WeldReport {
         let number = |value| number(value, language);
         let mut start_s = 0.0;
         let mut started = |pass: &PassFigures| {
-            start_s += pass.air_before_s;
+            start_s += pass.air_before_s + pass.wait_before_s;
             let started = number(start_s);
             start_s += pass.plan.total_s;
             started
@@ -261,21 +242,20 @@ impl WeldReport {
         let mut table = Table::of(language, self.passes.iter().zip(1..))
             .text("", |(_, i): &(_, i32)| i.to_string())
             .text("report-column-pass", |(pass, _)| pass.name.clone())
-            .number("report-column-transfer-before-s", |(pass, _)| number(pass.air_before_s))
+            .number("report-column-transfer-before-s", |(pass, _)| number(pass.air_before_s));
+        if self.totals.wait_s > 0.0 {
+            table = table.number("report-column-wait-before-s", |(pass, _)| number(pass.wait_before_s));
+        }
+        let mut table = table
             .number("report-column-start-s", |(pass, _)| started(pass))
             .number("report-column-travel-s", |(pass, _)| number(pass.plan.weld_s))
             .number("report-column-arc-on-s", |(pass, _)| number(pass.plan.arc_on_s))
             .number("report-column-total-s", |(pass, _)| number(pass.plan.total_s))
             .table(language.words("report-caption-order-table"));
-        table.rows.push(vec![
-            String::new(),
-            language.words("report-all-from-home"),
-            number(self.air_s),
-            String::new(),
-            number(self.totals.weld_s),
-            number(self.totals.arc_on_s),
-            number(self.total_s),
-        ]);
+        let mut sums = vec![String::new(), language.words("report-all-from-home"), number(self.air_s)];
+        sums.extend((self.totals.wait_s > 0.0).then(|| number(self.totals.wait_s)));
+        sums.extend([String::new(), number(self.totals.weld_s), number(self.totals.arc_on_s), number(self.total_s)]);
+        table.rows.push(sums);
         Block::Table(table)
     }
 }

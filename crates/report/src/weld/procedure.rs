@@ -236,17 +236,6 @@ pub(super) fn verdict(q: &QuantityFigures, language: Language) -> String {
     message.in_language(language)
 }
 
-pub(super) fn positions_table(figures: &PassProcedureFigures, language: Language) -> Block {
-    let table = Table::of(language, &figures.positions)
-        .text("report-column-position", |p| p.position.to_string())
-        .number("report-column-from", |p| number(p.from_mm, language))
-        .number("report-column-to", |p| number(p.to_mm, language))
-        .number("report-column-slope", |p| degrees(p.slope_deg, language))
-        .number("report-column-rotation", |p| degrees(p.rotation_deg, language))
-        .text("", |p| language.words(if p.allowed { "report-allowed" } else { "report-not-allowed" }));
-    Block::Table(table.table(positions_caption(figures, language)))
-}
-
 pub(super) fn positions_caption(figures: &PassProcedureFigures, language: Language) -> String {
     match &figures.positions_allowed {
         None => language.words("report-caption-positions-any"),

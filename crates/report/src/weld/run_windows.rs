@@ -52,8 +52,8 @@ impl<'a> RunPasses<'a> {
     fn windows_table(&self, language: Language) -> Block {
         let rows = self.first().quantities.iter().map(|q| {
             let (all, outside) = self.quantity(q);
-            let verdict = match outside.is_empty() {
-                true => verdict(&all, language),
+            let verdict = match outside.is_empty() || self.passes.len() == 1 {
+                true => verdict(q, language),
                 false => {
                     let passes = numbers(&outside, language);
                     Message::new("report-outside-pass").text("passes", passes).in_language(language)
@@ -128,7 +128,7 @@ fn wider(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
 }
 
 /// Formats increasing numbers of passes: `1 to 4, 6`.
-fn numbers(passes: &[usize], language: Language) -> String {
+pub(super) fn numbers(passes: &[usize], language: Language) -> String {
     let runs = passes.chunk_by(|a, b| *b == a + 1);
     let text = |run: &[usize]| match run {
         [first, .., last] => from_to(first.to_string(), last.to_string(), language),

@@ -32,14 +32,6 @@ pub(super) fn following_table(summary: &Summary, language: Language) -> Block {
 }
 
 impl ClearanceFigures {
-    pub(super) fn nearest_text(&self, language: Language) -> Option<String> {
-        let message = Message::new("report-nearest")
-            .text("objects", self.between_text(language)?)
-            .significant("distance", self.nearest_mm, Unit::Mm, 5)
-            .significant("s", self.at_mm?, Unit::Mm, 5);
-        Some(message.in_language(language))
-    }
-
     /// Names the two objects with the minimum distance.
     pub(super) fn between_text(&self, language: Language) -> Option<String> {
         let [first, second] = self.nearest.clone()?;

@@ -10,7 +10,7 @@ use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::posting::{Unproven, proven};
 use seamwright_record::Moment;
-use seamwright_report::{Language, WeldReport};
+use seamwright_report::{Extent, Language, WeldReport};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -115,7 +115,7 @@ fn report(name: &str, text: &str, language: &str, jobs: &Path) -> Result<Vec<u8>
     let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
     let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, language);
     let date = Moment::now().to_string();
-    Ok(report.page(&plots, loaded.welding.program.text(), &date, language).into_bytes())
+    Ok(report.page(&plots, loaded.welding.program.text(), &date, Extent::Summary, language).into_bytes())
 }
 
 fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {
