@@ -11,7 +11,7 @@ use crate::stopped::eventually;
 use seamwright_testkit::{Random, soak};
 use serde_json::json;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,8 +103,14 @@ fn planner(panel: &Panel) -> Option<String> {
 
 fn inject(process: &str, fault: Fault) {
     match fault {
-        // A planner may have answered meanwhile.
-        Fault::Signal(name) => drop(Command::new("kill").args([name, process]).status()),
+        // A planner may have answered meanwhile. The first SIGSEGV that comes from outside only removes the handler, which
+        // looks for stack overflows.
+        Fault::Signal(name) => {
+            for _ in 0..if name == "-SEGV" { 2 } else { 1 } {
+                drop(Command::new("kill").args([name, process]).stderr(Stdio::null()).status());
+                std::thread::sleep(Duration::from_millis(50));
+            }
+        }
         Fault::Frozen(ms) => {
             drop(Command::new("kill").args(["-STOP", process]).status());
             std::thread::sleep(Duration::from_millis(ms));

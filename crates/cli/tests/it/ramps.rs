@@ -60,7 +60,7 @@ fn values_ramp_in_step_with_the_motion() {
 fn energy_and_trace_have_the_ramp() {
     let (folder, job) = ramped();
     let out = folder.path().join("out").display().to_string();
-    let report = json(&["plan", &job, "-o", &out, "--json"]);
+    let report = json(&["plan", &job, "-o", &out, "--appendix", "--json"]);
     let energy = |i: usize| report["plan"]["arc_energy_kj_mm"][i].as_f64().unwrap();
     // U I / v at both ends of the weld, without the acceleration and deceleration phases.
     assert!((energy(0) / (27.0 * 0.120 / 10.0) - 1.0).abs() < 1e-2, "{}", energy(0));

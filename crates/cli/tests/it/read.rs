@@ -74,7 +74,7 @@ fn the_electron_beam_welder_s_program_reads_welds_and_comes_back() {
     }
 
     let report = dir.path().join("out");
-    good(&["simulate", path, "-o", report.to_str().unwrap()]);
+    good(&["simulate", path, "-o", report.to_str().unwrap(), "--appendix"]);
     assert!(fs::read_to_string(report.join("report.html")).unwrap().contains("Process values"));
 }
 

@@ -132,6 +132,6 @@ fn what_is_found_in_many_passes_is_said_once((summary, report, page): &(String, 
     assert!(page.len() < 400_000, "{}", page.len());
     // The map has a row for each bead and one for the tacks.
     let rows = report["passes"].as_array().unwrap().iter().filter(|pass| pass["role"] != "tack").count() + 1;
-    let map = page.split("<svg").find(|svg| svg.contains("Weld map")).unwrap();
+    let map = page.split("<svg").find(|svg| svg.contains("aria-label=\"Weld map")).unwrap();
     assert_eq!(map.matches("text-anchor=\"end\"").count(), rows + 1, "names of rows, and the unit");
 }
