@@ -101,7 +101,7 @@ pub use effort::{SearchProgress, SearchStage, Stop, Watch};
 pub use joint_path::{JointPath, JointPoint};
 pub use limit_kind::LimitKind;
 pub use pass_clearance::PassClearance;
-pub use pass_heat::PassHeat;
+pub use pass_heat::{PassHeat, ROOM_C};
 pub use pass_motion::PassMotion;
 pub use set_points::{Phase, SetPoint, SetPoints};
 pub use speed_findings::{Binding, plain};

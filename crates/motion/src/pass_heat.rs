@@ -6,8 +6,8 @@ use seamwright_message::{Message, Unit};
 use seamwright_program::{CoolingTime, Finding, Hardening, HeatFlow, Joint, Materials, PathRange, Program, Run};
 use serde::Serialize;
 
-/// Temperature of work that is not preheated, degrees Celsius.
-const ROOM_C: f64 = 20.0;
+/// Temperature of a workshop and of work that is not preheated, degrees Celsius.
+pub const ROOM_C: f64 = 20.0;
 /// Preheat may be less than the standard asks for by this, K: temperatures are not measured better.
 const MEASURED_K: f64 = 1.0;
 /// Above this temperature of the work there is no cooling from 800 to 500 degrees Celsius to speak of.

@@ -3,6 +3,7 @@
 use crate::pass_heat::{PassHeat, thickness_mm};
 use crate::pass_time::MAX_PASS_S;
 use crate::weld_motion::WeldMotion;
+use seamwright_geometry::numeric::bisect;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Interpass, Pass, PathRange, Program, Role};
 
@@ -13,7 +14,7 @@ const PLACES: (usize, usize) = (24, 500);
 /// A pass is over another one if it has more than this part of its places; fewer are a tie-in.
 const TIE_IN: f64 = 0.12;
 /// Halvings of the time in which a wait is sought: from days to a fraction of a second.
-const HALVINGS: usize = 20;
+const HALVINGS: u32 = 20;
 /// Waits are rounded up to this, s.
 const STEP_S: f64 = 1.0;
 
@@ -135,15 +136,10 @@ impl Weld<'_> {
         if is_cool(0.0) {
             return Ok(0.0);
         }
-        let (mut low, mut high) = (0.0, MAX_PASS_S);
-        if !is_cool(high) {
+        if !is_cool(MAX_PASS_S) {
             return Err("motion-interpass-never");
         }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if is_cool(middle) { high = middle } else { low = middle }
-        }
-        Ok(high)
+        Ok(bisect(MAX_PASS_S, 0.0, HALVINGS, is_cool).0)
     }
 
     /// Time at which the arc of pass `k`, which starts at `start`, is at its own path length `s`.

@@ -7,12 +7,9 @@ use crate::number::{NONE, fixed, number, quantity, significant};
 use crate::{Block, Language, Table, Words as _};
 use seamwright_document::Positive;
 use seamwright_message::{Message, Unit};
-use seamwright_motion::PassHeat;
+use seamwright_motion::{PassHeat, ROOM_C};
 use seamwright_program::{CarbonEquivalents, Composition, Material, Materials};
 use serde::Serialize;
-
-/// Temperature of a workshop, degrees Celsius: no preheat is needed up to it.
-const ROOM_C: f64 = 20.0;
 
 /// Base materials and weld metal of a weld.
 #[derive(Debug, Clone, PartialEq, Serialize)]
