@@ -66,7 +66,6 @@ pub fn request_seeds() -> Vec<Vec<u8>> {
     let files = WeldFiles {
         weld: 7,
         data: "data".into(),
-        folder: "data/welds/000007".into(),
         columns: vec![Column::new("t_s", "s", Kind::F64)],
         about: vec![("title".to_owned(), "a weld".to_owned())],
         most_rows: 1000,

@@ -45,6 +45,7 @@ mod prepared_task;
 mod program;
 pub mod protocol;
 mod recorder;
+mod resting;
 mod run;
 mod safe_outputs;
 mod sockets;

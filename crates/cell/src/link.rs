@@ -7,10 +7,11 @@ use crate::prepared_task::Prepared;
 use crate::program::Program;
 use crate::protocol::{MAX_REQUEST, PANEL_LOST_S, Report, Request, Unprepared, VERSION};
 use crate::recorder::{RecordNews, Recorder};
+use crate::resting::Resting;
 use crate::safe_outputs::SafeOutputs;
 use rtrb::{Consumer, Producer, PushError};
 use seamwright_executive::realtime::{Outside, QueueFill, RealtimeRights, Shown, Shutdown, ShutdownCause, Urgent};
-use seamwright_executive::{AlarmList, Ask, Command, Mode, Note, Origin, ProcessState};
+use seamwright_executive::{AlarmList, Ask, Command, Mode, Note, Origin};
 use seamwright_machine::{Machine, PanelLost};
 use seamwright_message::Message;
 use std::collections::VecDeque;
@@ -43,41 +44,6 @@ struct Panel {
     heard: Instant,
     greeted: bool,
     knows_rights: bool,
-}
-
-/// Of the cycles at rest with the process off only one in this number crosses to the panel: they differ in their time
-/// alone.
-const AT_REST: u32 = 10;
-
-/// Thins out the cycles of a cell that rests.
-#[derive(Default)]
-struct Resting {
-    /// Cycles since the last one that was passed on, and what of them must not be lost.
-    held: u32,
-    missed: u32,
-    late_ns: u64,
-    late: bool,
-    mode: Option<Mode>,
-}
-
-impl Resting {
-    /// Returns the cycle to be passed on, with the missed cycles and the maximum lateness of those before it.
-    fn pass(&mut self, mut shown: Shown) -> Option<Shown> {
-        let process = &shown.orders.process;
-        let is_off = shown.process == ProcessState::Off && !process.on && !process.gas;
-        let rests = is_off && !shown.mode.moves() && shown.phase.is_none() && shown.orders.rests();
-        let same = self.mode == Some(shown.mode) && shown.mode != Mode::Hold;
-        self.missed = self.missed.saturating_add(shown.reports.missed);
-        self.late_ns = self.late_ns.max(shown.reports.late_ns);
-        self.late |= shown.reports.late;
-        self.held += 1;
-        if rests && same && self.held < AT_REST {
-            return None;
-        }
-        (shown.reports.missed, shown.reports.late_ns, shown.reports.late) = (self.missed, self.late_ns, self.late);
-        *self = Self { mode: Some(shown.mode), ..Self::default() };
-        Some(shown)
-    }
 }
 
 /// Ends of the queues of the cycle, and what the link needs to know of the cell.
@@ -119,8 +85,6 @@ pub(crate) struct Link {
     releases: SafeOutputs,
     now: Option<Shown>,
     resting: Resting,
-    /// Number of cycles that the panel did not read in time.
-    left_out: u64,
     /// Fill of the queues, the maximum since the last report.
     queues: Vec<QueueFill>,
     lines_sent: Instant,
@@ -145,7 +109,6 @@ impl Link {
             releases: SafeOutputs::new(),
             now: None,
             resting: Resting::default(),
-            left_out: 0,
             queues: Vec::new(),
             lines_sent: Instant::now(),
             alone: Some(Instant::now()),
@@ -328,12 +291,9 @@ impl Link {
             }
             let Some(shown) = self.resting.pass(shown) else { continue };
             match self.panel.as_ref().map(|panel| panel.outbox.waiting()) {
-                Some(waiting) if waiting < MAX_WAITING_FOR_CYCLES => {
-                    let lost = shown.lost + self.left_out;
-                    self.report(&Report::Cycle(Box::new(Shown { lost, ..shown })));
-                }
-                Some(_) => self.left_out += 1,
-                None => {}
+                Some(waiting) if waiting < MAX_WAITING_FOR_CYCLES => self.report(&Report::Cycle(Box::new(shown))),
+                // The record has the others all the same.
+                Some(_) | None => {}
             }
             self.now = Some(shown);
         }
@@ -485,57 +445,5 @@ fn cell_now<'a>(connection: &'a Connection, now: Option<&Shown>) -> CellNow<'a> 
         connection,
         at: now.filter(is_referenced).map(|shown| std::array::from_fn(|i| shown.orders.set[i].position)),
         is_off: now.is_none_or(|shown| shown.mode == Mode::Off),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use seamwright_executive::{Orders, Place, Reports, Status};
-
-    fn shown(cycle: u64, mode: Mode) -> Shown {
-        let status = Status {
-            t: cycle as f64 * 1e-3,
-            mode,
-            place: Place::default(),
-            phase: None,
-            speed: 0.0,
-            steady: false,
-            welded_mm: 0.0,
-            process: ProcessState::Off,
-            armed: false,
-            feed_override: 1.0,
-            tracked: [None; 2],
-        };
-        let reports = Reports { missed: (cycle % 3) as u32, late_ns: cycle * 7 % 100, ..Reports::default() };
-        Shown { status, orders: Orders::default(), reports, cycle, lost: 0 }
-    }
-
-    /// Thinned cycles lose neither missed cycles nor the maximum lateness, and every change of mode crosses at once.
-    #[test]
-    fn cycles_at_rest_are_thinned_and_nothing_is_lost() {
-        let mut resting = Resting::default();
-        let cycles: Vec<Shown> = (1..=1000).map(|i| shown(i, if i < 500 { Mode::Ready } else { Mode::Idle })).collect();
-        let crossed: Vec<Shown> = cycles.iter().filter_map(|cycle| resting.pass(*cycle)).collect();
-        assert!((100..105).contains(&crossed.len()), "{}", crossed.len());
-        let missed = |of: &[Shown]| of.iter().map(|shown| shown.reports.missed).sum::<u32>() + resting.missed;
-        assert_eq!(missed(&crossed), missed(&cycles) - resting.missed);
-        let most = |of: &[Shown]| of.iter().map(|shown| shown.reports.late_ns).max();
-        assert_eq!(most(&crossed), most(&cycles));
-        assert!(crossed.iter().any(|shown| shown.cycle == 500), "the change of mode");
-    }
-
-    #[test]
-    fn cycles_of_motion_hold_and_process_all_cross() {
-        let mut resting = Resting::default();
-        for mode in [Mode::Weld, Mode::DryRun, Mode::Jog, Mode::Hold] {
-            assert!((1..100).all(|i| resting.pass(shown(i, mode)).is_some()), "{mode:?}");
-        }
-        let mut gas = shown(1, Mode::Ready);
-        gas.orders.process.gas = true;
-        assert!((0..100).all(|_| resting.pass(gas).is_some()));
-        let mut moves = shown(1, Mode::Ready);
-        moves.orders.set[0].velocity = 1.0;
-        assert!((0..100).all(|_| resting.pass(moves).is_some()));
     }
 }

@@ -92,7 +92,6 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
         about: header.about.to_vec(),
         most_rows: most_rows(loaded.machine.servo_period_s),
         rows: motion.count(loaded.machine.servo_period_s, true),
-        passes: program.passes.len(),
         basis: basis(program, motion),
         note: header.from.map_or_else(Message::default, |at| goes_on(program, at)),
     })

@@ -13,7 +13,7 @@ use crate::trace::recover::is_written;
 use crate::trace::{self, Trace};
 use crate::waiting_file::{self, WaitingFile};
 use crate::weld_log::{self, Entry, LogSummary, WeldLog};
-use crate::weld_writer::WeldFiles;
+use crate::weld_writer::{WeldFiles, weld_folder};
 use seamwright_message::{Message, Unit};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -131,27 +131,28 @@ impl DataFolder {
     /// If the disk is full, or writing fails: the weld must not start then, and its folder and entry are removed.
     pub fn begin(&mut self, plan: &Plan) -> Result<Recording, Error> {
         let (files, begun) = self.enter(plan)?;
-        let folder = files.folder.clone();
+        let folder = files.folder();
         let weld = files.weld;
         Recording::new(files, begun, plan.note.clone()).inspect_err(|_| self.take_back(weld, &folder))
     }
 
-    /// Starts a weld whose files another process writes, by [`crate::WeldWriter`]. [`DataFolder::close`] ends it.
+    /// Starts a weld of so many passes whose files another process writes, by [`crate::WeldWriter`]. [`DataFolder::close`]
+    /// ends it.
     ///
     /// # Errors
     /// See [`DataFolder::begin`].
-    pub fn begin_elsewhere(&mut self, plan: &Plan, events: &[Event]) -> Result<WeldFiles, Error> {
+    pub fn begin_elsewhere(&mut self, plan: &Plan, passes: usize, events: &[Event]) -> Result<WeldFiles, Error> {
         let (files, _) = self.enter(plan)?;
         let begun = || {
-            let mut log = WeldLog::open(&files.folder)?;
-            log.write(&Entry::Begun { passes: plan.passes })?;
+            let mut log = WeldLog::open(&files.folder())?;
+            log.write(&Entry::Begun { passes })?;
             events.iter().try_for_each(|event| log.write(&Entry::Event(event.clone())))?;
             log.sync()
         };
         match begun() {
             Ok(()) => Ok(files),
             Err(e) => {
-                self.take_back(files.weld, &files.folder);
+                self.take_back(files.weld, &files.folder());
                 Err(e)
             }
         }
@@ -191,7 +192,6 @@ impl DataFolder {
         let files = WeldFiles {
             weld: id,
             data: self.path.clone(),
-            folder,
             columns: plan.columns.clone(),
             about: plan.about.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect(),
             most_rows: plan.most_rows,
@@ -366,10 +366,6 @@ impl DataFolder {
         }
         Ok(Verified { welds: welds.len(), files, audit, problems })
     }
-}
-
-fn weld_folder(data: &Path, weld: i64) -> PathBuf {
-    data.join("welds").join(format!("{weld:06}"))
 }
 
 /// Time of the last write to the files of a weld.

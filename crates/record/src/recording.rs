@@ -44,8 +44,6 @@ pub struct Plan {
     pub rows: u64,
     /// Inputs of the figures.
     pub basis: Basis,
-    /// Number of passes to be welded; 0 if the result comes with the [`Outcome`].
-    pub passes: usize,
     /// Note made at the start of the weld; may be empty.
     pub note: Message,
 }
@@ -105,7 +103,7 @@ impl Recording {
     /// An unfinished trace is no error; the weld's note reports it.
     pub fn finish(self, data: &mut DataFolder, outcome: &Outcome) -> Result<WeldRecord, Error> {
         let Self { files, begun, note, writer } = self;
-        let folder = &files.folder;
+        let folder = &files.folder();
         let ended = writer.end(0);
         let log = weld_log::read(folder)?;
         let mut notes = vec![note, outcome.note.clone()];

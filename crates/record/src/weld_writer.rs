@@ -3,7 +3,7 @@ use crate::trace::{Column, TraceWriter};
 use crate::weld_log::{Entry, WeldLog};
 use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// A weld whose files are to be written.
@@ -13,8 +13,6 @@ pub struct WeldFiles {
     pub weld: i64,
     /// The data folder.
     pub data: PathBuf,
-    /// Folder of the weld's files, which exists.
-    pub folder: PathBuf,
     /// Columns of the trace.
     pub columns: Vec<Column>,
     /// (key, value) pairs for the trace's metadata.
@@ -23,6 +21,18 @@ pub struct WeldFiles {
     pub most_rows: u64,
     /// Expected number of rows.
     pub rows: u64,
+}
+
+impl WeldFiles {
+    /// Folder of the weld's files.
+    pub fn folder(&self) -> PathBuf {
+        weld_folder(&self.data, self.weld)
+    }
+}
+
+/// Folder of the files of a weld in a data folder.
+pub(crate) fn weld_folder(data: &Path, weld: i64) -> PathBuf {
+    data.join("welds").join(format!("{weld:06}"))
 }
 
 /// Writes the files of a weld while it runs: trace and log.
@@ -43,10 +53,10 @@ impl WeldWriter {
     /// If they cannot be written, or the disk has no room.
     pub fn open(files: &WeldFiles) -> Result<Self, Error> {
         let about: Vec<_> = files.about.iter().map(|(key, value)| (key.as_str(), value.clone())).collect();
-        let path = files.folder.join("trace.parquet");
-        let trace = TraceWriter::create(&path, &files.columns, &about, files.most_rows)?;
+        let folder = files.folder();
+        let trace = TraceWriter::create(&folder.join("trace.parquet"), &files.columns, &about, files.most_rows)?;
         trace.reserve(files.rows)?;
-        let log = WeldLog::open(&files.folder)?;
+        let log = WeldLog::open(&folder)?;
         log.reserve()?;
         Ok(Self { begun: Instant::now(), trace, log, trouble: None })
     }

@@ -104,10 +104,10 @@ impl Desk {
         let Some(of) = &self.to_weld else { return };
         let finished = self.welding.as_ref().map_or(0, |welding| welding.passes);
         let passes = of.passes.saturating_sub(finished);
-        let plan = Plan { passes, welder: Some(self.hub.holder().unwrap_or_default()), ..of.plan.clone() };
+        let plan = Plan { welder: Some(self.hub.holder().unwrap_or_default()), ..of.plan.clone() };
         let missing: Vec<&str> = self.footing.iter().flat_map(RealtimeRights::missing).collect();
         let (values, heads) = (self.names.values, self.names.heads);
-        self.recorder.begin(Beginning { start, plan, values, heads }, &missing);
+        self.recorder.begin(Beginning { start, plan, passes, values, heads }, &missing);
     }
 
     /// Handles the start of a record, and the end of one whose cell has died.

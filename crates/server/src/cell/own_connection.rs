@@ -69,3 +69,48 @@ impl OwnConnection {
         outcomes
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use seamwright_machine::{Machine, shipped};
+
+    /// Devices at a closed port, with one and with two connections.
+    fn devices() -> Vec<ModbusDevice> {
+        let device = "\n[devices.source.modbus]\naddress = \"127.0.0.1:1\"\nconnections = 2\n\
+            [devices.source.modbus.inputs]\ne_stop_ok = { discrete = 0 }\ncurtain_clear = { discrete = 1 }\n\
+            gas_ok = { discrete = 2 }\n[devices.source.modbus.outputs]\non = { coil = 0 }\ngas = { coil = 1 }\n\
+            [devices.source.modbus.reports]\nburning = { discrete = 4 }\n";
+        let text = format!("{}{device}", shipped("ellipse-xy").unwrap().text);
+        let own = Machine::read("cell.toml", &text).unwrap().devices.modbus[0].clone();
+        vec![ModbusDevice { name: "other".to_owned(), connections: 1, ..own.clone() }, own]
+    }
+
+    fn names(outcomes: Vec<Outcome>) -> Vec<String> {
+        let mut names: Vec<String> = outcomes
+            .into_iter()
+            .map(|(name, outcome)| {
+                assert!(outcome.is_err());
+                name
+            })
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// A silence is answered once, by devices that accept a further connection; without a cell every device is written,
+    /// and named if it is not reached.
+    #[test]
+    fn each_silence_is_answered_once_and_no_device_is_forgotten() {
+        let (mut own, devices) = (OwnConnection::new(), devices());
+        for _ in 0..2 {
+            own.watch(false, &devices);
+            (0..5).for_each(|_| own.watch(true, &devices));
+            let begin = Instant::now();
+            let outcome = std::iter::from_fn(|| Some(own.outcome())).find(|o| o.is_some() || begin.elapsed() > LAST);
+            assert_eq!(names(outcome.flatten().into_iter().collect()), ["source"]);
+            assert!(own.outcome().is_none() && own.waits.is_empty());
+        }
+        assert_eq!(names(own.write_all(&devices)), ["other", "source"]);
+    }
+}

@@ -51,6 +51,8 @@ pub(super) struct Beginning {
     /// The cell's number of its start.
     pub(super) start: u64,
     pub(super) plan: Plan,
+    /// Number of passes to be welded.
+    pub(super) passes: usize,
     /// Number of process values and of tracked heads.
     pub(super) values: usize,
     pub(super) heads: usize,
@@ -113,9 +115,8 @@ impl Recorder {
         }
         let (folder, deaths) = (self.folder.clone(), self.deaths);
         self.spawn(move |tell| {
-            let Beginning { start, plan, values, heads } = weld;
-            let begun = DataFolder::open(&folder).and_then(|mut data| data.begin_elsewhere(&plan, &events));
-            let passes = plan.passes;
+            let Beginning { start, plan, passes, values, heads } = weld;
+            let begun = DataFolder::open(&folder).and_then(|mut data| data.begin_elsewhere(&plan, passes, &events));
             // The desk may have ended; the weld is recovered then.
             drop(tell.send(match begun {
                 Ok(files) => RecorderNews::Begun(Box::new(RecordStart { start, passes, files, values, heads }), deaths),
@@ -331,8 +332,8 @@ mod tests {
     }
 
     fn begun(recorder: &mut Recorder, start: u64) -> WeldFiles {
-        let plan = Plan { passes: 1, welder: Some("ada".to_owned()), ..plan() };
-        recorder.begin(Beginning { start, plan, values: 0, heads: 0 }, &["its priority"]);
+        let plan = Plan { welder: Some("ada".to_owned()), ..plan() };
+        recorder.begin(Beginning { start, plan, passes: 1, values: 0, heads: 0 }, &["its priority"]);
         loop {
             match recorder.news() {
                 Some(RecorderNews::Begun(begun, _)) => return begun.files,
@@ -431,8 +432,7 @@ mod tests {
     fn a_weld_that_begins_while_its_cell_dies_is_interrupted() {
         let folder = tempfile::tempdir().unwrap();
         let mut recorder = recorder(folder.path());
-        let plan = Plan { passes: 1, ..plan() };
-        recorder.begin(Beginning { start: 1, plan, values: 0, heads: 0 }, &[]);
+        recorder.begin(Beginning { start: 1, plan: plan(), passes: 1, values: 0, heads: 0 }, &[]);
         recorder.lost(&Message::verbatim("killed by signal 9"));
         recorder.close_all();
         assert_eq!(welds(folder.path())[0].result, WeldResult::Interrupted);

@@ -85,7 +85,7 @@ static METRICS: [Metric; 39] = metrics! {
         "Longest time without a cycle since the start.";
     "seamwright_cycles_missed_total" "" Counter |v| one(v.cycle.missed as f64), "Missed cycles.";
     "seamwright_cycles_unrecorded_total" "" Counter |v| one(v.cycle.lost as f64),
-        "Cycles lost on a full queue: their rows are not in a record.";
+        "Cycles lost on the full queue of the cycle: their rows are not in a record.";
     "seamwright_realtime_right" "right" Gauge rights,
         "1 if the cycle has this right: priority (real-time scheduling), memory (locked). 0 if it is missing.";
     "seamwright_queue_items" "queue" Gauge |v| v.queues.iter().map(|q| sample(&q.name, q.waiting as f64)).collect(),

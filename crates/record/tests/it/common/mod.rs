@@ -41,7 +41,6 @@ pub(crate) fn plan(part: &str) -> Plan {
         ],
         about: vec![("part", part.to_owned())],
         most_rows: 3_600_000,
-        passes: 0,
         rows: 10_000,
         basis: Basis {
             power: Some(Power {
