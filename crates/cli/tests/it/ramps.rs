@@ -70,7 +70,7 @@ fn energy_and_trace_have_the_ramp() {
     let motion = |file: &str| good(&["tools", "motion", file, "--period-ms", "50"]);
     assert_eq!(motion(&program), motion(&job));
     // With the end of the downslope.
-    assert!(fs::read_to_string(format!("{out}/report.html")).unwrap().contains("40 to 240"));
+    assert!(fs::read_to_string(format!("{out}/report.html")).unwrap().contains(">40 to 240<"));
 }
 
 #[test]
