@@ -233,6 +233,7 @@ key-skip = auslassen
 key-slow = langsamer
 key-solids = Körper
 key-source-efficiency = Wirkungsgrad der Quelle
+key-spacing-to-width = Abstand zu Breite
 key-spans = Abschnitte
 key-spare-axes = freie Achsen
 key-speed = Geschwindigkeit

@@ -233,6 +233,7 @@ key-skip = skip
 key-slow = slow
 key-solids = solids
 key-source-efficiency = efficiency of the source
+key-spacing-to-width = spacing to width
 key-spans = spans
 key-spare-axes = spare axes
 key-speed = speed

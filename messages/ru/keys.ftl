@@ -233,6 +233,7 @@ key-skip = пропустить
 key-slow = замедлить
 key-solids = тела
 key-source-efficiency = КПД источника
+key-spacing-to-width = шаг к ширине
 key-spans = участки
 key-spare-axes = избыточные оси
 key-speed = скорость

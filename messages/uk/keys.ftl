@@ -233,6 +233,7 @@ key-skip = пропустити
 key-slow = сповільнити
 key-solids = тіла
 key-source-efficiency = ККД джерела
+key-spacing-to-width = крок до ширини
 key-spans = ділянки
 key-spare-axes = зайві осі
 key-speed = швидкість

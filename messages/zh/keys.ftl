@@ -233,6 +233,7 @@ key-skip = 跳过
 key-slow = 减速
 key-solids = 实体
 key-source-efficiency = 电源效率
+key-spacing-to-width = 间距与宽度之比
 key-spans = 区段
 key-spare-axes = 冗余轴
 key-speed = 速度
