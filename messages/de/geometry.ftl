@@ -91,6 +91,7 @@ geometry-head-flange = zylindrischer Bord des Bodens
 geometry-head-axis = Achse des Bodens
 geometry-crown-radius = Kalottenradius
 geometry-knuckle-radius = Krempenradius
+geometry-wall-of-ellipsoid = Wanddicke
 geometry-line-length = Länge der Geraden
 geometry-arc-axis = Achse des Bogens
 geometry-arc-radius = Bogenradius

@@ -630,6 +630,7 @@ panel-finding-drive = Antrieb an der Stromgrenze
 panel-finding-hold = Achse kann dort nicht gehalten werden
 panel-finding-interpass = Wartezeit zwischen Lagen
 panel-finding-jump = Achse müsste springen
+panel-finding-joint = Stoß außerhalb der Norm
 panel-finding-least-speed = Langsamer, als die Anweisung erlaubt
 panel-finding-oscillation = Oszillation lässt Lücken
 panel-finding-plausible = Wert ist nicht plausibel

@@ -79,6 +79,19 @@ program-fillet-sizes = leg_mm oder throat_mm, oder first_leg_mm und second_leg_m
 program-bevel-angle-unclear = der Flankenwinkel ist nicht eindeutig
 program-bevel-angles = entweder angle_deg (der Fuge) oder cut_deg (der Kante)
 program-positions-increase = die Positionen müssen zunehmen
+program-depth-leaves-no-back = die Tiefe auf der Vorderseite lässt für die Rückseite nichts übrig
+program-lap-leg-too-long = der Schenkel ist länger als die Kante, an der er liegt
+program-gouge-on-face = ausgefugt wird nur die Rückseite
+program-side-back = side = "back"
+program-back-without-groove = auf der Rückseite gibt es keine Fuge
+program-groove-on-back = eine beidseitige Fugenform, oder [joint.gouge] eines Stumpfstoßes
+program-gouge-through-wall = die Ausfugung geht durch die Wand
+program-gouge-angle-too-large = die Flanken der Ausfugung sind zu flach
+program-at-dihedral-without-edge = der Öffnungswinkel folgt hier nicht dem Flächenwinkel
+program-edge-on-face = t_bevel mit angle_deg, t_double_bevel oder t_j
+program-at-dihedral-unequal = die Zeilen nach Flächenwinkel geben verschiedene Größen an
+program-same-keys-in-rows = angle_deg, root_gap_mm oder beide, in allen Zeilen dieselben
+program-dihedrals-increase = die Flächenwinkel müssen zunehmen
 program-flare-root-gap = runde Teile, die sich berühren, haben keinen Stegabstand
 
 # Process values.

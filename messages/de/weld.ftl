@@ -46,8 +46,6 @@ weld-allowed-nozzle-smaller = ein Stutzen, der kleiner als der Körper ist: { $b
 weld-allowed-nozzle-direction = eine Richtung aus dem Körper heraus: { $body }
 weld-cone-angle-too-large = der halbe Kegelwinkel ist zu groß
 weld-torus-meets-itself = das Rohr träfe sich in der Mitte des Bogens selbst
-weld-ellipsoid-inside-unknown = die Innenseite einer Ellipsoidwand hat keine geschlossene Form
-weld-allowed-bodies-with-inside = `mount = "set_on"` oder eines von cylinder, cone, sphere, plane, torus, torispherical_head, hemispherical_head, flat_head, conical_head
 weld-set-in-wall-missing = der Stutzen ist eingesetzt: die Wanddicke des Körpers fehlt
 weld-set-on-root-wall-missing = die Wurzel eines aufgesetzten Stutzens liegt an seiner Bohrung: seine Wanddicke fehlt
 weld-wall-leaves-no-room = die Wand lässt innen keinen Platz
@@ -138,6 +136,7 @@ weld-seam-curved-t-joint = ein gekrümmter T-Stoß
 weld-seam-arc = ein Bogen
 weld-seam-rectangle = ein Rechteck
 weld-seam-helix = eine Schraubenlinie
+weld-seam-inside-girth = eine Rundnaht innen im Rohr
 weld-seam-spline = ein Spline
 weld-seam-polyline = ein Polygonzug
 weld-allowed-fit-methods = die Verfahren three-point und plane-line-point
@@ -230,12 +229,24 @@ weld-cure-layer-height = layer_mm näher an diese Höhe setzen, oder den Quersch
 weld-groove-at = bei s = { $s }: { $why }
 weld-groove-no-butt = Flächen unter { $dihedral } zueinander bilden keinen Stumpfstoß
 weld-groove-no-corner = Flächen unter { $dihedral } zueinander bilden weder Kehlnaht noch T-Stoß
+weld-groove-no-outside-corner = Flächen unter { $dihedral } zueinander bilden keine Außenecke
 weld-groove-edge-within-part = die vorbereitete Kante, { $angle } zur Fläche des anderen Teils, bleibt innerhalb ihres Teils: der Flächenwinkel ist { $dihedral }
 weld-groove-edge-in-other-part = der Schnitt lässt { $angle } zur Fläche des anderen Teils: die Kante läge in diesem Teil
 weld-groove-edges-cross = die Kanten kreuzen sich
 weld-groove-empty = die Fuge hat keine Fläche
+weld-standard-of-other-joints = { $standard } gilt für andere Stöße als diesen
+weld-joint-beside-standard = { $size } beträgt { $value } bei s = { $s }: { $standard } gibt für diese Fugenform { $min } bis { $max } an
+weld-joint-below-standard = { $size } beträgt { $value } bei s = { $s }: { $standard } gibt für diesen Stoß mindestens { $min } an
+weld-joint-beside-standard-at-dihedral = { $size } beträgt { $value } bei s = { $s }: { $standard } gibt bei einem Flächenwinkel von { $dihedral } { $min } bis { $max } an
+weld-size-thickness = die Wanddicke
+weld-size-groove-angle = der Öffnungswinkel
+weld-size-root-gap = der Stegabstand
+weld-size-root-face = die Steghöhe
+weld-size-cover-throat = die Dicke der Deckkehlnaht
+weld-cure-joint-standard = die Fugenform ändern oder die Schweißung damit qualifizieren
 weld-allowed-butt-dihedral = ein Flächenwinkel von { $min } oder mehr, oder eine Kehlnaht
 weld-allowed-corner-dihedral = ein Flächenwinkel bis { $max }, oder ein Stumpfstoß
+weld-allowed-outside-corner = ein Flächenwinkel zwischen { $min } und { $max } (joint = "corner" der Naht)
 weld-allowed-edge-cut = überall mehr als 90° minus Flächenwinkel
 weld-allowed-larger-gap = ein größerer Stegabstand oder weniger Kantenversatz
 weld-allowed-room-to-weld = ein Stegabstand oder Winkel, der Platz zum Schweißen lässt

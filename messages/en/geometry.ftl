@@ -161,6 +161,7 @@ geometry-head-flange = the head's flange
 geometry-head-axis = the head's axis
 geometry-crown-radius = the crown's radius
 geometry-knuckle-radius = the knuckle's radius
+geometry-wall-of-ellipsoid = the wall's thickness
 geometry-line-length = the line's length
 geometry-arc-axis = the arc's axis
 geometry-arc-radius = the arc's radius

@@ -630,6 +630,7 @@ panel-finding-drive = Drive at its current limit
 panel-finding-hold = Axis cannot be held there
 panel-finding-interpass = Wait between passes
 panel-finding-jump = Axis would have to jump
+panel-finding-joint = Joint beside its standard
 panel-finding-least-speed = Slower than the WPS allows
 panel-finding-oscillation = Oscillation leaves gaps
 panel-finding-plausible = Value is not plausible

@@ -68,10 +68,6 @@ weld-cone-angle-too-large = the half angle of the cone is too large
 weld-torus-meets-itself = the pipe would meet itself in the middle of the bend
     .cause = The radius of the bend is not greater than the outer radius of the pipe.
     .cure = Measure `bend_radius_mm` to the centre line of the pipe, and give `radius_mm` as a radius, not a diameter.
-weld-ellipsoid-inside-unknown = the inside of an ellipsoid's wall has no closed form
-    .cause = The nozzle is set in, or its inner surface is needed, and the body is `ellipsoid` or `ellipsoidal_head`.
-    .cure = Set `mount = "set_on"` in `[seam.nozzle]`, or approximate the head by `torispherical_head`.
-weld-allowed-bodies-with-inside = `mount = "set_on"`, or one of cylinder, cone, sphere, plane, torus, torispherical_head, hemispherical_head, flat_head, conical_head
 weld-set-in-wall-missing = the nozzle is set in: the thickness of the body's wall is missing
     .cause = A nozzle with `mount = "set_in"` needs the inner surface of the body.
     .cure = Give `thickness_mm` in the table of the body under `[seam.nozzle.body]`.
@@ -238,6 +234,7 @@ weld-seam-curved-t-joint = a curved T-joint
 weld-seam-arc = an arc
 weld-seam-rectangle = a rectangle
 weld-seam-helix = a helix
+weld-seam-inside-girth = a girth inside its tube
 weld-seam-spline = a spline
 weld-seam-polyline = a polyline
 weld-allowed-fit-methods = the methods three-point and plane-line-point
@@ -417,11 +414,14 @@ weld-groove-at = at s = { $s }: { $why }
     .cause = The joint is drawn at 721 stations along the seam, and at those of `[beads]`. This is the first one without a valid groove.
     .cure = Correct `[joint.preparation]`, or shorten the weld by `[start]`. The reason follows the position.
 weld-groove-no-butt = faces at { $dihedral } to each other do not form a butt joint
-    .cause = Butt preparations (`square`, `single_v`, `bevel`, `u`, `j`, `flare_v`) need faces at 120° or more to each other.
+    .cause = Butt preparations (`square`, `single_v`, `bevel`, `u`, `j`, the double ones, `flare_v`) need faces at 120° or more to each other.
     .cure = Use `fillet`, `t_bevel`, `t_j` or `flare_bevel` in `[joint.preparation]`, or correct the normals of the seam.
 weld-groove-no-corner = faces at { $dihedral } to each other do not form a fillet or T-joint
-    .cause = Corner preparations (`fillet`, `t_bevel`, `t_j`, `flare_bevel`) need faces at 170° or less to each other.
+    .cause = Preparations of an edge on a face (`fillet`, `lap`, `t_bevel`, `t_double_bevel`, `t_j`, `flare_bevel`) need faces at 170° or less to each other.
     .cure = Use a butt preparation such as `single_v`, or correct the normals of the seam.
+weld-groove-no-outside-corner = faces at { $dihedral } to each other do not form an outside corner
+    .cause = The preparation `corner` needs walls whose outsides meet at more than 200°, as on the rim of a box.
+    .cure = Set `joint = "corner"` of the circle, ellipse or rectangle. Use `fillet` for an inside corner.
 weld-groove-edge-within-part = the prepared edge, { $angle } from the other part's face, stays within its part: the dihedral angle is { $dihedral }
     .cause = The bevel is so flat that its edge never reaches the surface of its own part.
     .cure = Lower `angle_deg` (or `cut_deg`) of `t_bevel` or `t_j`. The dihedral angle is smallest at the heel of an oblique nozzle or branch.
@@ -434,8 +434,27 @@ weld-groove-edges-cross = the edges cross each other
 weld-groove-empty = the groove has no area
     .cause = The area between the prepared edges and the line from toe to toe is 0 or negative.
     .cure = Raise `root_gap_mm` or the groove angle. With parts that touch squarely, weld without `[joint]`.
+weld-standard-of-other-joints = { $standard } gives ranges for other joints than this one
+    .cause = `standard = "aws_d1_1"` compares edges that stand on a tube: details A to D of T-, Y- and K-connections.
+    .cure = Use `t_bevel`, `t_double_bevel` or `t_j` in `[joint.preparation]`, or another `standard`.
+weld-joint-beside-standard = { $size } is { $value } at s = { $s }: { $standard } gives { $min } to { $max } for this preparation
+    .cause = The size is outside the range of `standard` in `[joint]`. The weld can be made; it needs a qualification of its own.
+    .cure = Change the preparation, choose another one, or delete `standard`.
+weld-joint-below-standard = { $size } is { $value } at s = { $s }: { $standard } gives { $min } or more for this joint
+    .cause = The size is below the minimum of `standard` in `[joint]`.
+    .cure = Change the preparation or its legs, choose another one, or delete `standard`.
+weld-joint-beside-standard-at-dihedral = { $size } is { $value } at s = { $s }: { $standard } gives { $min } to { $max } where the dihedral angle is { $dihedral }
+    .cause = At this dihedral angle the groove fits none of the details A to D; the ranges are those of the nearest one.
+    .cure = Give `[[joint.at_dihedral]]` groove angles and root gaps that follow the dihedral angle, or change the preparation.
+weld-size-thickness = the thickness
+weld-size-groove-angle = the groove angle
+weld-size-root-gap = the root gap
+weld-size-root-face = the root face
+weld-size-cover-throat = the throat of the cover fillet
+weld-cure-joint-standard = change the preparation, or qualify the weld with it
 weld-allowed-butt-dihedral = a dihedral angle of { $min } or more, or a fillet
 weld-allowed-corner-dihedral = a dihedral angle up to { $max }, or a butt joint
+weld-allowed-outside-corner = a dihedral angle between { $min } and { $max } (joint = "corner" of the seam)
 weld-allowed-edge-cut = more than 90° - dihedral angle everywhere
 weld-allowed-larger-gap = a larger gap, or less mismatch
 weld-allowed-room-to-weld = a gap or an angle that leaves room to weld

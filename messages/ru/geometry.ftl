@@ -91,6 +91,7 @@ geometry-head-flange = отбортовка днища
 geometry-head-axis = ось днища
 geometry-crown-radius = радиус сферической части
 geometry-knuckle-radius = радиус торовой части
+geometry-wall-of-ellipsoid = толщина стенки
 geometry-line-length = длина прямой
 geometry-arc-axis = ось дуги
 geometry-arc-radius = радиус дуги

@@ -630,6 +630,7 @@ panel-finding-drive = Привод на пределе тока
 panel-finding-hold = Ось там нельзя удержать
 panel-finding-interpass = Ожидание между проходами
 panel-finding-jump = Оси пришлось бы прыгнуть
+panel-finding-joint = Соединение вне стандарта
 panel-finding-least-speed = Медленнее, чем допускает технология
 panel-finding-oscillation = Колебания оставляют пропуски
 panel-finding-plausible = Значение неправдоподобно

@@ -81,6 +81,19 @@ program-fillet-sizes = одно из leg_mm, throat_mm или вместе first
 program-bevel-angle-unclear = угол скоса неясен
 program-bevel-angles = либо angle_deg (разделки), либо cut_deg (кромки)
 program-positions-increase = положения должны возрастать
+program-depth-leaves-no-back = глубина с лицевой стороны не оставляет ничего для обратной
+program-lap-leg-too-long = катет длиннее кромки, на которой он лежит
+program-gouge-on-face = строжка выполняется только с обратной стороны
+program-side-back = side = "back"
+program-back-without-groove = с обратной стороны нет разделки
+program-groove-on-back = двусторонняя разделка или [joint.gouge] стыкового соединения
+program-gouge-through-wall = строжка проходит сквозь стенку
+program-gouge-angle-too-large = стенки строжки слишком пологие
+program-at-dihedral-without-edge = угол разделки здесь не следует двугранному углу
+program-edge-on-face = t_bevel с angle_deg, t_double_bevel или t_j
+program-at-dihedral-unequal = строки по двугранному углу задают разные величины
+program-same-keys-in-rows = angle_deg, root_gap_mm или обе, одинаковые во всех строках
+program-dihedrals-increase = двугранные углы должны возрастать
 program-flare-root-gap = круглые детали, которые касаются, не имеют зазора в корне
 
 # Process values.

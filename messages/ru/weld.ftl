@@ -46,8 +46,6 @@ weld-allowed-nozzle-smaller = штуцер меньше тела: { $body }
 weld-allowed-nozzle-direction = направление из тела наружу: { $body }
 weld-cone-angle-too-large = половинный угол конуса слишком велик
 weld-torus-meets-itself = труба сошлась бы сама с собой в середине отвода
-weld-ellipsoid-inside-unknown = внутренняя поверхность стенки эллипсоида не имеет замкнутой формулы
-weld-allowed-bodies-with-inside = `mount = "set_on"` или одно из cylinder, cone, sphere, plane, torus, torispherical_head, hemispherical_head, flat_head, conical_head
 weld-set-in-wall-missing = штуцер вставлен: не хватает толщины стенки тела
 weld-set-on-root-wall-missing = корень приставного штуцера у его отверстия: не хватает толщины стенки
 weld-wall-leaves-no-room = стенка не оставляет места внутри
@@ -133,6 +131,7 @@ weld-seam-curved-t-joint = криволинейное тавровое соед�
 weld-seam-arc = дуга
 weld-seam-rectangle = прямоугольник
 weld-seam-helix = винтовая линия
+weld-seam-inside-girth = кольцевой шов внутри трубы
 weld-seam-spline = сплайн
 weld-seam-polyline = ломаная
 weld-allowed-fit-methods = методы three-point и plane-line-point
@@ -225,12 +224,24 @@ weld-cure-layer-height = приблизить layer_mm к этой высоте 
 weld-groove-at = на s = { $s }: { $why }
 weld-groove-no-butt = поверхности под { $dihedral } друг к другу не образуют стыкового соединения
 weld-groove-no-corner = поверхности под { $dihedral } друг к другу не образуют углового или таврового соединения
+weld-groove-no-outside-corner = поверхности под углом { $dihedral } друг к другу не образуют наружного угла
 weld-groove-edge-within-part = подготовленная кромка под { $angle } к поверхности другой детали остаётся внутри своей: двугранный угол { $dihedral }
 weld-groove-edge-in-other-part = срез оставляет { $angle } до поверхности другой детали: кромка была бы внутри неё
 weld-groove-edges-cross = кромки пересекаются
 weld-groove-empty = у разделки нет площади
+weld-standard-of-other-joints = { $standard } относится к другим соединениям
+weld-joint-beside-standard = { $size }: { $value } при s = { $s }; { $standard } задаёт для этой разделки от { $min } до { $max }
+weld-joint-below-standard = { $size }: { $value } при s = { $s }; { $standard } задаёт для этого соединения не менее { $min }
+weld-joint-beside-standard-at-dihedral = { $size }: { $value } при s = { $s }; { $standard } задаёт от { $min } до { $max } при двугранном угле { $dihedral }
+weld-size-thickness = толщина
+weld-size-groove-angle = угол разделки
+weld-size-root-gap = зазор в корне
+weld-size-root-face = притупление
+weld-size-cover-throat = толщина углового шва
+weld-cure-joint-standard = измените разделку или аттестуйте сварку с ней
 weld-allowed-butt-dihedral = двугранный угол { $min } или больше либо угловой шов
 weld-allowed-corner-dihedral = двугранный угол до { $max } либо стыковое соединение
+weld-allowed-outside-corner = двугранный угол от { $min } до { $max } (joint = "corner" у шва)
 weld-allowed-edge-cut = везде больше 90° минус двугранный угол
 weld-allowed-larger-gap = больший зазор или меньшее смещение кромок
 weld-allowed-room-to-weld = зазор или угол, оставляющий место для шва

@@ -91,6 +91,7 @@ geometry-head-flange = відбортовка днища
 geometry-head-axis = вісь днища
 geometry-crown-radius = радіус сферичної частини
 geometry-knuckle-radius = радіус торової частини
+geometry-wall-of-ellipsoid = товщина стінки
 geometry-line-length = довжина прямої
 geometry-arc-axis = вісь дуги
 geometry-arc-radius = радіус дуги

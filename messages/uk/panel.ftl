@@ -630,6 +630,7 @@ panel-finding-drive = Привід на межі струму
 panel-finding-hold = Вісь не можна втримати там
 panel-finding-interpass = Очікування між проходами
 panel-finding-jump = Осі довелося б стрибнути
+panel-finding-joint = З'єднання поза стандартом
 panel-finding-least-speed = Повільніше, ніж дозволяє технологія
 panel-finding-oscillation = Коливання лишають пропуски
 panel-finding-plausible = Значення неправдоподібне

@@ -81,6 +81,19 @@ program-fillet-sizes = одне з leg_mm, throat_mm або разом first_leg
 program-bevel-angle-unclear = кут скосу незрозумілий
 program-bevel-angles = або angle_deg (розкриття), або cut_deg (кромки)
 program-positions-increase = положення мають зростати
+program-depth-leaves-no-back = глибина з лицьового боку не залишає нічого для зворотного
+program-lap-leg-too-long = катет довший за кромку, на якій він лежить
+program-gouge-on-face = стругання виконують лише зі зворотного боку
+program-side-back = side = "back"
+program-back-without-groove = зі зворотного боку немає розкриття
+program-groove-on-back = двобічне розкриття або [joint.gouge] стикового з'єднання
+program-gouge-through-wall = стругання проходить крізь стінку
+program-gouge-angle-too-large = стінки стругання надто пологі
+program-at-dihedral-without-edge = кут розкриття тут не йде за двогранним кутом
+program-edge-on-face = t_bevel з angle_deg, t_double_bevel або t_j
+program-at-dihedral-unequal = рядки за двогранним кутом задають різні величини
+program-same-keys-in-rows = angle_deg, root_gap_mm або обидва, однакові в усіх рядках
+program-dihedrals-increase = двогранні кути мають зростати
 program-flare-root-gap = круглі деталі, що торкаються, не мають зазору в корені
 
 # Process values.

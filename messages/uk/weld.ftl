@@ -46,8 +46,6 @@ weld-allowed-nozzle-smaller = штуцер, менший за тіло: { $body 
 weld-allowed-nozzle-direction = напрям з тіла назовні: { $body }
 weld-cone-angle-too-large = половинний кут конуса завеликий
 weld-torus-meets-itself = труба зійшлася б сама з собою посередині згину
-weld-ellipsoid-inside-unknown = внутрішня поверхня стінки еліпсоїда не має замкненої формули
-weld-allowed-bodies-with-inside = `mount = "set_on"` або одне з cylinder, cone, sphere, plane, torus, torispherical_head, hemispherical_head, flat_head, conical_head
 weld-set-in-wall-missing = штуцер вставлено: бракує товщини стінки тіла
 weld-set-on-root-wall-missing = корінь приставного штуцера біля його отвору: бракує товщини стінки
 weld-wall-leaves-no-room = стінка не лишає місця всередині
@@ -133,6 +131,7 @@ weld-seam-curved-t-joint = криволінійне таврове з’єдна
 weld-seam-arc = дуга
 weld-seam-rectangle = прямокутник
 weld-seam-helix = гвинтова лінія
+weld-seam-inside-girth = кільцевий шов усередині труби
 weld-seam-spline = сплайн
 weld-seam-polyline = ламана
 weld-allowed-fit-methods = методи three-point і plane-line-point
@@ -225,12 +224,24 @@ weld-cure-layer-height = наблизити layer_mm до цієї висоти 
 weld-groove-at = на s = { $s }: { $why }
 weld-groove-no-butt = поверхні під { $dihedral } одна до одної не утворюють стикового з’єднання
 weld-groove-no-corner = поверхні під { $dihedral } одна до одної не утворюють кутового чи таврового з’єднання
+weld-groove-no-outside-corner = поверхні під кутом { $dihedral } одна до одної не утворюють зовнішнього кута
 weld-groove-edge-within-part = підготовлена кромка під { $angle } до поверхні іншої деталі лишається всередині своєї: двогранний кут { $dihedral }
 weld-groove-edge-in-other-part = зріз лишає { $angle } до поверхні іншої деталі: кромка була б усередині неї
 weld-groove-edges-cross = кромки перетинаються
 weld-groove-empty = розробка не має площі
+weld-standard-of-other-joints = { $standard } стосується інших з'єднань
+weld-joint-beside-standard = { $size }: { $value } при s = { $s }; { $standard } задає для цього розкриття від { $min } до { $max }
+weld-joint-below-standard = { $size }: { $value } при s = { $s }; { $standard } задає для цього з'єднання не менше { $min }
+weld-joint-beside-standard-at-dihedral = { $size }: { $value } при s = { $s }; { $standard } задає від { $min } до { $max } за двогранного кута { $dihedral }
+weld-size-thickness = товщина
+weld-size-groove-angle = кут розкриття
+weld-size-root-gap = зазор у корені
+weld-size-root-face = притуплення
+weld-size-cover-throat = товщина кутового шва
+weld-cure-joint-standard = змініть розкриття або атестуйте зварювання з ним
 weld-allowed-butt-dihedral = двогранний кут { $min } або більше чи кутовий шов
 weld-allowed-corner-dihedral = двогранний кут до { $max } чи стикове з’єднання
+weld-allowed-outside-corner = двогранний кут від { $min } до { $max } (joint = "corner" у шва)
 weld-allowed-edge-cut = усюди більше за 90° мінус двогранний кут
 weld-allowed-larger-gap = більший зазор або менше зміщення кромок
 weld-allowed-room-to-weld = зазор або кут, що лишає місце для шва

@@ -91,6 +91,7 @@ geometry-head-flange = 封头直边
 geometry-head-axis = 封头轴线
 geometry-crown-radius = 球冠半径
 geometry-knuckle-radius = 过渡圆弧半径
+geometry-wall-of-ellipsoid = 壁厚
 geometry-line-length = 直线长度
 geometry-arc-axis = 圆弧轴线
 geometry-arc-radius = 圆弧半径

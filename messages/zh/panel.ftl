@@ -630,6 +630,7 @@ panel-finding-drive = 驱动器达到电流极限
 panel-finding-hold = 轴无法保持在该处
 panel-finding-interpass = 焊道之间的等待
 panel-finding-jump = 轴须跳变
+panel-finding-joint = 接头超出标准
 panel-finding-least-speed = 低于工艺最低速度
 panel-finding-oscillation = 摆动留有间隙
 panel-finding-plausible = 数值不合理

@@ -73,6 +73,19 @@ program-fillet-sizes = leg_mm、throat_mm 之一，或同时 first_leg_mm 和 se
 program-bevel-angle-unclear = 坡口面角度不明确
 program-bevel-angles = angle_deg（坡口）或 cut_deg（边缘）
 program-positions-increase = 位置必须递增
+program-depth-leaves-no-back = 正面坡口深度没有给背面留下余量
+program-lap-leg-too-long = 焊脚比所在的板边还长
+program-gouge-on-face = 只有背面才清根
+program-side-back = side = "back"
+program-back-without-groove = 背面没有坡口
+program-groove-on-back = 双面坡口，或对接接头的 [joint.gouge]
+program-gouge-through-wall = 清根穿透了板壁
+program-gouge-angle-too-large = 清根侧壁太平缓
+program-at-dihedral-without-edge = 此处坡口角度不随二面角变化
+program-edge-on-face = 带 angle_deg 的 t_bevel、t_double_bevel 或 t_j
+program-at-dihedral-unequal = 按二面角的各行给出的量不同
+program-same-keys-in-rows = angle_deg、root_gap_mm 或两者，各行相同
+program-dihedrals-increase = 二面角必须递增
 program-flare-root-gap = 相接触的圆件没有根部间隙
 
 # Process values.

@@ -46,8 +46,6 @@ weld-allowed-nozzle-smaller = 比壳体小的接管：{ $body }
 weld-allowed-nozzle-direction = 指向壳体外的方向：{ $body }
 weld-cone-angle-too-large = 圆锥的半角太大
 weld-torus-meets-itself = 管子会在弯头中部自相交
-weld-ellipsoid-inside-unknown = 椭球壁的内面没有闭式表达
-weld-allowed-bodies-with-inside = `mount = "set_on"`，或 cylinder、cone、sphere、plane、torus、torispherical_head、hemispherical_head、flat_head、conical_head 之一
 weld-set-in-wall-missing = 接管为插入式：缺少壳体壁厚
 weld-set-on-root-wall-missing = 安放式接管的根部在其内孔处：缺少其壁厚
 weld-wall-leaves-no-room = 壁厚没有留下内部空间
@@ -129,6 +127,7 @@ weld-seam-curved-t-joint = 弯曲的 T 形接头
 weld-seam-arc = 圆弧
 weld-seam-rectangle = 矩形
 weld-seam-helix = 螺旋线
+weld-seam-inside-girth = 管内环缝
 weld-seam-spline = 样条
 weld-seam-polyline = 折线
 weld-allowed-fit-methods = 方法 three-point 和 plane-line-point
@@ -221,12 +220,24 @@ weld-cure-layer-height = 使 layer_mm 接近此高度，或改变该道的面积
 weld-groove-at = 在 s = { $s } 处：{ $why }
 weld-groove-no-butt = 相互成 { $dihedral } 的两面不构成对接接头
 weld-groove-no-corner = 相互成 { $dihedral } 的两面不构成角接或 T 形接头
+weld-groove-no-outside-corner = 两面夹角 { $dihedral } 不构成外角接头
 weld-groove-edge-within-part = 坡口面与另一件表面成 { $angle }，不会穿出本件：二面角为 { $dihedral }
 weld-groove-edge-in-other-part = 切口与另一件表面成 { $angle }：边缘会进入该件内部
 weld-groove-edges-cross = 两边相交
 weld-groove-empty = 坡口没有面积
+weld-standard-of-other-joints = { $standard } 规定的是其他接头
+weld-joint-beside-standard = s = { $s } 处{ $size }为 { $value }：{ $standard } 对该坡口规定 { $min } 至 { $max }
+weld-joint-below-standard = s = { $s } 处{ $size }为 { $value }：{ $standard } 对该接头规定不小于 { $min }
+weld-joint-beside-standard-at-dihedral = s = { $s } 处{ $size }为 { $value }：二面角为 { $dihedral } 时 { $standard } 规定 { $min } 至 { $max }
+weld-size-thickness = 板厚
+weld-size-groove-angle = 坡口角度
+weld-size-root-gap = 根部间隙
+weld-size-root-face = 钝边
+weld-size-cover-throat = 盖面角焊缝厚度
+weld-cure-joint-standard = 修改坡口，或用该坡口做工艺评定
 weld-allowed-butt-dihedral = 二面角 { $min } 或更大，或角焊缝
 weld-allowed-corner-dihedral = 二面角不超过 { $max }，或对接接头
+weld-allowed-outside-corner = 二面角在 { $min } 与 { $max } 之间（焊缝的 joint = "corner"）
 weld-allowed-edge-cut = 处处大于 90° 减二面角
 weld-allowed-larger-gap = 更大的间隙，或更小的错边
 weld-allowed-room-to-weld = 留出焊接空间的间隙或角度

@@ -1,6 +1,7 @@
 use crate::curve::{Curve, Jet};
 use crate::edge::{Edge, EdgePoint};
 use crate::error::Error;
+use crate::parallel_surface::ParallelIntersection;
 use crate::pieces::{AT_BORDER_MM, Pieces};
 use crate::signed_distance::{Foot, SignedDistance};
 use crate::torus_intersection::TorusIntersection;
@@ -29,6 +30,7 @@ pub struct HeadIntersection {
 enum Wall {
     Quadric(Box<TubeIntersection>),
     Torus(TorusIntersection),
+    Parallel(Box<ParallelIntersection>),
 }
 
 impl HeadIntersection {
@@ -41,6 +43,9 @@ impl HeadIntersection {
         let wall = |face: &Face| match face {
             Face::Quadric(q) => Wall::Quadric(Box::new(TubeIntersection::unchecked(tube.clone(), q.0.clone()))),
             Face::Torus(torus) => Wall::Torus(TorusIntersection::on_outer_half(tube.clone(), torus.clone())),
+            Face::Parallel(body) => {
+                Wall::Parallel(Box::new(ParallelIntersection::unchecked(tube.clone(), (**body).clone())))
+            }
         };
         let walls = head.faces().map(wall).collect();
         let mut curve = Self { tube, head, walls, pieces: Pieces::whole(0) };
@@ -89,6 +94,7 @@ impl HeadIntersection {
         match &self.walls[self.pieces.zone(phi)] {
             Wall::Quadric(wall) => &**wall,
             Wall::Torus(wall) => wall,
+            Wall::Parallel(wall) => &**wall,
         }
     }
 }

@@ -1,4 +1,5 @@
 use crate::error::{Error, positive, unit};
+use crate::parallel_surface::ParallelSurface;
 use crate::quadric::Quadric;
 use crate::signed_distance::{Foot, QuadricDistance, SignedDistance};
 use crate::torus::Torus;
@@ -47,6 +48,7 @@ struct Zone {
 pub(crate) enum Face {
     Quadric(Box<(Quadric, QuadricDistance)>),
     Torus(Torus),
+    Parallel(Box<ParallelSurface>),
 }
 
 /// The line that a zone turns about the axis.
@@ -60,8 +62,8 @@ enum Meridian {
     Ball { height: f64, radius: f64 },
     /// An arc about a point beside the axis at height 0.
     Knuckle { ring: f64, radius: f64 },
-    /// A quarter of an ellipse about the centre.
-    Oval { radius: f64, depth: f64 },
+    /// A quarter of an ellipse about the centre, or the line `below` mm inside it.
+    Oval { radius: f64, depth: f64, below: f64 },
     /// Along the axis.
     Flange,
 }
@@ -101,15 +103,16 @@ impl Head {
         Self::new(flange, crown - below, zones)
     }
 
-    /// Half an ellipsoid of revolution, `depth` high, on a flange; outside measures.
+    /// Half an ellipsoid of revolution, `depth` high, on a flange; outside measures. Of its wall the surface `below` mm
+    /// inside it, 0 for the outside.
     ///
     /// # Errors
-    /// [`Error::Size`], [`Error::Direction`].
-    pub fn ellipsoidal(flange: Flange, depth: f64) -> Result<Self, Error> {
+    /// [`Error::Size`], [`Error::Direction`]; [`Error::Range`] if `below` is not less than the minimum radius of curvature.
+    pub fn ellipsoidal(flange: Flange, depth: f64, below: f64) -> Result<Self, Error> {
         let radius = flange.radius;
         let depth = positive("geometry-head-depth", depth)?;
-        let zones = vec![(Meridian::Oval { radius, depth }, Border::flange(radius, 0.0))];
-        Self::new(flange, depth, zones)
+        let zones = vec![(Meridian::Oval { radius, depth, below }, Border::flange(radius - below, 0.0))];
+        Self::new(Flange { radius: radius - below, ..flange }, depth - below, zones)
     }
 
     /// Half a ball on a flange.
@@ -244,14 +247,14 @@ impl Head {
         let mut from = 0.0;
         for zone in &self.zones {
             let to = zone.end.normal;
-            if let Some((a, b, ring, height)) = zone.meridian.arc() {
+            if let Some(Oval { across: a, along: b, below, ring, height }) = zone.meridian.arc() {
                 // Two tangents at an angle of `step` meet outside the arc by its radius times the square over 8.
                 let widest = (a * a / b).max(b * b / a);
                 let count = ((to - from) / (8.0 * within / widest).sqrt()).ceil().max(1.0);
                 let step = (to - from) / count;
                 let tangent = |i: f64| {
                     let (sin, cos) = (from + i * step).sin_cos();
-                    (sin, cos, (a * sin).hypot(b * cos))
+                    (sin, cos, (a * sin).hypot(b * cos) - below)
                 };
                 for i in 0..count as usize {
                     let ((s1, c1, h1), (s2, c2, h2)) = (tangent(i as f64), tangent(i as f64 + 1.0));
@@ -275,6 +278,7 @@ impl SignedDistance for Head {
         match &self.zones[zone].face {
             Face::Quadric(quadric) => quadric.1.foot(p),
             Face::Torus(torus) => torus.foot(p),
+            Face::Parallel(parallel) => parallel.foot(p),
         }
     }
 }
@@ -287,9 +291,13 @@ impl Meridian {
             Self::Plate { height } => Quadric::plane(at(height), axis)?,
             Self::Cone { apex, half_angle } => Quadric::cone(at(apex), -axis, half_angle)?,
             Self::Ball { height, radius } => Quadric::sphere(at(height), radius)?,
-            Self::Oval { radius, depth } => {
-                let x = axis.any_orthonormal_vector();
-                Quadric::ellipsoid(centre, axis, x, DVec3::new(radius, radius, depth))?
+            Self::Oval { radius, depth, below } => {
+                let (x, semi) = (axis.any_orthonormal_vector(), DVec3::new(radius, radius, depth));
+                if below > 0.0 {
+                    let parallel = ParallelSurface::below_ellipsoid(centre, axis, x, semi, below)?;
+                    return Ok(Face::Parallel(Box::new(parallel)));
+                }
+                Quadric::ellipsoid(centre, axis, x, semi)?
             }
             Self::Flange => Quadric::cylinder(centre, axis, radius)?,
             Self::Knuckle { ring, radius } => return Ok(Face::Torus(Torus::new(centre, axis, ring, radius)?)),
@@ -298,16 +306,27 @@ impl Meridian {
         Ok(Face::Quadric(Box::new((quadric, distance))))
     }
 
-    /// A curved meridian as an ellipse: semi-axes across and along the head's axis, and the middle's distance from the
-    /// axis and height.
-    fn arc(self) -> Option<(f64, f64, f64, f64)> {
+    /// A curved meridian as an ellipse, or the line inside it.
+    fn arc(self) -> Option<Oval> {
+        let of = |across, along, ring, height| Oval { across, along, below: 0.0, ring, height };
         match self {
-            Self::Ball { height, radius } => Some((radius, radius, 0.0, height)),
-            Self::Knuckle { ring, radius } => Some((radius, radius, ring, 0.0)),
-            Self::Oval { radius, depth } => Some((radius, depth, 0.0, 0.0)),
+            Self::Ball { height, radius } => Some(of(radius, radius, 0.0, height)),
+            Self::Knuckle { ring, radius } => Some(of(radius, radius, ring, 0.0)),
+            Self::Oval { radius, depth, below } => Some(Oval { below, ..of(radius, depth, 0.0, 0.0) }),
             Self::Plate { .. } | Self::Cone { .. } | Self::Flange => None,
         }
     }
+}
+
+/// An ellipse, or the line `below` mm inside it: semi-axes across and along the head's axis, and the middle's distance
+/// from the axis and height, mm.
+#[derive(Debug, Clone, Copy)]
+struct Oval {
+    across: f64,
+    along: f64,
+    below: f64,
+    ring: f64,
+    height: f64,
 }
 
 impl Border {

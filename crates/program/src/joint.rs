@@ -1,5 +1,6 @@
 //! Joints: how the edges are prepared and how they were fitted up.
 
+use crate::preparation::Preparation;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
@@ -11,6 +12,22 @@ use serde::{Deserialize, Serialize};
 pub struct Joint {
     /// Preparation of the edges.
     pub preparation: Preparation,
+    /// The side that is welded. The seam lies on its surface.
+    #[serde(default, skip_serializing_if = "WeldedSide::is_face")]
+    pub side: WeldedSide,
+    /// Groove gouged into the back before it is welded, down to sound metal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gouge: Option<Gouge>,
+    /// Backing behind the root.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub backing: Option<Backing>,
+    /// Groove angle and root gap by the dihedral angle, linear in between, of an edge that stands on a face; they replace
+    /// those of the preparation.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub at_dihedral: Vec<AtDihedral>,
+    /// Standard whose ranges the joint is compared with.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub standard: Option<JointStandard>,
     /// Height of the cap's middle over the line from toe to toe (excess weld metal, convexity), mm.
     #[serde(default)]
     pub cap_mm: NonNegative,
@@ -19,240 +36,119 @@ pub struct Joint {
     pub fit_up: Vec<FitUp>,
 }
 
-/// Joint preparation after ISO 9692-1, from the side that is welded.
-///
-/// In a butt joint both parts' surfaces lie (nearly) in one plane. In a fillet and the `t_` kinds one part's edge stands
-/// on the face of the other, at the seam's local dihedral angle; the prepared part is the one whose edge it is.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-pub enum Preparation {
-    /// Square butt.
-    Square(Square),
-    /// Single V butt; with a broad root face a Y.
-    SingleV(SingleV),
-    /// Single bevel butt.
-    Bevel(Bevel),
-    /// Single U butt.
-    U(U),
-    /// Single J butt.
-    J(J),
-    /// Fillet.
-    Fillet(Fillet),
-    /// A round part beside a flat one: flare bevel.
-    FlareBevel(FlareBevel),
-    /// Two round parts side by side: flare V.
-    FlareV(FlareV),
-    /// Single bevel T: a bevelled edge on a face, as of a nozzle set on its shell or let into it.
-    TBevel(TBevel),
-    /// Single J on a face.
-    TJ(TJ),
-}
-
-/// One of the two parts.
+/// Side of a joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Member {
-    /// The first part: nozzle, tube, wall.
+pub enum WeldedSide {
+    /// The side that is welded first, or the only one.
     #[default]
-    First,
-    /// The second part: body, plate.
-    Second,
+    Face,
+    /// The other side, with the face welded.
+    Back,
 }
 
-/// Square butt preparation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Square {
-    /// Thickness, mm.
-    pub thickness_mm: Positive,
-    /// Root gap, mm.
-    #[serde(default)]
-    pub root_gap_mm: NonNegative,
+impl WeldedSide {
+    /// True for the face.
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+    pub fn is_face(&self) -> bool {
+        *self == Self::Face
+    }
 }
 
-/// Single V preparation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// The groove that gouging leaves: round at its bottom, with straight sides.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct SingleV {
-    /// Thickness, mm.
-    pub thickness_mm: Positive,
-    /// Groove angle between the faces, degrees.
-    pub angle_deg: Positive,
-    /// Root gap, mm.
-    #[serde(default)]
-    pub root_gap_mm: NonNegative,
-    /// Root face, mm.
-    #[serde(default)]
-    pub root_face_mm: NonNegative,
-}
-
-/// Single bevel preparation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Bevel {
-    /// Thickness, mm.
-    pub thickness_mm: Positive,
-    /// Bevel angle from the square edge, degrees.
-    pub angle_deg: Positive,
-    /// Root gap, mm.
-    #[serde(default)]
-    pub root_gap_mm: NonNegative,
-    /// Root face, mm.
-    #[serde(default)]
-    pub root_face_mm: NonNegative,
-    /// The part that is bevelled.
-    #[serde(default)]
-    pub prepared: Member,
-}
-
-/// Single U preparation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct U {
-    /// Thickness, mm.
-    pub thickness_mm: Positive,
-    /// Bevel angle of each face, degrees.
+pub struct Gouge {
+    /// Depth below the bottom of the preparation on the back, or below the back's surface where that is not prepared, mm.
+    pub depth_mm: Positive,
+    /// Radius of the bottom, mm.
+    #[serde(default = "gouge_radius")]
+    pub radius_mm: Positive,
+    /// Angle of each side from the depth direction, degrees.
+    #[serde(default = "gouge_angle")]
     pub angle_deg: NonNegative,
-    /// Radius at the bottom, mm.
-    pub radius_mm: Positive,
-    /// Land: level part between root face and radius on each side, mm.
-    #[serde(default)]
-    pub land_mm: NonNegative,
-    /// Root gap, mm.
-    #[serde(default)]
-    pub root_gap_mm: NonNegative,
-    /// Root face, mm.
-    #[serde(default)]
-    pub root_face_mm: NonNegative,
 }
 
-/// Single J preparation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Usual radius of a groove of air carbon arc gouging with an electrode of 8 to 10 mm, mm.
+fn gouge_radius() -> Positive {
+    Positive::new(5.0).unwrap_or(Positive::TEN)
+}
+
+/// Usual angle of its sides, degrees: ground out to a U that a torch can reach into.
+fn gouge_angle() -> NonNegative {
+    NonNegative::new(20.0).unwrap_or_default()
+}
+
+/// Angle of a gouge's sides that it must stay below, degrees.
+const MAX_GOUGE_DEG: f64 = 85.0;
+
+/// Backing behind the root of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct J {
+pub struct Backing {
+    /// Kind of backing.
+    pub kind: BackingKind,
+    /// Width, mm.
+    #[serde(default = "backing_width")]
+    pub width_mm: Positive,
     /// Thickness, mm.
+    #[serde(default = "backing_thickness")]
     pub thickness_mm: Positive,
-    /// Bevel angle from the square edge, degrees.
-    pub angle_deg: NonNegative,
-    /// Radius at the bottom, mm.
-    pub radius_mm: Positive,
-    /// Land: level part between root face and radius, mm.
-    #[serde(default)]
-    pub land_mm: NonNegative,
-    /// Root gap, mm.
-    #[serde(default)]
-    pub root_gap_mm: NonNegative,
-    /// Root face, mm.
-    #[serde(default)]
-    pub root_face_mm: NonNegative,
-    /// The part that is prepared.
-    #[serde(default)]
-    pub prepared: Member,
 }
 
-/// Fillet: give `leg_mm`, or both legs apart, or `throat_mm`.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Fillet {
-    /// Leg length on both parts, mm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub leg_mm: Option<Positive>,
-    /// Leg length on the first part, mm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub first_leg_mm: Option<Positive>,
-    /// Leg length on the second part, mm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub second_leg_mm: Option<Positive>,
-    /// Throat, mm: equal legs that change with the dihedral angle so that the throat stays.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub throat_mm: Option<Positive>,
-    /// Root gap between the parts, mm, along the part that stands; the leg on that part is longer by it.
-    #[serde(default)]
-    pub root_gap_mm: NonNegative,
-    /// The part that stands on the other.
-    #[serde(default)]
-    pub prepared: Member,
+/// Usual width of a backing strip, mm.
+fn backing_width() -> Positive {
+    Positive::new(25.0).unwrap_or(Positive::TEN)
 }
 
-/// Flare bevel: a round part that touches a flat one, filled to the line square to the flat one that touches the round
-/// one. The seam is the line where those two meet.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct FlareBevel {
-    /// Radius of the round part, mm.
-    pub radius_mm: Positive,
-    /// Depth next to the line of contact that is not filled, mm.
-    #[serde(default)]
-    pub unfilled_mm: NonNegative,
-    /// The round part.
-    #[serde(default)]
-    pub round: Member,
+/// Usual thickness of a backing strip for arc welds, mm.
+fn backing_thickness() -> Positive {
+    Positive::new(6.0).unwrap_or(Positive::TEN)
 }
 
-/// Flare V: two round parts that touch, filled to the line that touches both. The seam lies on that line, above the
-/// contact.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct FlareV {
-    /// Radius of both parts, mm.
-    pub radius_mm: Positive,
-    /// Depth next to the line of contact that is not filled, mm.
-    #[serde(default)]
-    pub unfilled_mm: NonNegative,
+/// Kind of a backing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum BackingKind {
+    /// A strip of metal that is welded to the root and stays.
+    Strip,
+    /// The same as a ring in a tube.
+    Ring,
+    /// Ceramic tiles.
+    Ceramic,
+    /// A copper bar.
+    Copper,
+    /// A bed of flux.
+    Flux,
 }
 
-/// Single bevel T: give the angle of the groove, or that of the cut.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Groove angle and root gap at one dihedral angle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct TBevel {
-    /// Thickness of the part whose edge is prepared, mm.
-    pub thickness_mm: Positive,
-    /// Groove angle between its bevel and the other part's face, degrees: the same all along the seam.
+pub struct AtDihedral {
+    /// Dihedral angle between the parts' outsides, degrees.
+    pub dihedral_deg: Positive,
+    /// Groove angle there, degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub angle_deg: Option<Positive>,
-    /// Angle of the cut from the square edge, degrees: the same all along, so that the groove angle follows the
-    /// dihedral angle, groove = cut + (dihedral - 90).
+    /// Root gap there, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub cut_deg: Option<Finite>,
-    /// Root gap, mm, along the wall of the part whose edge is prepared: so far it is lifted off the other.
-    #[serde(default)]
-    pub root_gap_mm: NonNegative,
-    /// Root face, mm: the part of the wall's thickness that is not bevelled.
-    #[serde(default)]
-    pub root_face_mm: NonNegative,
-    /// Leg of the cover fillet on the other part's face, mm.
-    #[serde(default)]
-    pub leg_mm: NonNegative,
-    /// The part whose edge is prepared: `first` for a nozzle set on, `second` for one let into its shell.
-    #[serde(default)]
-    pub prepared: Member,
+    pub root_gap_mm: Option<NonNegative>,
 }
 
-/// Single J on a face.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct TJ {
-    /// Thickness of the part whose edge is prepared, mm.
-    pub thickness_mm: Positive,
-    /// Angle between the J's straight part and the other part's face, degrees.
-    pub angle_deg: NonNegative,
-    /// Radius at the bottom, mm.
-    pub radius_mm: Positive,
-    /// Land: level part between root face and radius, mm.
-    #[serde(default)]
-    pub land_mm: NonNegative,
-    /// Root gap, mm, along the wall of the part whose edge is prepared: so far it is lifted off the other.
-    #[serde(default)]
-    pub root_gap_mm: NonNegative,
-    /// Root face, mm: the part of the wall's thickness that is not prepared.
-    #[serde(default)]
-    pub root_face_mm: NonNegative,
-    /// Leg of the cover fillet on the other part's face, mm.
-    #[serde(default)]
-    pub leg_mm: NonNegative,
-    /// The part whose edge is prepared.
-    #[serde(default)]
-    pub prepared: Member,
+/// A standard for joints.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum JointStandard {
+    /// ISO 9692-1: thickness, groove angle, root gap and root face of arc-welded butt joints in steel, and the root gap
+    /// of fillets.
+    #[serde(rename = "iso_9692_1")]
+    Iso9692,
+    /// AWS D1.1: details A to D of groove welds in T-, Y- and K-connections of tubes, welded from one side.
+    #[serde(rename = "aws_d1_1")]
+    AwsD11,
+    /// ASME VIII-1, UW-16: throat of the cover fillet of a nozzle.
+    #[serde(rename = "asme_uw_16")]
+    AsmeUw16,
 }
 
 /// Measured fit-up of the parts at one position.
@@ -268,212 +164,107 @@ pub struct FitUp {
     pub mismatch_mm: Finite,
 }
 
-impl Preparation {
-    /// Its key.
-    pub fn key(&self) -> &'static str {
-        match self {
-            Self::Square(_) => "square",
-            Self::SingleV(_) => "single_v",
-            Self::Bevel(_) => "bevel",
-            Self::U(_) => "u",
-            Self::J(_) => "j",
-            Self::Fillet(_) => "fillet",
-            Self::FlareBevel(_) => "flare_bevel",
-            Self::FlareV(_) => "flare_v",
-            Self::TBevel(_) => "t_bevel",
-            Self::TJ(_) => "t_j",
-        }
-    }
-
-    /// The key that a file gives instead of `key`, if it does: an angle of a bevel may be given by its cut.
-    pub fn given_key(&self, key: &'static str) -> &'static str {
-        match self {
-            Self::TBevel(p) if key == "angle_deg" && p.cut_deg.is_some() => "cut_deg",
-            _ => key,
-        }
-    }
-
-    /// Thickness of the prepared part, mm; none of a fillet or a flare groove.
-    pub fn thickness_mm(&self) -> Option<f64> {
-        let thickness = match self {
-            Self::Square(p) => p.thickness_mm,
-            Self::SingleV(p) => p.thickness_mm,
-            Self::Bevel(p) => p.thickness_mm,
-            Self::U(p) => p.thickness_mm,
-            Self::J(p) => p.thickness_mm,
-            Self::TBevel(p) => p.thickness_mm,
-            Self::TJ(p) => p.thickness_mm,
-            Self::Fillet(_) | Self::FlareBevel(_) | Self::FlareV(_) => return None,
-        };
-        Some(thickness.get())
-    }
-
-    /// Key of the size that the area of the groove follows from, below [`Preparation::key`].
-    pub fn size_key(&self) -> &'static str {
-        match self {
-            Self::Square(_) | Self::SingleV(_) | Self::Bevel(_) | Self::U(_) | Self::J(_) => "thickness_mm",
-            Self::TBevel(_) | Self::TJ(_) => "thickness_mm",
-            Self::FlareBevel(_) | Self::FlareV(_) => "radius_mm",
-            Self::Fillet(p) if p.throat_mm.is_some() => "throat_mm",
-            Self::Fillet(p) if p.first_leg_mm.is_some() => "first_leg_mm",
-            Self::Fillet(_) => "leg_mm",
-        }
-    }
-
-    /// True if both parts' surfaces lie in one plane, nearly.
-    pub fn is_butt(&self) -> bool {
-        matches!(self, Self::Square(_) | Self::SingleV(_) | Self::Bevel(_) | Self::U(_) | Self::J(_) | Self::FlareV(_))
-    }
-
-    /// Thickness of the parts of a butt joint with walls, mm.
-    fn butt_thickness_mm(&self) -> Option<f64> {
-        match self {
-            Self::Square(p) => Some(p.thickness_mm.get()),
-            Self::SingleV(p) => Some(p.thickness_mm.get()),
-            Self::Bevel(p) => Some(p.thickness_mm.get()),
-            Self::U(p) => Some(p.thickness_mm.get()),
-            Self::J(p) => Some(p.thickness_mm.get()),
-            Self::Fillet(_) | Self::FlareBevel(_) | Self::FlareV(_) | Self::TBevel(_) | Self::TJ(_) => None,
-        }
-    }
-
-    /// The widest root gap that still is one, mm: the thickness of the wall (a fillet's leg), or the width that the
-    /// bevels open at the surface of a joint at right angles or in a plane, if that is more.
-    fn max_root_gap_mm(&self) -> f64 {
-        let bevel = |thickness: Positive, root_face: NonNegative, degrees: f64, sides: f64| {
-            let width = sides * (thickness.get() - root_face.get()) * degrees.to_radians().tan();
-            width.max(thickness.get())
-        };
-        match self {
-            Self::Square(p) => p.thickness_mm.get(),
-            Self::SingleV(p) => bevel(p.thickness_mm, p.root_face_mm, 0.5 * p.angle_deg.get(), 2.0),
-            Self::Bevel(p) => bevel(p.thickness_mm, p.root_face_mm, p.angle_deg.get(), 1.0),
-            Self::U(p) => bevel(p.thickness_mm, p.root_face_mm, p.angle_deg.get(), 2.0),
-            Self::J(p) => bevel(p.thickness_mm, p.root_face_mm, p.angle_deg.get(), 1.0),
-            Self::Fillet(p) => {
-                let legs = [p.leg_mm, p.first_leg_mm, p.second_leg_mm, p.throat_mm];
-                legs.into_iter().flatten().map(Positive::get).fold(f64::INFINITY, f64::min)
-            }
-            Self::FlareBevel(_) | Self::FlareV(_) => f64::INFINITY,
-            Self::TBevel(p) => p.thickness_mm.get(),
-            Self::TJ(p) => p.thickness_mm.get(),
-        }
-    }
-
-    /// Root gap of the drawing, mm.
-    pub fn root_gap_mm(&self) -> f64 {
-        match self {
-            Self::Square(p) => p.root_gap_mm.get(),
-            Self::SingleV(p) => p.root_gap_mm.get(),
-            Self::Bevel(p) => p.root_gap_mm.get(),
-            Self::U(p) => p.root_gap_mm.get(),
-            Self::J(p) => p.root_gap_mm.get(),
-            Self::Fillet(p) => p.root_gap_mm.get(),
-            Self::FlareBevel(_) | Self::FlareV(_) => 0.0,
-            Self::TBevel(p) => p.root_gap_mm.get(),
-            Self::TJ(p) => p.root_gap_mm.get(),
-        }
-    }
-}
-
 impl Joint {
     /// Checks that the sizes at `path` of a file do not contradict each other.
     ///
     /// # Errors
     /// With the key's address: a root face as high as the part, invalid angles, a radius that does not fit. Also a
-    /// fillet without or with several sizes, and positions that do not increase.
+    /// fillet without or with several sizes, a back that has no groove, and positions that do not increase.
     pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
-        let at = |key: &str| format!("{path}.preparation.{}.{key}", self.preparation.key());
-        let wrong = |key: &str, code, allowed: Message| Err(file.error_at(&at(key), Message::new(code), allowed));
-        let below = |key: &str, max: Positive| {
-            Message::new("program-less-than-key").key("key", key).value("max", max.get(), Unit::One)
-        };
-        let face = |face: NonNegative, thickness: Positive| match face.get() < thickness.get() {
-            true => Ok(()),
-            false => wrong("root_face_mm", "program-root-face-too-high", below("thickness_mm", thickness)),
-        };
-        let angle = |degrees: f64, most: f64| match degrees < most {
-            true => Ok(()),
-            false => {
-                let allowed = Message::new("document-less-than").value("max", most, Unit::Deg);
-                wrong("angle_deg", "program-groove-angle-too-large", allowed)
-            }
-        };
-        let curved = |slope: NonNegative, radius: Positive, thickness: Positive, root_face: NonNegative| {
-            face(root_face, thickness)?;
-            angle(slope.get(), 60.0)?;
-            let depth = thickness.get() - root_face.get();
-            let high = radius.get() * (1.0 - slope.get().to_radians().sin());
-            if high < depth {
-                return Ok(());
-            }
-            let max = depth * radius.get() / high;
-            let allowed = Message::new("document-less-than").quantity("max", max, Unit::Mm, 3);
-            wrong("radius_mm", "program-radius-too-large", allowed)
-        };
-        let unfilled = |unfilled: NonNegative, radius: Positive| match unfilled.get() < radius.get() {
-            true => Ok(()),
-            false => wrong("unfilled_mm", "program-nothing-filled", below("radius_mm", radius)),
-        };
-        match &self.preparation {
-            Preparation::Square(_) => {}
-            Preparation::SingleV(p) => {
-                face(p.root_face_mm, p.thickness_mm)?;
-                angle(p.angle_deg.get(), 170.0)?;
-            }
-            Preparation::Bevel(p) => {
-                face(p.root_face_mm, p.thickness_mm)?;
-                angle(p.angle_deg.get(), 85.0)?;
-            }
-            Preparation::U(p) => curved(p.angle_deg, p.radius_mm, p.thickness_mm, p.root_face_mm)?,
-            Preparation::J(p) => curved(p.angle_deg, p.radius_mm, p.thickness_mm, p.root_face_mm)?,
-            Preparation::Fillet(p) => {
-                let both = usize::from(p.first_leg_mm.is_some() && p.second_leg_mm.is_some());
-                let one = p.first_leg_mm.is_some() != p.second_leg_mm.is_some();
-                let given = usize::from(p.leg_mm.is_some()) + usize::from(p.throat_mm.is_some()) + both;
-                if given != 1 || one {
-                    let message = Message::new("program-fillet-size-unclear");
-                    let allowed = Message::new("program-fillet-sizes");
-                    return Err(file.error_at(&format!("{path}.preparation.fillet"), message, allowed));
-                }
-            }
-            Preparation::FlareBevel(p) => unfilled(p.unfilled_mm, p.radius_mm)?,
-            Preparation::FlareV(p) => unfilled(p.unfilled_mm, p.radius_mm)?,
-            Preparation::TBevel(p) => {
-                face(p.root_face_mm, p.thickness_mm)?;
-                if p.angle_deg.is_some() == p.cut_deg.is_some() {
-                    let message = Message::new("program-bevel-angle-unclear");
-                    let allowed = Message::new("program-bevel-angles");
-                    return Err(file.error_at(&format!("{path}.preparation.t_bevel"), message, allowed));
-                }
-            }
-            Preparation::TJ(p) => curved(p.angle_deg, p.radius_mm, p.thickness_mm, p.root_face_mm)?,
-        }
+        self.preparation.check(file, &format!("{path}.preparation"))?;
+        self.check_back(file, path)?;
         self.check_gaps(file, path)?;
-        self.check_fit_up(file, path)
+        self.check_fit_up(file, path)?;
+        self.check_at_dihedral(file, path)
     }
 
-    /// Checks that root gaps and mismatches leave a groove: a gap is not wider than the wall, or than the groove that
-    /// the edges open where that is more; mismatched walls still face each other.
-    fn check_gaps<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
-        let most = self.preparation.max_root_gap_mm();
-        let drawn = format!("{path}.preparation.{}.root_gap_mm", self.preparation.key());
-        let measured = |i: usize| format!("{path}.fit_up[{i}].root_gap_mm");
-        let gaps = std::iter::once((drawn, self.preparation.root_gap_mm()));
-        for (key, gap) in gaps.chain(self.fit_up.iter().enumerate().map(|(i, f)| (measured(i), f.root_gap_mm.get()))) {
-            if gap > most {
-                let allowed = Message::new("document-between").value("min", 0.0, Unit::Mm);
-                let allowed = allowed.quantity("max", most, Unit::Mm, 1);
-                return Err(file.error_at(&key, Message::new("program-root-gap-too-wide"), allowed));
+    /// Depth (mm) of the groove on the side that is welded, with the root face on the face and what is gouged on the back.
+    pub fn depth_mm(&self) -> f64 {
+        let [face, back] = self.preparation.depths_mm();
+        match self.side {
+            WeldedSide::Face => face + self.preparation.root_face_mm().unwrap_or(0.0),
+            WeldedSide::Back => back + self.gouge.map_or(0.0, |gouge| gouge.depth_mm.get()),
+        }
+    }
+
+    /// Checks that the back has a groove, and that only the back is gouged, no deeper than the wall.
+    fn check_back<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let wrong = |key: &str, code, allowed: Message| {
+            Err(file.error_at(&format!("{path}.{key}"), Message::new(code), allowed))
+        };
+        let preparation = &self.preparation;
+        let has_back = preparation.is_double() || (preparation.is_butt() && self.gouge.is_some());
+        match (self.side, &self.gouge) {
+            (WeldedSide::Face, None) => return Ok(()),
+            (WeldedSide::Face, Some(_)) => {
+                return wrong("gouge", "program-gouge-on-face", Message::new("program-side-back"));
+            }
+            (WeldedSide::Back, _) if !has_back => {
+                return wrong("side", "program-back-without-groove", Message::new("program-groove-on-back"));
+            }
+            (WeldedSide::Back, None) => return Ok(()),
+            (WeldedSide::Back, Some(gouge)) => {
+                let room = preparation.thickness_mm().unwrap_or(0.0) - preparation.depths_mm()[1];
+                if gouge.depth_mm.get() >= room {
+                    let allowed = Message::new("document-less-than").quantity("max", room, Unit::Mm, 3);
+                    return wrong("gouge.depth_mm", "program-gouge-through-wall", allowed);
+                }
+                if gouge.angle_deg.get() >= MAX_GOUGE_DEG {
+                    let allowed = Message::new("document-less-than").value("max", MAX_GOUGE_DEG, Unit::Deg);
+                    return wrong("gouge.angle_deg", "program-gouge-angle-too-large", allowed);
+                }
             }
         }
-        let Some(wall) = self.preparation.butt_thickness_mm() else { return Ok(()) };
+        if matches!(preparation, Preparation::Corner(_) | Preparation::FlareV(_)) {
+            return wrong("side", "program-back-without-groove", Message::new("program-groove-on-back"));
+        }
+        Ok(())
+    }
+
+    /// Checks that root gaps and mismatches leave a groove; mismatched walls still face each other.
+    fn check_gaps<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let drawn = format!("{path}.preparation.{}.root_gap_mm", self.preparation.key());
+        self.preparation.check_gap(file, &drawn, self.preparation.root_gap_mm())?;
+        for (i, at) in self.fit_up.iter().enumerate() {
+            self.preparation.check_gap(file, &format!("{path}.fit_up[{i}].root_gap_mm"), at.root_gap_mm.get())?;
+        }
+        for (i, at) in self.at_dihedral.iter().enumerate() {
+            let gap = at.root_gap_mm.map_or(0.0, NonNegative::get);
+            self.preparation.check_gap(file, &format!("{path}.at_dihedral[{i}].root_gap_mm"), gap)?;
+        }
+        let Some(wall) = self.preparation.thickness_mm().filter(|_| self.preparation.is_butt()) else { return Ok(()) };
         for (i, at) in self.fit_up.iter().enumerate() {
             if at.mismatch_mm.get().abs() >= wall {
                 let allowed = Message::new("document-strictly-between");
                 let allowed = allowed.value("min", -wall, Unit::Mm).value("max", wall, Unit::Mm);
                 let key = format!("{path}.fit_up[{i}].mismatch_mm");
                 return Err(file.error_at(&key, Message::new("program-mismatch-too-large"), allowed));
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that the rows by dihedral angle increase, all give the same quantities, and belong to an edge on a face.
+    fn check_at_dihedral<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let Some(first) = self.at_dihedral.first() else { return Ok(()) };
+        let is_cut = matches!(&self.preparation, Preparation::TBevel(p) if p.cut_deg.is_some());
+        let takes_angle = !is_cut && self.preparation.is_t();
+        if !self.preparation.is_t() || (first.angle_deg.is_some() && !takes_angle) {
+            let message = Message::new("program-at-dihedral-without-edge");
+            return Err(file.error_at(&format!("{path}.at_dihedral"), message, Message::new("program-edge-on-face")));
+        }
+        for (i, row) in self.at_dihedral.iter().enumerate() {
+            let given = |row: &AtDihedral| (row.angle_deg.is_some(), row.root_gap_mm.is_some());
+            if given(row) != given(first) || given(row) == (false, false) {
+                let message = Message::new("program-at-dihedral-unequal");
+                let allowed = Message::new("program-same-keys-in-rows");
+                return Err(file.error_at(&format!("{path}.at_dihedral[{i}]"), message, allowed));
+            }
+            let before = i.checked_sub(1).map(|k| self.at_dihedral[k].dihedral_deg);
+            if let Some(before) = before.filter(|before| row.dihedral_deg <= *before) {
+                let allowed = Message::new("document-more-than").value("min", before.get(), Unit::Deg);
+                let key = format!("{path}.at_dihedral[{i}].dihedral_deg");
+                return Err(file.error_at(&key, Message::new("program-dihedrals-increase"), allowed));
             }
         }
         Ok(())
@@ -505,4 +296,17 @@ pub enum FilletOrButt {
     Fillet,
     /// Both parts lie in one plane.
     Butt,
+}
+
+/// Kind of joint along a closed seam in a plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum RimJoint {
+    /// A wall stands on the plate.
+    #[default]
+    Fillet,
+    /// Both parts lie in one plane.
+    Butt,
+    /// The plate ends at the seam, and the wall goes on below it: an outside corner.
+    Corner,
 }

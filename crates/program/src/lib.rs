@@ -65,6 +65,7 @@ mod path_length;
 mod path_range;
 mod plane_seam;
 mod points;
+mod preparation;
 mod procedure;
 mod process;
 mod program;
@@ -97,8 +98,7 @@ pub use finding::{Finding, Severity, finding_data};
 pub use finding_groups::{FindingGroup, FindingPlace, group_findings};
 pub use interpass::Interpass;
 pub use joint::{
-    Bevel, Fillet, FilletOrButt, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ,
-    U,
+    AtDihedral, Backing, BackingKind, FilletOrButt, FitUp, Gouge, Joint, JointStandard, RimJoint, WeldedSide,
 };
 pub use keyed::Keyed;
 pub use metallurgy::{
@@ -115,6 +115,10 @@ pub use path_range::PathRange;
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
 pub use points::{
     Along, Columns, NUMBER_COLUMN, POSE_COLUMNS, PointEvent, PointSpan, Points, SPEED_COLUMN, TIME_COLUMN,
+};
+pub use preparation::{
+    Bevel, Corner, DoubleBevel, DoubleU, DoubleV, Fillet, FlareBevel, FlareV, J, Lap, Member, Preparation, SingleV,
+    Square, TBevel, TDoubleBevel, TJ, U,
 };
 pub use procedure::{
     BeadWindow, ButtLimits, Expected, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, Plausibility,

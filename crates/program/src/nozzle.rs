@@ -102,6 +102,9 @@ pub enum Body {
     Ellipsoid {
         /// Semi-axes along the body's x, y and z directions, mm.
         semi_axes_mm: [Positive; 3],
+        /// Thickness of the wall, mm; needed for set-in nozzles.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        thickness_mm: Option<Positive>,
         /// Centre, mm.
         #[serde(default, skip_serializing_if = "Point::is_zero")]
         centre_mm: Point,

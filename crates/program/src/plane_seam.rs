@@ -1,6 +1,6 @@
 //! Seams in a plane.
 
-use crate::joint::FilletOrButt;
+use crate::joint::{FilletOrButt, RimJoint};
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};
@@ -21,9 +21,10 @@ pub struct Circle {
     /// normal along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub zero_direction: Option<Vector>,
-    /// `fillet`: a tube stands on the plate and is welded outside; `butt`: both parts lie in the plate's plane.
+    /// `fillet`: a tube stands on the plate and is welded outside; `butt`: both parts lie in the plate's plane; `corner`:
+    /// the plate closes the tube's end.
     #[serde(default)]
-    pub joint: FilletOrButt,
+    pub joint: RimJoint,
 }
 
 /// An arc in a plane, through three points.
@@ -78,9 +79,10 @@ pub struct RoundedRectangle {
     /// normal along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width_direction: Option<Vector>,
-    /// `fillet`: a tube stands on the plate and is welded outside; `butt`: both parts lie in the plate's plane.
+    /// `fillet`: a tube stands on the plate and is welded outside; `butt`: both parts lie in the plate's plane; `corner`:
+    /// the plate closes the tube's end.
     #[serde(default)]
-    pub joint: FilletOrButt,
+    pub joint: RimJoint,
 }
 
 /// Straight lines from point to point in a plane.

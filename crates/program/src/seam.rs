@@ -1,5 +1,5 @@
 use crate::branch::Branch;
-use crate::joint::FilletOrButt;
+use crate::joint::RimJoint;
 use crate::nozzle::Nozzle;
 use crate::plane_seam::{Arc, Circle, Polyline, RoundedRectangle};
 use crate::space_seam::{Helix, Spline};
@@ -76,7 +76,7 @@ pub struct Ellipse {
     pub a_direction: Vector,
     /// `fillet`: a tube stands on the plate and is welded outside; `butt`: both parts lie in the plate's plane.
     #[serde(default)]
-    pub joint: FilletOrButt,
+    pub joint: RimJoint,
 }
 
 /// A straight seam between two flat faces.
@@ -132,8 +132,11 @@ pub enum Side {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Girth {
-    /// Outer radius, mm.
+    /// Radius of the surface that is welded, mm: the outer one, or the inner one with `inside`.
     pub radius_mm: Positive,
+    /// True if it is welded from inside, the torch in the tube.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub inside: bool,
     /// Point in which the cut meets the tube's axis, mm.
     #[serde(default, skip_serializing_if = "Point::is_zero")]
     pub origin_mm: Point,

@@ -75,6 +75,9 @@ pub struct EllipsoidalHead {
     /// Outer height of the ellipsoid, mm; if missing a quarter of the diameter: a 2:1 head.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub depth_mm: Option<Positive>,
+    /// Thickness of the wall, mm; needed for set-in nozzles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thickness_mm: Option<Positive>,
     /// Length of the cylindrical flange, mm.
     #[serde(default)]
     pub flange_mm: NonNegative,

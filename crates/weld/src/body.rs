@@ -5,8 +5,8 @@ use crate::{plane_seam, vessel_head};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Positive};
 use seamwright_geometry::{
-    Edge, Error, Head, HeadIntersection, Quadric, QuadricDistance, SignedDistance, Torus, TorusIntersection, Tube,
-    TubeIntersection,
+    Edge, Error, Head, HeadIntersection, ParallelIntersection, ParallelSurface, Quadric, QuadricDistance,
+    SignedDistance, Torus, TorusIntersection, Tube, TubeIntersection,
 };
 use seamwright_message::{Message, Unit};
 use seamwright_program::Body;
@@ -21,6 +21,7 @@ enum Surface {
     Quadric(Quadric),
     Torus(Torus),
     Head(Head),
+    Parallel(ParallelSurface),
 }
 
 impl Shell {
@@ -30,7 +31,7 @@ impl Shell {
     }
 
     /// The inside of the wall: everywhere its thickness below the outside. Fails with the key's address: a thickness
-    /// that is missing or too large, a body whose inside has no closed form.
+    /// that is missing or too large.
     pub(crate) fn inside<T>(file: &Document<T>, body: &Body) -> Result<Self, DocumentError> {
         let shell = Self::below(file, body, thickness(file, body)?)?;
         Ok(Self { description: Message::new("weld-body-inside").message("body", shell.description), ..shell })
@@ -65,11 +66,19 @@ impl Shell {
                 let r = radius_mm.get();
                 ("sphere", radius_of("weld-body-sphere", r), Quadric::sphere(centre_mm.get(), r - depth))
             }
-            Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction } => {
+            Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction, .. } => {
                 let semi = DVec3::from_array(semi_axes_mm.map(Positive::get));
                 let description = Message::new("weld-body-ellipsoid").value("a", semi.x, Unit::Mm);
                 let description = description.value("b", semi.y, Unit::Mm).value("c", semi.z, Unit::Mm);
-                ("ellipsoid", description, Quadric::ellipsoid(centre_mm.get(), axis.unit(), x_direction.unit(), semi))
+                let (centre, z, x) = (centre_mm.get(), axis.unit(), x_direction.unit());
+                if depth > 0.0 {
+                    let wall = ParallelSurface::below_ellipsoid(centre, z, x, semi, depth).map_err(|e| {
+                        let path = "seam.nozzle.body.ellipsoid.thickness_mm";
+                        file.error_at(path, e.message(), Message::new("weld-allowed-schema"))
+                    })?;
+                    return Ok(Self { description, surface: Surface::Parallel(wall) });
+                }
+                ("ellipsoid", description, Quadric::ellipsoid(centre, z, x, semi))
             }
             Body::Plane { point_mm, normal, .. } => {
                 let normal = normal.unit();
@@ -99,7 +108,11 @@ impl Shell {
                 );
             }
             Body::EllipsoidalHead(h) => {
-                return of_head("weld-body-ellipsoidal-head", h.outer_diameter_mm, vessel_head::ellipsoidal(file, h)?);
+                return of_head(
+                    "weld-body-ellipsoidal-head",
+                    h.outer_diameter_mm,
+                    vessel_head::ellipsoidal(file, h, depth)?,
+                );
             }
             Body::HemisphericalHead(h) => {
                 return of_head(
@@ -134,6 +147,7 @@ impl Shell {
             Surface::Quadric(quadric) => TubeIntersection::new(tube, quadric.clone()).map(|e| Box::new(e) as _),
             Surface::Torus(torus) => TorusIntersection::new(tube, torus.clone()).map(|e| Box::new(e) as _),
             Surface::Head(head) => HeadIntersection::new(tube, head.clone()).map(|e| Box::new(e) as _),
+            Surface::Parallel(body) => ParallelIntersection::new(tube, body.clone()).map(|e| Box::new(e) as _),
         };
         edge.map_err(|e| self.unfit(file, &e, radius))
     }
@@ -143,6 +157,7 @@ impl Shell {
             Surface::Quadric(quadric) => Box::new(QuadricDistance::new(&quadric)),
             Surface::Torus(torus) => Box::new(torus),
             Surface::Head(head) => Box::new(head),
+            Surface::Parallel(body) => Box::new(body),
         }
     }
 
@@ -161,8 +176,7 @@ impl Shell {
     }
 }
 
-/// The thickness of a body's wall, mm. Fails with the key's address: a missing thickness, a wall without room inside, a
-/// body whose inside has no closed form.
+/// The thickness of a body's wall, mm. Fails with the key's address: a missing thickness, a wall without room inside.
 pub(crate) fn thickness<T>(file: &Document<T>, body: &Body) -> Result<f64, DocumentError> {
     // Key and size of the upper bound of the wall's thickness.
     let (name, given, most) = match body {
@@ -178,9 +192,9 @@ pub(crate) fn thickness<T>(file: &Document<T>, body: &Body) -> Result<f64, Docum
         Body::TorisphericalHead(h) => ("torispherical_head", Some(h.thickness_mm), None),
         Body::FlatHead(h) => ("flat_head", Some(h.thickness_mm), None),
         Body::ConicalHead(h) => ("conical_head", Some(h.thickness_mm), None),
-        Body::Ellipsoid { .. } | Body::EllipsoidalHead(_) => {
-            let message = Message::new("weld-ellipsoid-inside-unknown");
-            return Err(file.error_at("seam.nozzle.body", message, Message::new("weld-allowed-bodies-with-inside")));
+        Body::Ellipsoid { thickness_mm, .. } => ("ellipsoid", *thickness_mm, None),
+        Body::EllipsoidalHead(h) => {
+            ("ellipsoidal_head", h.thickness_mm, Some(("outer_diameter_mm", h.outer_diameter_mm)))
         }
     };
     let path = format!("seam.nozzle.body.{name}.thickness_mm");

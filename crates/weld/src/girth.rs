@@ -8,26 +8,30 @@ use seamwright_program::Girth;
 /// Largest angle between the cut's normal and the tube's axis, degrees.
 const MAX_CUT_DEG: f64 = 85.0;
 
-/// The outer edge of a butt joint around a tube: where its wall meets the cut's plane, both faces being the wall.
+/// The edge of a butt joint around a tube: where its wall meets the cut's plane, both faces being the wall.
 #[derive(Debug)]
-pub(crate) struct GirthEdge(TubeIntersection);
+pub(crate) struct GirthEdge {
+    curve: TubeIntersection,
+    inside: bool,
+}
 
 impl Curve for GirthEdge {
     fn domain(&self) -> (f64, f64) {
-        self.0.domain()
+        self.curve.domain()
     }
     fn closed(&self) -> bool {
         true
     }
     fn jet(&self, phi: f64) -> Jet {
-        self.0.jet(phi)
+        self.curve.jet(phi)
     }
 }
 
 impl Edge for GirthEdge {
     fn edge(&self, phi: f64) -> EdgePoint {
-        let edge = self.0.edge(phi);
-        EdgePoint { n2: edge.n1, ..edge }
+        let edge = self.curve.edge(phi);
+        let out = if self.inside { -edge.n1 } else { edge.n1 };
+        EdgePoint { n1: out, n2: out, ..edge }
     }
 }
 
@@ -50,5 +54,6 @@ pub(crate) fn edge<T>(file: &Document<T>, g: &Girth) -> Result<GirthEdge, Docume
         file.error_at("seam.girth.cut_normal", e.message(), Message::new("weld-allowed-other-plane"))
     };
     let plane = Quadric::plane(g.origin_mm.get(), normal).map_err(wrong)?;
-    TubeIntersection::new(tube, plane).map(GirthEdge).map_err(wrong)
+    let curve = TubeIntersection::new(tube, plane).map_err(wrong)?;
+    Ok(GirthEdge { curve, inside: g.inside })
 }

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{self as geometry, Chain, CurvedEdge, Ellipse, FaceRule};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Arc, Circle, FilletOrButt, Polyline, RoundedRectangle, WallFaces};
+use seamwright_program::{Arc, Circle, FilletOrButt, Polyline, RimJoint, RoundedRectangle, Seam, WallFaces};
 
 /// Sine of the largest angle between a plate's normal as given and as its points have it.
 const TILTED: f64 = 1e-6;
@@ -16,6 +16,24 @@ pub(crate) fn faces(joint: FilletOrButt, wall: WallFaces, normal: DVec3) -> Face
         FilletOrButt::Fillet => FaceRule::WallOnPlate { plate: normal, left: wall == WallFaces::Left },
         FilletOrButt::Butt => FaceRule::Fixed { n1: normal, n2: normal },
     }
+}
+
+/// The faces along a closed curve in the plate with unit `normal`: of a wall that stands on it, of the plate, or of the
+/// wall below the plate's rim.
+pub(crate) fn rim_faces(joint: RimJoint, normal: DVec3) -> FaceRule {
+    let joint = if joint == RimJoint::Butt { FilletOrButt::Butt } else { FilletOrButt::Fillet };
+    faces(joint, WallFaces::Right, normal)
+}
+
+/// True if the seam runs along an outside corner.
+pub(crate) fn is_corner(seam: &Seam) -> bool {
+    let joint = match seam {
+        Seam::Circle(c) => c.joint,
+        Seam::Ellipse(e) => e.joint,
+        Seam::RoundedRectangle(r) => r.joint,
+        _ => return false,
+    };
+    joint == RimJoint::Corner
 }
 
 /// Direction of angle 0 about `axis`: as given, or x, or y about an axis along x.
@@ -32,7 +50,7 @@ pub(crate) fn circle<T>(file: &Document<T>, c: &Circle) -> Result<CurvedEdge<Ell
             let message = Message::new("weld-zero-direction-along-normal");
             file.error_at("seam.circle.zero_direction", message, not_along("normal"))
         })?;
-    Ok(CurvedEdge { curve, faces: faces(c.joint, WallFaces::Right, normal) })
+    Ok(CurvedEdge { curve, faces: rim_faces(c.joint, normal) })
 }
 
 pub(crate) fn arc<T>(file: &Document<T>, a: &Arc) -> Result<CurvedEdge<geometry::Arc>, DocumentError> {
@@ -65,7 +83,7 @@ pub(crate) fn rectangle<T>(
     let direction = zero(normal, r.width_direction);
     let curve = geometry::RoundedRectangle::new(r.centre_mm.get(), normal, direction, size, r.corner_mm.get())
         .map_err(|e| file.error_at("seam.rounded_rectangle.width_direction", e.message(), not_along("normal")))?;
-    Ok(CurvedEdge { curve, faces: faces(r.joint, WallFaces::Right, normal) })
+    Ok(CurvedEdge { curve, faces: rim_faces(r.joint, normal) })
 }
 
 /// The edge of a seam along straight lines.

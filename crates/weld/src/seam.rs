@@ -10,9 +10,10 @@ use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, FaceRule, Line};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{
-    MAX_SEAM_MM, PathRange, SAME_POSITION_MM, Seam, SeamStart, Side, Taught, WallFaces, WeldDirection, is_before,
-    is_beyond, is_same_position,
+    MAX_SEAM_MM, PathRange, SAME_POSITION_MM, Seam, SeamStart, Side, Taught, WeldDirection, is_before, is_beyond,
+    is_same_position,
 };
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A point of the seam with everything that torch attitude needs, in the seam's frame; mm and rad.
@@ -52,6 +53,8 @@ pub struct SeamCurve {
     angles: Angles,
     /// 1 if the curve runs along n2 x n1, as on a nozzle or tube; -1 on a line that runs the other way.
     face_sense: f64,
+    /// True if the faces meet at an outside corner.
+    outside_corner: bool,
     /// Thickness (mm) of the web whose other fillet is welded at the same time.
     web: Option<f64>,
     /// The seam without its taught spans, and these.
@@ -156,12 +159,16 @@ impl SeamCurve {
             return Err(file.error_at("start.overlap_mm", Message::new("weld-overlap-too-long"), allowed));
         }
         let e = curve.curve().edge(curve.curve().domain().0);
+        let outside_corner = plane_seam::is_corner(seam);
         let face_sense = if e.d1.normalize().dot(e.n2.cross(e.n1)) < -1e-9 { -1.0 } else { 1.0 };
+        // Both turn over the side of the bisector on which the first part lies.
+        let turned_over = outside_corner || matches!(seam, Seam::Girth(girth) if girth.inside);
+        let face_sense = if turned_over { -face_sense } else { face_sense };
         let web = match seam {
             Seam::TJoint(joint) if joint.fillet == Side::Both => Some(joint.web_mm.get()),
             _ => None,
         };
-        Ok(Self { curve, start: at, sense, weld_length, closed, angles, face_sense, web, taught: None })
+        Ok(Self { curve, start: at, sense, weld_length, closed, angles, face_sense, outside_corner, web, taught: None })
     }
 
     /// Length of the whole seam once, mm.
@@ -226,6 +233,7 @@ impl SeamCurve {
         let sum = e.n1 + e.n2;
         let width = sum.length();
         let bisector = sum / width;
+        let inside = 2.0 * width.atan2((e.n1 - e.n2).length());
         SeamPoint {
             s,
             phi: self.angles.at(u),
@@ -236,7 +244,7 @@ impl SeamCurve {
             n2: e.n2,
             bisector,
             towards_first: self.face_sense * bisector.cross(along),
-            dihedral: 2.0 * width.atan2((e.n1 - e.n2).length()),
+            dihedral: if self.outside_corner { TAU - inside } else { inside },
         }
     }
 }
@@ -295,7 +303,7 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
             let (a, b) = (e.a_mm.get(), e.b_mm.get());
             let curve = Ellipse::new(e.centre_mm.get(), normal, e.a_direction.unit(), a, b)
                 .map_err(|e| file.error_at("seam.ellipse.a_direction", e.message(), not_along("normal")))?;
-            Ok(Box::new(CurvedEdge { curve, faces: plane_seam::faces(e.joint, WallFaces::Right, normal) }))
+            Ok(Box::new(CurvedEdge { curve, faces: plane_seam::rim_faces(e.joint, normal) }))
         }
         Seam::Circle(circle) => Ok(Box::new(plane_seam::circle(file, circle)?)),
         Seam::Arc(arc) => Ok(Box::new(plane_seam::arc(file, arc)?)),

@@ -58,6 +58,7 @@ impl SeamSurfaces {
                 let second = plane(centre, normal, "seam.circle.normal")?;
                 Ok(Self { first: Box::new(tube.clone()), second, nozzle: Some(tube) })
             }
+            Seam::Girth(g) if g.inside => Err(none(file, "seam.girth.inside", "weld-seam-inside-girth")),
             Seam::Girth(g) => {
                 let (centre, direction) = (g.origin_mm.get(), g.direction.unit());
                 let tube = tube(centre, direction, g.zero_direction, g.radius_mm.get())

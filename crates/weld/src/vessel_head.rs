@@ -44,11 +44,11 @@ impl<T> At<'_, T> {
 }
 
 /// Half an ellipsoid.
-pub(crate) fn ellipsoidal<T>(file: &Document<T>, h: &EllipsoidalHead) -> Result<Head, DocumentError> {
+pub(crate) fn ellipsoidal<T>(file: &Document<T>, h: &EllipsoidalHead, below: f64) -> Result<Head, DocumentError> {
     let radius = 0.5 * h.outer_diameter_mm.get();
     let depth = h.depth_mm.map_or(0.5 * radius, Positive::get);
     let flange = Flange { centre: h.centre_mm.get(), axis: h.axis.unit(), radius, length: h.flange_mm.get() };
-    At { file, key: "ellipsoidal_head" }.made(Head::ellipsoidal(flange, depth))
+    At { file, key: "ellipsoidal_head" }.made(Head::ellipsoidal(flange, depth, below))
 }
 
 /// Half a ball.

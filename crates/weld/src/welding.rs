@@ -11,10 +11,10 @@ use crate::seam::SeamCurve;
 use crate::stretch::Stretch;
 use crate::tube_cut::Cut;
 use crate::weld_path::WeldPath;
-use crate::{order, procedure};
+use crate::{body, order, procedure};
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, PathRange, Program, Role, Weaving};
+use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, PathRange, Program, Role, Seam, Weaving};
 use std::sync::Arc;
 
 /// A weld read from a job or a program file: the program, the seam, and the torch angles along it.
@@ -97,13 +97,11 @@ impl Welding {
         for finding in &mut plan_findings {
             // A finding against a bead is reported at the first pass that lays it there.
             let bead = finding.pass.checked_sub(1);
-            let mut laid = ordered.iter().enumerate().filter(|(_, (_, from))| *from == bead);
-            let range = PathRange { from_mm: finding.from_mm, to_mm: finding.to_mm };
-            if let Some((i, own)) = laid.find_map(|(i, (pass, _))| Some((i, on_pass(pass, &seam, range)?))) {
-                (finding.pass, finding.from_mm, finding.to_mm) = (i + 1, own.from_mm, own.to_mm);
-            }
+            let laid = ordered.iter().enumerate().filter(|(_, (_, from))| *from == bead);
+            at_first_pass(finding, laid.map(|(i, (pass, _))| (i, pass)), &seam);
         }
         program.passes = ordered.into_iter().map(|(pass, _)| pass).collect();
+        plan_findings.extend(joint_findings(job, joint.as_ref(), &seam, &j.seam, &program.passes));
         for pass in &program.passes {
             // Only here: quarters that go on over the start of the weld may bring speeds together that did not meet.
             match (&j.beads, &pass.weave) {
@@ -137,6 +135,10 @@ impl Welding {
             _ => None,
         };
         let cut = p.seam.as_ref().map_or(Ok(None), |seam| Cut::new(program, seam))?;
+        let plan_findings = match (&seam, &p.seam) {
+            (Some(curve), Some(seam)) => joint_findings(program, joint.as_ref(), curve, seam, &p.passes),
+            _ => Vec::new(),
+        };
         // The lines of the passes in the order of the file, so that errors have their addresses; then a line for each
         // time a pass is welded.
         let times = || p.passes.iter().map(|pass| usize::from(pass.repeat.get()));
@@ -150,7 +152,7 @@ impl Welding {
             }
         }
         let program = program.with(value);
-        Ok(Self { program, seam, lines, keys, joint, plan: None, plan_findings: Vec::new(), cut })
+        Ok(Self { program, seam, lines, keys, joint, plan: None, plan_findings, cut })
     }
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
@@ -194,6 +196,33 @@ impl Welding {
         let gaps = self.program.value.passes.iter().enumerate().filter_map(|(i, pass)| gaps(pass, i + 1));
         self.plan_findings.iter().cloned().chain(passes).chain(gaps).collect()
     }
+}
+
+/// Puts a `finding` of a range of the seam to the first of `passes` that runs there.
+fn at_first_pass<'a>(finding: &mut Finding, passes: impl Iterator<Item = (usize, &'a Pass)>, seam: &SeamCurve) {
+    let range = PathRange { from_mm: finding.from_mm, to_mm: finding.to_mm };
+    let mut laid = passes.filter_map(|(i, pass)| Some((i, on_pass(pass, seam, range)?)));
+    if let Some((i, own)) = laid.next() {
+        (finding.pass, finding.from_mm, finding.to_mm) = (i + 1, own.from_mm, own.to_mm);
+    }
+}
+
+/// Findings against the joint itself, each at the first pass along the seam there.
+fn joint_findings<T>(
+    file: &Document<T>,
+    joint: Option<&SeamJoint>,
+    curve: &SeamCurve,
+    seam: &Seam,
+    passes: &[Pass],
+) -> Vec<Finding> {
+    let body = if let Seam::Nozzle(nozzle) = seam { body::thickness(file, &nozzle.body).ok() } else { None };
+    let mut findings = joint.map_or(Vec::new(), |joint| joint.beside_standard(curve, seam, body));
+    for finding in &mut findings {
+        let along =
+            passes.iter().enumerate().filter(|(_, pass)| pass.points.is_none() && pass.role != Some(Role::Tack));
+        at_first_pass(finding, along, curve);
+    }
+    findings
 }
 
 /// Number of stations checked in a range of the seam.

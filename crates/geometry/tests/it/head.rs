@@ -46,7 +46,7 @@ impl Case {
         let flange = Flange { centre: self.centre, axis: self.axis, radius: self.radius, length: self.flange };
         match self.form {
             Form::Torispherical { crown, knuckle } => Head::torispherical(flange, crown, knuckle),
-            Form::Ellipsoidal { depth } => Head::ellipsoidal(flange, depth),
+            Form::Ellipsoidal { depth } => Head::ellipsoidal(flange, depth, 0.0),
             Form::Hemispherical => Head::hemispherical(flange),
             Form::Flat { knuckle } => Head::flat(flange, knuckle),
             Form::Conical { half_angle, knuckle } => Head::conical(flange, half_angle, knuckle),
@@ -328,7 +328,7 @@ fn contradictory_sizes_are_refused() {
     }
     assert!(matches!(Head::flat(flange, 401.0), Err(Error::Range { .. })));
     assert!(Head::conical(flange, 1.6, 50.0).is_err());
-    assert!(Head::ellipsoidal(flange, 0.0).is_err());
+    assert!(Head::ellipsoidal(flange, 0.0, 0.0).is_err());
     assert!(Head::hemispherical(Flange { length: -1.0, ..flange }).is_err());
     assert!(Head::hemispherical(Flange { axis: DVec3::ZERO, length: 1.0, ..flange }).is_err());
 }

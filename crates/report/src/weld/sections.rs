@@ -70,7 +70,7 @@ fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawi
     Some(SectionDrawing {
         title: at.in_language(language) + &point.phi.map_or_else(String::new, |phi| format!(", {}", angle(phi))),
         note: note.in_language(language),
-        parts: joint.parts(&section).map(outline).to_vec(),
+        parts: joint.metal(&section).into_iter().map(outline).collect(),
         groove: outline(section.first.iter().chain(section.second.iter().rev()).copied().collect()),
         beads: here
             .iter()

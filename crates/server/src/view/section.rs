@@ -43,7 +43,7 @@ fn section(welding: &Welding, seam: &SeamCurve, joint: &SeamJoint, s: f64) -> Op
         mismatch_mm,
         area_mm2: section.area(),
         cap_mm2: section.cap,
-        parts: joint.parts(&section).map(|part| outline(&part)),
+        parts: joint.metal(&section).iter().map(|part| outline(part)).collect(),
         edges: [outline(&section.first), outline(&section.second)],
         beads,
     })

@@ -207,8 +207,9 @@ pub struct SectionView {
     pub area_mm2: f64,
     /// See `area_mm2`.
     pub cap_mm2: f64,
-    /// Outlines of the two parts.
-    pub parts: [Vec<[f64; 2]>; 2],
+    /// Outlines of the metal beside and behind the groove: the first and the second part, then the weld on the other side
+    /// and the backing, if they are there.
+    pub parts: Vec<Vec<[f64; 2]>>,
     /// Fusion faces of the two parts, from the root to the toe.
     pub edges: [Vec<[f64; 2]>; 2],
     /// Beads in the order of welding.

@@ -11,6 +11,7 @@
 mod outline;
 mod profile;
 mod section;
+mod standard;
 #[cfg(test)]
 mod tests;
 
@@ -18,9 +19,9 @@ pub use section::Section;
 
 use crate::allowed::{between, rounded};
 use crate::seam::{SeamCurve, SeamPoint};
-use seamwright_document::{Document, DocumentError};
+use seamwright_document::{Document, DocumentError, NonNegative};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Joint, is_beyond};
+use seamwright_program::{AtDihedral, Joint, JointStandard, is_beyond};
 pub(crate) use section::NoGroove;
 use section::Place;
 
@@ -47,6 +48,11 @@ impl SeamJoint {
                 let allowed = between(0.0, rounded(end), Unit::Mm);
                 return Err(file.error_at(&path, Message::new("weld-position-beside-weld"), allowed));
             }
+        }
+        let is_aws = joint.standard == Some(JointStandard::AwsD11);
+        if is_aws && !joint.preparation.is_t() {
+            let message = Message::new("weld-standard-of-other-joints").text("standard", "AWS D1.1");
+            return Err(file.error_at("joint.standard", message, Message::new("program-edge-on-face")));
         }
         let built = Self { joint: joint.clone(), period: seam.all_round().then(|| seam.length()) };
         let places = 720;
@@ -96,10 +102,27 @@ impl SeamJoint {
         }
     }
 
+    /// Groove angle (rad) and root gap (mm) that the joint gives by the dihedral angle (rad); constant beyond its rows.
+    fn at_dihedral(&self, dihedral: f64) -> (Option<f64>, Option<f64>) {
+        let (rows, degrees) = (&self.joint.at_dihedral, dihedral.to_degrees());
+        let i = rows.partition_point(|row| row.dihedral_deg.get() <= degrees);
+        let (Some(low), Some(high)) = (rows.get(i.saturating_sub(1)), rows.get(i).or(rows.last())) else {
+            return (None, None);
+        };
+        let [from, to] = [low, high].map(|row| row.dihedral_deg.get());
+        let part = if to > from { ((degrees - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
+        let between = |a: Option<f64>, b: Option<f64>| Some(a? + part * (b? - a?));
+        let angle = |row: &AtDihedral| row.angle_deg.map(|angle| angle.get().to_radians());
+        let gap = |row: &AtDihedral| row.root_gap_mm.map(NonNegative::get);
+        (between(angle(low), angle(high)), between(gap(low), gap(high)))
+    }
+
     /// The section at a station of the seam, or the reason for its absence.
     pub(crate) fn try_section(&self, p: &SeamPoint) -> Result<Section, NoGroove> {
-        let (gap, mismatch) = self.fit_up(p.s);
-        Section::new(&self.joint.preparation, self.joint.cap_mm.get(), Place { dihedral: p.dihedral, gap, mismatch })
+        let (drawn, mismatch) = self.fit_up(p.s);
+        let (angle, gap) = self.at_dihedral(p.dihedral);
+        let gap = gap.filter(|_| self.joint.fit_up.is_empty()).unwrap_or(drawn);
+        Section::new(&self.joint, Place { dihedral: p.dihedral, gap, mismatch, angle })
     }
 
     /// The section at a station of the seam; `None` without a groove.

@@ -1,6 +1,6 @@
 use glam::DVec2;
 use seamwright_document::{NonNegative, Positive};
-use seamwright_program::{J, TJ, U};
+use seamwright_program::{DoubleU, J, TJ, U};
 use std::f64::consts::FRAC_PI_2;
 
 /// Chords of an arc.
@@ -20,6 +20,9 @@ pub(crate) enum Profile {
     Curved { root_face: f64, angle: f64, radius: f64, land: f64 },
     /// A round part that touches at depth `radius`; next to the contact `unfilled` is left.
     Round { radius: f64, unfilled: f64 },
+    /// A preparation without a root face, `depth` deep at this angle, gouged below: round at the bottom, then straight at
+    /// the angle `side`.
+    Gouged { depth: f64, angle: f64, radius: f64, side: f64 },
 }
 
 impl Profile {
@@ -33,6 +36,7 @@ impl Profile {
         match self {
             Self::Square => Some(0.0),
             Self::Bevel { angle, .. } | Self::Curved { angle, .. } => Some(angle),
+            Self::Gouged { angle, side, .. } => Some(angle.max(side)),
             Self::Round { .. } => None,
         }
     }
@@ -45,7 +49,32 @@ impl Profile {
             Self::Curved { root_face, angle, radius, land } => {
                 Self::Curved { root_face: factor * root_face, angle, radius, land }
             }
+            Self::Gouged { depth, angle, radius, side } => Self::Gouged { depth: factor * depth, angle, radius, side },
             Self::Square | Self::Round { .. } => self,
+        }
+    }
+
+    /// The same without a root face.
+    pub(crate) fn without_root_face(self) -> Self {
+        match self {
+            Self::Bevel { angle, .. } => Self::Bevel { root_face: 0.0, angle },
+            Self::Curved { angle, radius, land, .. } => Self::Curved { root_face: 0.0, angle, radius, land },
+            Self::Square | Self::Round { .. } | Self::Gouged { .. } => self,
+        }
+    }
+
+    /// The same, `depth` deep and gouged below, with this radius at the bottom and this angle at the sides.
+    pub(crate) fn gouged(self, depth: f64, radius: f64, side: f64) -> Self {
+        Self::Gouged { depth, angle: self.angle().unwrap_or(0.0), radius, side }
+    }
+
+    /// The same at another angle of the straight part, rad, if one is given.
+    pub(crate) fn at_angle(self, angle: Option<f64>) -> Self {
+        match (self, angle) {
+            (Self::Curved { root_face, radius, land, .. }, Some(angle)) => {
+                Self::Curved { root_face, angle, radius, land }
+            }
+            _ => self,
         }
     }
 
@@ -76,6 +105,10 @@ impl Profile {
                 corners.dedup();
                 corners
             }
+            Self::Gouged { depth, angle, radius, side } => {
+                let gouge = Self::Curved { root_face: 0.0, angle: side, radius, land: 0.0 }.corners(0.0, thickness);
+                wider(&gouge, DVec2::new(gap, depth), angle)
+            }
             Self::Round { radius, unfilled } => {
                 // By the angle about the round part's axis, from that of the contact up to the surface.
                 let first = (unfilled / radius).asin();
@@ -91,6 +124,28 @@ impl Profile {
     }
 }
 
+/// The wider of a gouge and of the bevel at `angle` above its own root, at each depth, from the gouge's bottom out.
+fn wider(gouge: &[DVec2], root: DVec2, angle: f64) -> Vec<DVec2> {
+    let bevel = |y: f64| root.x + (root.y - y) * angle.tan();
+    let below = gouge.partition_point(|p| p.y > root.y);
+    let mut corners = gouge[..below].to_vec();
+    let (Some(last), Some(next)) = (corners.last().copied(), gouge.get(below).copied()) else { return gouge.to_vec() };
+    // Where the bevel's root is wider than the gouge, a step leads out to it.
+    let at_root = last + (next - last) * ((last.y - root.y) / (last.y - next.y));
+    corners.push(at_root);
+    let above: Vec<DVec2> = std::iter::once(at_root).chain(gouge[below..].iter().copied()).collect();
+    corners.push(DVec2::new(at_root.x.max(root.x), root.y));
+    for pair in above.windows(2) {
+        let [a, b] = [pair[0], pair[1]].map(|p| p.x - bevel(p.y));
+        if a * b < 0.0 {
+            corners.push(pair[0] + (pair[1] - pair[0]) * (a / (a - b)));
+        }
+        corners.push(DVec2::new(pair[1].x.max(bevel(pair[1].y)), pair[1].y));
+    }
+    corners.dedup();
+    corners
+}
+
 /// Distance of corner `k` of an arc's chords from its centre: a little more than the radius between the arc's ends, so
 /// that the chords enclose the arc's area within 0.003 % of the radius' square.
 fn corner_radius(radius: f64, sweep: f64, k: u32) -> f64 {
@@ -100,6 +155,12 @@ fn corner_radius(radius: f64, sweep: f64, k: u32) -> f64 {
 
 impl From<&U> for Profile {
     fn from(p: &U) -> Self {
+        Self::curved(p.root_face_mm, p.angle_deg, p.radius_mm, p.land_mm)
+    }
+}
+
+impl From<&DoubleU> for Profile {
+    fn from(p: &DoubleU) -> Self {
         Self::curved(p.root_face_mm, p.angle_deg, p.radius_mm, p.land_mm)
     }
 }

@@ -1,15 +1,18 @@
 use super::profile::Profile;
 use crate::allowed::rounded;
 use glam::DVec2;
+use seamwright_document::{NonNegative, Positive};
 use seamwright_geometry::Slices;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Fillet, Member, Preparation};
+use seamwright_program::{Fillet, Joint, Member, Preparation, WeldedSide};
 use std::f64::consts::PI;
 
 /// Maximum dihedral angle of a fillet, rad: its faces are not in one plane.
 const MAX_FILLET: f64 = 170.0 * PI / 180.0;
 /// Minimum dihedral angle of a butt joint, rad: its faces are nearly in one plane.
 const MIN_BUTT: f64 = 120.0 * PI / 180.0;
+/// Dihedral angles of corner joints, rad: square ends open a groove there, and its faces do not meet again behind it.
+const CORNER: [f64; 2] = [200.0 * PI / 180.0, 330.0 * PI / 180.0];
 
 /// The joint cut square to the seam, mm: `x` is along [`SeamPoint::towards_first`](crate::SeamPoint), `y` along the
 /// bisector, the seam is at the origin.
@@ -42,6 +45,8 @@ pub(crate) struct Place {
     pub(crate) gap: f64,
     /// Height of the second part over the first, mm.
     pub(crate) mismatch: f64,
+    /// Groove angle of an edge on a face, rad, where it replaces that of the preparation.
+    pub(crate) angle: Option<f64>,
 }
 
 /// Reason why a station has no groove.
@@ -51,6 +56,8 @@ pub(crate) enum NoGroove {
     NoButt(f64),
     /// The faces' dihedral angle (degrees) is too large for a fillet or T-joint.
     NoCorner(f64),
+    /// The faces' dihedral angle (degrees) is not that of an outside corner.
+    NoOutsideCorner(f64),
     /// The prepared edge stays within its part; degrees.
     NeverOut { angle: f64, dihedral: f64 },
     /// The cut edge lies in the other part, at this angle (degrees) to its face.
@@ -70,6 +77,7 @@ impl NoGroove {
         match self {
             Self::NoButt(dihedral) => of("weld-groove-no-butt", "dihedral", *dihedral),
             Self::NoCorner(dihedral) => of("weld-groove-no-corner", "dihedral", *dihedral),
+            Self::NoOutsideCorner(dihedral) => of("weld-groove-no-outside-corner", "dihedral", *dihedral),
             Self::NeverOut { angle, dihedral } => {
                 of("weld-groove-edge-within-part", "angle", *angle).quantity("dihedral", *dihedral, Unit::Deg, 1)
             }
@@ -90,6 +98,11 @@ impl NoGroove {
         match self {
             Self::NoButt(_) => ("", of("weld-allowed-butt-dihedral", "min", MIN_BUTT.to_degrees())),
             Self::NoCorner(_) => ("", of("weld-allowed-corner-dihedral", "max", MAX_FILLET.to_degrees())),
+            Self::NoOutsideCorner(_) => {
+                let [min, max] = CORNER.map(|angle| rounded(angle.to_degrees()));
+                let allowed = Message::new("weld-allowed-outside-corner").value("min", min, Unit::Deg);
+                ("", allowed.value("max", max, Unit::Deg))
+            }
             Self::NeverOut { dihedral, .. } => {
                 ("angle_deg", Message::new("document-less-than").quantity("max", *dihedral, Unit::Deg, 1))
             }
@@ -159,61 +172,37 @@ impl EdgeFrame {
 }
 
 impl Section {
-    /// The section of a joint with this preparation and a cap of `cap_height`.
-    pub(crate) fn new(preparation: &Preparation, cap_height: f64, place: Place) -> Result<Self, NoGroove> {
+    /// The section of a joint at a place.
+    pub(crate) fn new(joint: &Joint, place: Place) -> Result<Self, NoGroove> {
         let faces = Faces::new(place.dihedral);
+        let preparation = &joint.preparation;
+        let degrees = place.dihedral.to_degrees();
         if preparation.is_butt() && place.dihedral < MIN_BUTT {
-            return Err(NoGroove::NoButt(place.dihedral.to_degrees()));
+            return Err(NoGroove::NoButt(degrees));
         }
         if !preparation.is_butt() && place.dihedral > MAX_FILLET {
-            return Err(NoGroove::NoCorner(place.dihedral.to_degrees()));
+            return Err(NoGroove::NoCorner(degrees));
         }
         let [first, second] = match preparation {
-            Preparation::Square(p) => {
-                let square = Profile::Square;
-                butt(&faces, place, [(square, 0.5), (square, 0.5)], p.thickness_mm.get())?
-            }
-            Preparation::SingleV(p) => {
-                let angle = 0.5 * p.angle_deg.get().to_radians();
-                let side = Profile::Bevel { root_face: p.root_face_mm.get(), angle };
-                butt(&faces, place, [(side, 0.5), (side, 0.5)], p.thickness_mm.get())?
-            }
-            Preparation::Bevel(p) => {
-                let angle = p.angle_deg.get().to_radians();
-                let side = Profile::Bevel { root_face: p.root_face_mm.get(), angle };
-                butt(&faces, place, one(side, p.prepared), p.thickness_mm.get())?
-            }
-            Preparation::U(p) => butt(&faces, place, [(p.into(), 0.5), (p.into(), 0.5)], p.thickness_mm.get())?,
-            Preparation::J(p) => butt(&faces, place, one(p.into(), p.prepared), p.thickness_mm.get())?,
-            Preparation::FlareV(p) => {
-                let radius = p.radius_mm.get();
-                let side = Profile::Round { radius, unfilled: p.unfilled_mm.get() };
-                butt(&faces, place, [(side, 0.5), (side, 0.5)], radius)?
+            Preparation::Corner(_) if !(CORNER[0]..=CORNER[1]).contains(&place.dihedral) => {
+                return Err(NoGroove::NoOutsideCorner(degrees));
             }
             Preparation::Fillet(p) => fillet(&faces, place, p),
+            Preparation::Lap(p) => {
+                let leg = Some(p.leg_mm);
+                fillet(&faces, place, &Fillet { leg_mm: leg, prepared: p.prepared, ..Fillet::default() })
+            }
             Preparation::FlareBevel(p) => {
                 let radius = p.radius_mm.get();
                 let side = Profile::Round { radius, unfilled: p.unfilled_mm.get() };
                 corner(&faces, place, Corner { edge: side, prepared: p.round, thickness: radius, leg: 0.0 })?
             }
-            Preparation::TBevel(p) => {
-                let angle = match (p.angle_deg, p.cut_deg) {
-                    (_, Some(cut)) => cut.get().to_radians() + place.dihedral - 0.5 * PI,
-                    (angle, None) => angle.map_or(0.0, |a| a.get().to_radians()),
-                };
-                if angle < 0.0 {
-                    return Err(NoGroove::Inside(angle.to_degrees()));
-                }
-                let edge = Profile::Bevel { root_face: p.root_face_mm.get(), angle };
-                let thickness = p.thickness_mm.get();
-                corner(&faces, place, Corner { edge, prepared: p.prepared, thickness, leg: p.leg_mm.get() })?
+            Preparation::TBevel(_) | Preparation::TDoubleBevel(_) | Preparation::TJ(_) => {
+                corner(&faces, place, edge_on_face(joint, place)?)?
             }
-            Preparation::TJ(p) => {
-                let (edge, thickness) = (p.into(), p.thickness_mm.get());
-                corner(&faces, place, Corner { edge, prepared: p.prepared, thickness, leg: p.leg_mm.get() })?
-            }
+            _ => butt(&faces, place, butt_edges(joint, place), joint.depth_mm())?,
         };
-        Self::between(place, first, second, cap_height)
+        Self::between(place, first, second, joint.cap_mm.get())
     }
 
     fn between(place: Place, first: Vec<DVec2>, second: Vec<DVec2>, cap_height: f64) -> Result<Self, NoGroove> {
@@ -264,11 +253,77 @@ impl Section {
     }
 }
 
-/// One side prepared, the other square. Each side has half the gap.
-fn one(side: Profile, prepared: Member) -> [(Profile, f64); 2] {
-    match prepared {
-        Member::First => [(side, 0.5), (Profile::Square, 0.5)],
-        Member::Second => [(Profile::Square, 0.5), (side, 0.5)],
+/// Profiles of both edges of a butt joint on the side that is welded, each with its share of the gap.
+fn butt_edges(joint: &Joint, place: Place) -> [(Profile, f64); 2] {
+    let bevel = |root_face: NonNegative, degrees: f64| Profile::Bevel {
+        root_face: root_face.get(),
+        angle: degrees.to_radians(),
+    };
+    let both = |side: Profile| [side, side];
+    let one = |side: Profile, prepared: Member| match prepared {
+        Member::First => [side, Profile::Square],
+        Member::Second => [Profile::Square, side],
+    };
+    let sides = match &joint.preparation {
+        Preparation::SingleV(p) => both(bevel(p.root_face_mm, 0.5 * p.angle_deg.get())),
+        Preparation::DoubleV(p) => {
+            both(bevel(p.root_face_mm, 0.5 * on_side(joint.side, p.angle_deg, p.back_angle_deg)))
+        }
+        Preparation::Bevel(p) => one(bevel(p.root_face_mm, p.angle_deg.get()), p.prepared),
+        Preparation::DoubleBevel(p) => {
+            one(bevel(p.root_face_mm, on_side(joint.side, p.angle_deg, p.back_angle_deg)), p.prepared)
+        }
+        Preparation::U(p) => both(p.into()),
+        Preparation::DoubleU(p) => both(p.into()),
+        Preparation::J(p) => one(p.into(), p.prepared),
+        Preparation::FlareV(p) => both(Profile::Round { radius: p.radius_mm.get(), unfilled: p.unfilled_mm.get() }),
+        // Each end is square to its own face.
+        Preparation::Corner(_) => both(Profile::Bevel { root_face: 0.0, angle: 0.5 * (place.dihedral - PI) }),
+        _ => both(Profile::Square),
+    };
+    sides.map(|side| (of_back(joint, side), 0.5))
+}
+
+/// The angle (degrees) on the side that is welded.
+fn on_side(side: WeldedSide, face: Positive, back: Option<Positive>) -> f64 {
+    match side {
+        WeldedSide::Face => face.get(),
+        WeldedSide::Back => back.unwrap_or(face).get(),
+    }
+}
+
+/// The profile that an edge has on the side that is welded: on the back without its root face, and gouged.
+fn of_back(joint: &Joint, edge: Profile) -> Profile {
+    if joint.side == WeldedSide::Face {
+        return edge;
+    }
+    let edge = edge.without_root_face();
+    let [_, depth] = joint.preparation.depths_mm();
+    let Some(gouge) = &joint.gouge else { return edge };
+    let (radius, side) = (gouge.radius_mm.get(), gouge.angle_deg.get().to_radians());
+    edge.gouged(depth, radius, side)
+}
+
+/// The prepared edge of an edge on a face.
+fn edge_on_face(joint: &Joint, place: Place) -> Result<Corner, NoGroove> {
+    let (edge, prepared, leg) = match &joint.preparation {
+        Preparation::TBevel(p) => {
+            let cut = p.cut_deg.map(|cut| cut.get().to_radians() + place.dihedral - 0.5 * PI);
+            let drawn = cut.or(p.angle_deg.map(|angle| angle.get().to_radians()));
+            let angle = place.angle.or(drawn).unwrap_or(0.0);
+            (Profile::Bevel { root_face: p.root_face_mm.get(), angle }, p.prepared, p.leg_mm)
+        }
+        Preparation::TDoubleBevel(p) => {
+            let drawn = on_side(joint.side, p.angle_deg, p.back_angle_deg).to_radians();
+            let edge = Profile::Bevel { root_face: p.root_face_mm.get(), angle: place.angle.unwrap_or(drawn) };
+            (of_back(joint, edge), p.prepared, p.leg_mm)
+        }
+        Preparation::TJ(p) => (Profile::from(p).at_angle(place.angle), p.prepared, p.leg_mm),
+        _ => (Profile::Square, Member::First, NonNegative::default()),
+    };
+    match edge.angle() {
+        Some(angle) if angle < 0.0 => Err(NoGroove::Inside(angle.to_degrees())),
+        _ => Ok(Corner { edge, prepared, thickness: joint.depth_mm(), leg: leg.get() }),
     }
 }
 
@@ -355,7 +410,7 @@ fn fillet(faces: &Faces, place: Place, p: &Fillet) -> [Vec<DVec2>; 2] {
         (None, Some(throat)) => throat.get() / (0.5 * place.dihedral).cos(),
         (None, None) => 0.0,
     };
-    let legs = [p.first_leg_mm, p.second_leg_mm].map(|leg| leg.map_or(equal, seamwright_document::Positive::get));
+    let legs = [p.first_leg_mm, p.second_leg_mm].map(|leg| leg.map_or(equal, Positive::get));
     let edge = |i: usize, member: Member| {
         let leg = if p.prepared == member { legs[i] + place.gap } else { legs[i] };
         vec![DVec2::ZERO, leg * faces.along[i]]

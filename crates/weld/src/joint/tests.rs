@@ -3,26 +3,23 @@
 use super::section::{NoGroove, Place, Section};
 use glam::DVec2;
 use proptest::prelude::*;
-use seamwright_program::Preparation;
+use seamwright_program::Joint;
+use seamwright_testkit::Random;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-fn preparation(toml: &str) -> Preparation {
-    #[derive(serde::Deserialize)]
-    struct File {
-        p: Preparation,
-    }
-    let file: File = seamwright_document::Document::<serde_json::Value>::read("f", toml)
-        .map(|d| serde_json::from_value(d.value).unwrap())
-        .unwrap();
-    file.p
+/// The joint with the preparation `p` of a text, and its other keys.
+fn joint(toml: &str) -> Joint {
+    let text = toml.replacen("p.", "preparation.", 1);
+    let file = seamwright_document::Document::<Joint>::read("f", &text).unwrap();
+    file.value
 }
 
 fn flat(gap: f64) -> Place {
-    Place { dihedral: PI, gap, mismatch: 0.0 }
+    Place { dihedral: PI, gap, mismatch: 0.0, angle: None }
 }
 
 fn section(toml: &str, place: Place) -> Section {
-    Section::new(&preparation(toml), 0.0, place).unwrap_or_else(|e| panic!("{toml}: {e}"))
+    Section::new(&joint(toml), place).unwrap_or_else(|e| panic!("{toml}: {e}"))
 }
 
 fn polygon(s: &Section) -> Vec<DVec2> {
@@ -75,7 +72,7 @@ proptest! {
     #[test]
     fn fillets_have_their_legs_and_throat(z1 in 2.0..20.0f64, z2 in 2.0..20.0f64, degrees in 40.0..150.0f64) {
         let psi = degrees.to_radians();
-        let place = Place { dihedral: psi, gap: 0.0, mismatch: 0.0 };
+        let place = Place { dihedral: psi, gap: 0.0, mismatch: 0.0, angle: None };
         let s = section(&format!("p.fillet = {{ first_leg_mm = {z1}, second_leg_mm = {z2} }}"), place);
         prop_assert!((s.area() - 0.5 * z1 * z2 * psi.sin()).abs() < 1e-9 * s.area());
         let [toe1, toe2] = s.toes();
@@ -104,7 +101,8 @@ fn areas_are_those_of_parts_cut_as_solids() {
     assert!(all.len() >= 1000);
     let mut worst: f64 = 0.0;
     for r in &all {
-        let place = Place { dihedral: r.dihedral_deg.to_radians(), gap: r.gap_mm, mismatch: r.mismatch_mm };
+        let place =
+            Place { dihedral: r.dihedral_deg.to_radians(), gap: r.gap_mm, mismatch: r.mismatch_mm, angle: None };
         let s = section(&r.preparation, place);
         let off = (s.area() / r.area_mm2 - 1.0).abs();
         assert!(off < 1e-3, "{} {place:?}: {} for {}", r.preparation, s.area(), r.area_mm2);
@@ -120,7 +118,7 @@ fn the_root_of_a_sloping_wall_lies_on_its_inside() {
         for kind in ["t_bevel = { angle_deg = 40,", "t_j = { angle_deg = 5, radius_mm = 2,"] {
             let text = format!("p.{kind} thickness_mm = 12, root_face_mm = 1.5, prepared = \"second\" }}");
             let (gap, dihedral) = (3.0, psi.to_radians());
-            let s = section(&text, Place { dihedral, gap, mismatch: 0.0 });
+            let s = section(&text, Place { dihedral, gap, mismatch: 0.0, angle: None });
             // The second part stands: its outside rises from the seam towards the left.
             let up = DVec2::new(-(0.5 * dihedral).sin(), (0.5 * dihedral).cos());
             let [root, face] = [s.second[0], s.first[0]];
@@ -135,7 +133,7 @@ fn the_root_of_a_sloping_wall_lies_on_its_inside() {
 #[test]
 fn flares_have_the_area_beside_the_circle() {
     let r = 10.0;
-    let corner = Place { dihedral: FRAC_PI_2, gap: 0.0, mismatch: 0.0 };
+    let corner = Place { dihedral: FRAC_PI_2, gap: 0.0, mismatch: 0.0, angle: None };
     let one = r * r * (1.0 - PI / 4.0);
     for round in ["first", "second"] {
         let s = section(&format!("p.flare_bevel = {{ radius_mm = {r}, round = \"{round}\" }}"), corner);
@@ -149,21 +147,20 @@ fn flares_have_the_area_beside_the_circle() {
 
 #[test]
 fn a_cut_of_one_angle_opens_with_the_dihedral_angle() {
-    let at = |psi: f64| Place { dihedral: psi.to_radians(), gap: 2.0, mismatch: 0.0 };
-    let p = preparation("p.t_bevel = { thickness_mm = 12, cut_deg = 45, root_face_mm = 1 }");
+    let at = |psi: f64| Place { dihedral: psi.to_radians(), gap: 2.0, mismatch: 0.0, angle: None };
+    let p = joint("p.t_bevel = { thickness_mm = 12, cut_deg = 45, root_face_mm = 1 }");
     for psi in [70.0, 90.0, 101.5, 113.6] {
-        let same =
-            preparation(&format!("p.t_bevel = {{ thickness_mm = 12, angle_deg = {}, root_face_mm = 1 }}", psi - 45.0));
-        let [a, b] = [&p, &same].map(|p| Section::new(p, 0.0, at(psi)).unwrap());
+        let same = joint(&format!("p.t_bevel = {{ thickness_mm = 12, angle_deg = {}, root_face_mm = 1 }}", psi - 45.0));
+        let [a, b] = [&p, &same].map(|p| Section::new(p, at(psi)).unwrap());
         assert!((a.area() - b.area()).abs() < 1e-9 && a.area() > 10.0);
     }
-    assert!(matches!(Section::new(&p, 0.0, at(40.0)), Err(NoGroove::Inside(_))));
+    assert!(matches!(Section::new(&p, at(40.0)), Err(NoGroove::Inside(_))));
 }
 
 #[test]
 fn impossible_grooves_say_why() {
-    let at = |psi: f64, gap: f64, mismatch: f64| Place { dihedral: psi.to_radians(), gap, mismatch };
-    let no = |toml: &str, place: Place| Section::new(&preparation(toml), 0.0, place).unwrap_err();
+    let at = |psi: f64, gap: f64, mismatch: f64| Place { dihedral: psi.to_radians(), gap, mismatch, angle: None };
+    let no = |toml: &str, place: Place| Section::new(&joint(toml), place).unwrap_err();
     let wide = "p.t_bevel = { thickness_mm = 12, angle_deg = 60 }";
     assert!(matches!(no(wide, at(55.0, 0.0, 0.0)), NoGroove::NeverOut { .. }));
     assert!(matches!(no("p.fillet = { leg_mm = 5 }", at(180.0, 0.0, 0.0)), NoGroove::NoCorner(_)));
@@ -173,8 +170,8 @@ fn impossible_grooves_say_why() {
 
 #[test]
 fn mismatch_moves_one_edge() {
-    let p = preparation("p.single_v = { thickness_mm = 10, angle_deg = 60, root_gap_mm = 2, root_face_mm = 1 }");
-    let at = |mismatch: f64| Section::new(&p, 0.0, Place { dihedral: PI, gap: 2.0, mismatch }).unwrap();
+    let p = joint("p.single_v = { thickness_mm = 10, angle_deg = 60, root_gap_mm = 2, root_face_mm = 1 }");
+    let at = |mismatch: f64| Section::new(&p, Place { dihedral: PI, gap: 2.0, mismatch, angle: None }).unwrap();
     let (even, out) = (at(0.0), at(1.5));
     assert!(out.first == even.first);
     for (a, b) in out.second.iter().zip(&even.second) {
@@ -182,4 +179,106 @@ fn mismatch_moves_one_edge() {
     }
     // The line from toe to toe slants by it.
     assert!((out.up.x / out.up.y - 1.5 / (out.toes()[0].x - out.toes()[1].x)).abs() < 1e-12);
+}
+
+/// The area of a symmetric butt groove `deep` mm deep with this half width at a depth, by the midpoint rule.
+fn swept_area(deep: f64, half_width: impl Fn(f64) -> f64) -> f64 {
+    let steps = 20_000;
+    let step = deep / f64::from(steps);
+    (0..steps).map(|i| 2.0 * half_width((f64::from(i) + 0.5) * step) * step).sum()
+}
+
+#[test]
+fn both_sides_of_a_double_preparation_fill_it() {
+    let mut random = Random::new(46);
+    for _ in 0..2000 {
+        let t = random.within(12.0, 80.0);
+        let (c, gap, angle, back) = (
+            random.within(0.0, 0.2) * t,
+            random.within(0.0, 4.0),
+            random.within(10.0, 80.0),
+            random.within(10.0, 80.0),
+        );
+        let depth = random.within(0.2, 0.8) * (t - c);
+        let other = t - c - depth;
+        let sizes = format!("thickness_mm = {t}, root_gap_mm = {gap}, root_face_mm = {c}, depth_mm = {depth}");
+        let tan = |degrees: f64| degrees.to_radians().tan();
+        let area =
+            |kind: &str, side: &str| section(&format!("{kind}, {sizes} }}\nside = \"{side}\""), flat(gap)).area();
+        let v = format!("p.double_v = {{ angle_deg = {angle}, back_angle_deg = {back}");
+        let near =
+            |found: f64, wanted: f64| assert!((found - wanted).abs() < 1e-9 * wanted, "{v} {sizes}: {found} {wanted}");
+        near(area(&v, "face"), gap * (depth + c) + depth * depth * tan(0.5 * angle));
+        near(area(&v, "back"), gap * other + other * other * tan(0.5 * back));
+        let bevel = format!("p.double_bevel = {{ angle_deg = {angle}, back_angle_deg = {back}");
+        near(area(&bevel, "face"), gap * (depth + c) + 0.5 * depth * depth * tan(angle));
+        near(area(&bevel, "back"), gap * other + 0.5 * other * other * tan(back));
+        let square = Place { dihedral: FRAC_PI_2, gap, mismatch: 0.0, angle: None };
+        let k = format!("p.t_double_bevel = {{ angle_deg = {angle}, back_angle_deg = {back}, {sizes} }}\nside = ");
+        near(section(&format!("{k}\"face\""), square).area(), gap * (depth + c) + 0.5 * depth * depth * tan(angle));
+        near(section(&format!("{k}\"back\""), square).area(), gap * other + 0.5 * other * other * tan(back));
+        let v = section(&format!("p.single_v = {{ thickness_mm = {t}, angle_deg = 60 }}"), flat(0.0)).area();
+        let x = format!("p.double_v = {{ thickness_mm = {t}, angle_deg = 60 }}");
+        near(2.0 * section(&x, flat(0.0)).area(), 0.5 * v);
+    }
+}
+
+#[test]
+fn a_gouged_back_is_the_wider_of_gouge_and_preparation() {
+    let mut random = Random::new(47);
+    for _ in 0..2000 {
+        let (t, gap, angle) = (random.within(15.0, 60.0), random.within(0.0, 8.0), random.within(20.0, 80.0));
+        let (radius, side) = (random.within(1.0, 8.0), random.within(0.0, 40.0));
+        let gouge = random.within(0.1, 0.45) * t;
+        let deep = 0.5 * t + gouge;
+        let text = format!(
+            "side = \"back\"\ngouge = {{ depth_mm = {gouge}, radius_mm = {radius}, angle_deg = {side} }}\n\
+             [preparation.double_v]\nthickness_mm = {t}\nangle_deg = {angle}\nroot_gap_mm = {gap}"
+        );
+        let (slope, sin) = (side.to_radians().tan(), side.to_radians().sin());
+        let of_gouge = |above: f64| {
+            let end = radius * (1.0 - sin);
+            let round = |h: f64| (h * (2.0 * radius - h)).max(0.0).sqrt();
+            if above < end { round(above) } else { round(end) + (above - end) * slope }
+        };
+        let of_v = |above: f64| {
+            let h = above - gouge;
+            if h < 0.0 { 0.0 } else { 0.5 * gap + h * (0.5 * angle).to_radians().tan() }
+        };
+        let wanted = swept_area(deep, |above| of_gouge(above).max(of_v(above)));
+        let found = section(&text, flat(gap));
+        let off = (found.area() / wanted - 1.0).abs();
+        assert!(off < 5e-4, "{text}: {} {wanted}", found.area());
+        assert!((shoelace(&polygon(&found)) / found.area() - 1.0).abs() < 1e-9);
+        assert!((found.up.dot(found.first[0]) + deep).abs() < 1e-9, "{text}");
+    }
+}
+
+#[test]
+fn an_outside_corner_has_the_groove_of_its_square_ends() {
+    for degrees in [225.0f64, 250.0, 270.0, 300.0] {
+        let place = Place { dihedral: degrees.to_radians(), gap: 0.0, mismatch: 0.0, angle: None };
+        let s = section("p.corner = { thickness_mm = 8 }", place);
+        // Both ends, as long as the wall is thick, meet at the inner corner.
+        let wanted = 0.5 * 64.0 * (degrees.to_radians() - PI).sin();
+        assert!((s.area() - wanted).abs() < 1e-9, "{degrees}: {} {wanted}", s.area());
+        for edge in [&s.first, &s.second] {
+            assert!((edge[0].distance(*edge.last().unwrap()) - 8.0).abs() < 1e-9);
+        }
+        let open = section("p.corner = { thickness_mm = 8 }", Place { gap: 2.0, ..place });
+        let apart = open.first[0].distance(open.second[0]);
+        assert!((apart - 2.0).abs() < 1e-9 && open.area() > s.area() + 4.0, "{degrees}: {apart} {}", open.area());
+    }
+    let inside = Place { dihedral: FRAC_PI_2, gap: 0.0, mismatch: 0.0, angle: None };
+    assert!(matches!(Section::new(&joint("p.corner = { thickness_mm = 8 }"), inside), Err(NoGroove::NoButt(_))));
+    let nearly_flat = Place { dihedral: PI, ..inside };
+    let corner = joint("p.corner = { thickness_mm = 8 }");
+    assert!(matches!(Section::new(&corner, nearly_flat), Err(NoGroove::NoOutsideCorner(_))));
+}
+
+#[test]
+fn a_lap_is_a_fillet_along_the_edge() {
+    let place = Place { dihedral: FRAC_PI_2, gap: 1.0, mismatch: 0.0, angle: None };
+    let s = section("p.lap = { thickness_mm = 6, leg_mm = 5, root_gap_mm = 1 }", place);
+    assert!((s.area() - 0.5 * 5.0 * 6.0).abs() < 1e-9);
 }

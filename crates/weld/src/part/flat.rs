@@ -8,7 +8,7 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_document::Direction;
 use seamwright_geometry::Curve;
-use seamwright_program::{Arc, Circle, FilletOrButt, RoundedRectangle, Spline, WallFaces};
+use seamwright_program::{Arc, Circle, FilletOrButt, RimJoint, RoundedRectangle, Spline, WallFaces};
 use std::f64::consts::PI;
 
 /// A seam that leaves a plane by no more than this part of its length lies in it.
@@ -18,8 +18,12 @@ impl Making<'_> {
     /// A round tube on a plate, or the plate alone.
     pub(super) fn circle(&self, c: &Circle) -> Result<Vec<Solid>, Impossible> {
         let (centre, normal, radius) = (c.centre_mm.get(), c.normal.unit(), c.radius_mm.get());
+        if c.joint == RimJoint::Corner {
+            let tube = Shape::Cylinder { radius, length: self.nozzle_mm };
+            return Ok(vec![Solid::new("tube", tube, standing(centre - self.nozzle_mm * normal, normal))?]);
+        }
         let plate = self.plate("plate", centre, normal, self.body(6.0 * radius, 2.0 * radius)?)?;
-        if c.joint == FilletOrButt::Butt {
+        if c.joint == RimJoint::Butt {
             return Ok(vec![plate]);
         }
         let tube = Shape::Cylinder { radius, length: self.nozzle_mm };
@@ -30,17 +34,24 @@ impl Making<'_> {
     pub(super) fn rectangle(&self, r: &RoundedRectangle) -> Result<Vec<Solid>, Impossible> {
         let (centre, normal) = (r.centre_mm.get(), r.normal.unit());
         let half = 0.5 * DVec2::new(r.width_mm.get(), r.height_mm.get());
-        let plate = self.plate("plate", centre, normal, self.body(6.0 * half.max_element(), 2.0 * half.length())?)?;
-        if r.joint == FilletOrButt::Butt {
-            return Ok(vec![plate]);
+        let is_corner = r.joint == RimJoint::Corner;
+        let mut solids = Vec::new();
+        if !is_corner {
+            let side = self.body(6.0 * half.max_element(), 2.0 * half.length())?;
+            solids.push(self.plate("plate", centre, normal, side)?);
+        }
+        if r.joint == RimJoint::Butt {
+            return Ok(solids);
         }
         let x = zero(normal, r.width_direction);
         let x = (x - x.dot(normal) * normal).normalize();
         let frame = DAffine3::from_mat3_translation(DMat3::from_cols(x, normal.cross(x), normal), centre);
         let outline = outline(half, r.corner_mm.get());
         let section = |z: f64| outline.iter().map(|p| p.extend(z)).collect::<Vec<_>>();
-        let tube = sweep_through(&[section(0.0), section(self.nozzle_mm)])?;
-        Ok(vec![plate, Solid::new("tube", Shape::Mesh(std::sync::Arc::new(tube)), frame)?])
+        let [low, high] = if is_corner { [-self.nozzle_mm, 0.0] } else { [0.0, self.nozzle_mm] };
+        let tube = sweep_through(&[section(low), section(high)])?;
+        solids.push(Solid::new("tube", Shape::Mesh(std::sync::Arc::new(tube)), frame)?);
+        Ok(solids)
     }
 
     /// A plate with a wall along an arc, behind its face, or the plate alone.

@@ -131,7 +131,10 @@ impl Making<'_> {
             Body::ConicalHead(h) => {
                 vessel(vessel_head::conical(file, h, 0.0)?, &|depth| Ok(vessel_head::conical(file, h, depth)?))?
             }
-            Body::Torus { .. } | Body::Ellipsoid { .. } | Body::EllipsoidalHead(_) => None,
+            Body::EllipsoidalHead(h) => {
+                vessel(vessel_head::ellipsoidal(file, h, 0.0)?, &|depth| Ok(vessel_head::ellipsoidal(file, h, depth)?))?
+            }
+            Body::Torus { .. } | Body::Ellipsoid { .. } => None,
         })
     }
 }

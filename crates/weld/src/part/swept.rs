@@ -2,7 +2,7 @@ use super::{Extent, Impossible, Making, PLATE_MM};
 use crate::t_joint::Middle;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid};
-use seamwright_program::{Ellipse, FilletOrButt, TJoint};
+use seamwright_program::{Ellipse, RimJoint, TJoint};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -14,9 +14,13 @@ impl Making<'_> {
     pub(super) fn ellipse(&self, e: &Ellipse) -> Result<Vec<Solid>, Impossible> {
         let (centre, normal) = (e.centre_mm.get(), e.normal.unit());
         let (a, b) = (e.a_mm.get(), e.b_mm.get());
-        let plate = self.plate("plate", centre, normal, self.body(6.0 * a.max(b), 2.0 * a.max(b))?)?;
-        if e.joint == FilletOrButt::Butt {
-            return Ok(vec![plate]);
+        let is_corner = e.joint == RimJoint::Corner;
+        let mut solids = Vec::new();
+        if !is_corner {
+            solids.push(self.plate("plate", centre, normal, self.body(6.0 * a.max(b), 2.0 * a.max(b))?)?);
+        }
+        if e.joint == RimJoint::Butt {
+            return Ok(solids);
         }
         let x = e.a_direction.unit();
         let x = (x - x.dot(normal) * normal).normalize();
@@ -28,9 +32,10 @@ impl Making<'_> {
             let (sin, cos) = (2.0 * PI * i as f64 / count as f64).sin_cos();
             DVec3::new(outside * a * cos, outside * b * sin, z)
         };
-        let sections: Vec<Vec<DVec3>> =
-            [0.0, self.nozzle_mm].iter().map(|&z| (0..count).map(|i| corner(i, z)).collect()).collect();
-        Ok(vec![plate, Solid::new("tube", Shape::Mesh(Arc::new(sweep_through(&sections)?)), frame)?])
+        let ends = if is_corner { [-self.nozzle_mm, 0.0] } else { [0.0, self.nozzle_mm] };
+        let sections = ends.map(|z| (0..count).map(|i| corner(i, z)).collect::<Vec<_>>());
+        solids.push(Solid::new("tube", Shape::Mesh(Arc::new(sweep_through(&sections)?)), frame)?);
+        Ok(solids)
     }
 
     /// The skin, and the web on it.

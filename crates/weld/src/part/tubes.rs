@@ -1,5 +1,6 @@
-use super::vessel_heads::bend;
-use super::{Extent, Impossible, Making, standing};
+use super::swept::WITHIN_MM;
+use super::vessel_heads::{bend, turned};
+use super::{Extent, Impossible, Making, PLATE_MM, standing};
 use crate::branch::{Joint, Leg};
 use crate::vessel_head;
 use glam::{DAffine3, DMat3, DVec3};
@@ -120,7 +121,7 @@ impl Making<'_> {
                 let pose = DAffine3::from_translation(centre_mm.get());
                 Solid::new("sphere", Shape::Sphere { radius: radius_mm.get() }, pose)
             }
-            Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction } => {
+            Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction, .. } => {
                 let z = axis.unit();
                 let x = x_direction.unit();
                 // The seam was made from the same directions: they are not parallel.
@@ -146,7 +147,7 @@ impl Making<'_> {
                 Solid::new("bend", bend(bend_radius_mm.get(), radius_mm.get())?, pose)
             }
             Body::TorisphericalHead(h) => self.vessel_head(&vessel_head::torispherical(file, h, 0.0)?),
-            Body::EllipsoidalHead(h) => self.vessel_head(&vessel_head::ellipsoidal(file, h)?),
+            Body::EllipsoidalHead(h) => self.vessel_head(&vessel_head::ellipsoidal(file, h, 0.0)?),
             Body::HemisphericalHead(h) => self.vessel_head(&vessel_head::hemispherical(file, h, 0.0)?),
             Body::FlatHead(h) => self.vessel_head(&vessel_head::flat(file, h, 0.0)?),
             Body::ConicalHead(h) => self.vessel_head(&vessel_head::conical(file, h, 0.0)?),
@@ -160,9 +161,17 @@ impl Making<'_> {
         self.cylinder("cylinder", &Foot { centre, along, radius: helix.radius_mm.get() }, 0.0)
     }
 
-    /// A tube that extends to both sides of the cut.
+    /// A tube that extends to both sides of the cut; with the torch inside, its wall.
     pub(super) fn girth(&self, girth: &Girth) -> Result<Vec<Solid>, Impossible> {
         let (centre, along, radius) = (girth.origin_mm.get(), girth.direction.unit(), girth.radius_mm.get());
+        if girth.inside {
+            let Extent { low, high } = self.heights(centre, along);
+            let length = self.body(6.0 * radius, high - low)?;
+            let outside = radius + PLATE_MM;
+            let shape = turned(&[(outside, 0.0), (outside, length)], &[(radius, length), (radius, 0.0)], WITHIN_MM)?;
+            let start = centre + 0.5 * (low + high - length) * along;
+            return Ok(vec![Solid::new("tube", shape, standing(start, along))?]);
+        }
         self.cylinder("tube", &Foot { centre, along, radius }, 6.0 * radius)
     }
 

@@ -360,7 +360,14 @@ fn mistakes_have_an_address_and_a_cure() {
     // The wall takes so much that the nozzle no longer fits inside.
     check(set_in, &format!("{cylinder}thickness_mm = 155\n"), "seam.nozzle.radius_mm", "inside of the wall");
     for body in ["ellipsoid]\nsemi_axes_mm = [300, 300, 150]\n", "ellipsoidal_head]\nouter_diameter_mm = 600\n"] {
-        check(set_in, body, "seam.nozzle.body", "torispherical_head");
+        let (kind, _) = body.split_once(']').unwrap();
+        let key = format!("seam.nozzle.body.{kind}.thickness_mm");
+        check(
+            set_in,
+            body,
+            &key,
+            if kind == "ellipsoid" { "more than 0 mm" } else { "half of outer_diameter_mm = 600" },
+        );
         // Set on, its root is on the outside.
         let text =
             format!("[seam.nozzle]\nradius_mm = 50\nwall_mm = 5\ncurve = \"inner_root\"\n[seam.nozzle.body.{body}");

@@ -321,3 +321,145 @@ fn standard_heads_have_their_radii() {
     close("thickness_mm = 10\nstandard = \"asme_fd\"\ncrown_radius_mm = 900\n", arc(900.0, 60.0, 10.0));
     close("thickness_mm = 10\ncrown_radius_mm = 900\nknuckle_radius_mm = 120\n", arc(900.0, 120.0, 10.0));
 }
+
+#[test]
+fn a_girth_from_inside_has_the_air_in_the_tube_and_the_same_first_part() {
+    let axis = DVec3::new(1.0, 2.0, 2.0) / 3.0;
+    let (inside, outside) = (read(&GIRTH.replace("radius_mm = 90", "radius_mm = 90\ninside = true")), read(GIRTH));
+    for i in 0..200 {
+        let s = inside.seam().length() * f64::from(i) / 200.0;
+        let (p, q) = (inside.seam().at(s), outside.seam().at(s));
+        assert!((p.point - q.point).length() < 1e-12 && (p.bisector + q.bisector).length() < 1e-12);
+        assert!((p.dihedral - std::f64::consts::PI).abs() < 1e-12);
+        // The first part still lies where the tube's direction points.
+        assert!(p.towards_first.dot(axis) > 0.1 && p.towards_first.dot(q.towards_first) > 0.999);
+    }
+    let error = SeamSurfaces::new(&inside.program, inside.program.value.seam.as_ref().unwrap()).unwrap_err();
+    assert_eq!(error.key, "seam.girth.inside");
+}
+
+/// A cover on a tube: the plate is the second part, the wall below it the first.
+#[test]
+fn an_outside_corner_has_its_air_around_the_edge() {
+    let text = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.circle]\nradius_mm = 100\njoint = \"corner\"\n\
+                [joint.preparation.corner]\nthickness_mm = 6\n[weld]\nspeed_mm_s = 5\n";
+    let w = read(text);
+    for i in 0..100 {
+        let p = w.seam().at(6.0 * f64::from(i));
+        let out = (p.point / 100.0).normalize();
+        assert!((p.dihedral.to_degrees() - 270.0).abs() < 1e-9 && (p.n1 - out).length() < 1e-12);
+        assert!((p.bisector - (out + DVec3::Z).normalize()).length() < 1e-12);
+        // Down the wall, away from the cover.
+        assert!((p.towards_first - (out - DVec3::Z).normalize()).length() < 1e-12, "{}", p.towards_first);
+        // The groove's edges lie in their own parts: on the tube's wall below the cover, and on the cover.
+        let section = w.joint.as_ref().unwrap().section(&p).unwrap();
+        let place = |c: &glam::DVec2| p.point + c.x * p.towards_first + c.y * p.bisector;
+        let [wall, cover] = [&section.first, &section.second].map(|edge| place(edge.last().unwrap()) - p.point);
+        assert!((wall + 6.0 * DVec3::Z).length() < 1e-9 && (cover + 6.0 * out).length() < 1e-9);
+    }
+    let wrong = refusal(&text.replace("joint = \"corner\"", "joint = \"fillet\""));
+    assert_eq!(wrong.key, "joint.preparation.corner");
+}
+
+#[test]
+fn nozzles_are_set_into_ellipsoidal_heads() {
+    let text = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 84.15\nwall_mm = 7.1\n\
+                mount = \"set_in\"\norigin_mm = [380, 60, 0]\nbody.ellipsoidal_head = { outer_diameter_mm = 1200, \
+                thickness_mm = 16, flange_mm = 40 }\n[weld]\nspeed_mm_s = 5\n";
+    let toe = read(text);
+    let root = read(&text.replace("mount = ", "curve = \"inner_root\"\nmount = "));
+    let outside = SeamSurfaces::new(&toe.program, toe.program.value.seam.as_ref().unwrap()).unwrap().second;
+    for i in 0..300 {
+        let part = f64::from(i) / 300.0;
+        let [on_outside, on_inside] = [&toe, &root].map(|w| w.seam().at(part * w.seam().length()));
+        assert!(outside.foot(on_outside.point).distance.abs() < 1e-9);
+        assert!((outside.foot(on_inside.point).distance + 16.0).abs() < 1e-9);
+        // Into the vessel.
+        assert!((on_inside.n2 + outside.foot(on_inside.point).normal).length() < 1e-9);
+    }
+    let thick = refusal(&text.replace("thickness_mm = 16", "thickness_mm = 151"));
+    assert_eq!(thick.key, "seam.nozzle.body.ellipsoidal_head");
+    assert_eq!(refusal(&text.replace("thickness_mm = 16, ", "")).key, "seam.nozzle.body.ellipsoidal_head.thickness_mm");
+}
+
+/// Finds the findings against the joint itself.
+fn joint_findings(text: &str) -> Vec<String> {
+    let findings = read(text).findings();
+    findings.iter().filter(|f| f.kind == "joint").map(|f| f.message.to_string()).collect()
+}
+
+#[test]
+fn joints_beside_their_standard_are_warnings() {
+    let head = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[weld]\nspeed_mm_s = 5\n";
+    let pipe = |preparation: &str| {
+        format!("{head}[seam.girth]\nradius_mm = 100\n[joint]\nstandard = \"iso_9692_1\"\n{preparation}")
+    };
+    let v = "preparation.single_v = { thickness_mm = 8, angle_deg = 60, root_gap_mm = 2, root_face_mm = 1 }\n";
+    assert!(joint_findings(&pipe(v)).is_empty());
+    let thick = joint_findings(&pipe(&v.replace("thickness_mm = 8", "thickness_mm = 25")));
+    assert_eq!(thick.len(), 1);
+    assert!(thick[0].starts_with("the thickness is 25.0 mm") && thick[0].contains("3.0 mm to 10.0 mm"), "{thick:?}");
+    let steep = "preparation.single_v = { thickness_mm = 25, angle_deg = 12, root_gap_mm = 7 }\n";
+    assert!(joint_findings(&pipe(steep)).is_empty());
+    let x = "preparation.double_v = { thickness_mm = 40, angle_deg = 30, root_gap_mm = 2 }\n";
+    assert!(joint_findings(&pipe(x))[0].starts_with("the groove angle is 30.0°"));
+    // Of a branch at 45 degrees: a groove of one angle fits no detail at heel and toe.
+    let branch = |more: &str| {
+        format!(
+            "{head}[seam.branch]\nradius_mm = 84.15\nchord_radius_mm = 161.95\nangle_deg = 45\n[joint]\n\
+             standard = \"aws_d1_1\"\n[joint.preparation.t_bevel]\nthickness_mm = 7.1\nangle_deg = 43\n\
+             root_gap_mm = 3\n{more}"
+        )
+    };
+    let constant = joint_findings(&branch(""));
+    assert!(constant.iter().any(|f| f.contains("AWS D1.1") && f.contains("groove angle")), "{constant:?}");
+    let rows = [(30, 16), (50, 30), (75, 40), (120, 45), (180, 60)];
+    let rows = rows
+        .map(|(dihedral, angle)| format!("[[joint.at_dihedral]]\ndihedral_deg = {dihedral}\nangle_deg = {angle}\n"));
+    let following = joint_findings(&branch(&rows.concat()));
+    assert!(following.is_empty(), "{following:?}");
+    assert_eq!(refusal(&pipe(v).replace("iso_9692_1", "aws_d1_1")).key, "joint.standard");
+    // The cover fillet of a nozzle: at least 0.7 of the wall.
+    let nozzle = |leg: f64| {
+        format!(
+            "{head}[seam.nozzle]\nradius_mm = 100\nwall_mm = 8\nbody.plane = {{ normal = [0, 0, 1], thickness_mm = 20 }}\n\
+             [joint]\nstandard = \"asme_uw_16\"\npreparation.fillet = {{ leg_mm = {leg} }}\n"
+        )
+    };
+    assert!(joint_findings(&nozzle(8.0)).is_empty());
+    let thin = joint_findings(&nozzle(7.0));
+    assert!(thin.len() == 1 && thin[0].contains("5.6 mm or more"), "{thin:?}");
+}
+
+#[test]
+fn joints_that_contradict_themselves_have_an_address() {
+    let job = |joint: &str| {
+        format!(
+            "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[weld]\nspeed_mm_s = 5\n[seam.girth]\nradius_mm = 100\n[joint]\n{joint}"
+        )
+    };
+    let x = "preparation.double_v = { thickness_mm = 40, angle_deg = 60, root_face_mm = 2 }\n";
+    let cases = [
+        (x.replace("root_face_mm = 2", "root_face_mm = 2, depth_mm = 38"), "joint.preparation.double_v.depth_mm"),
+        (
+            x.replace("angle_deg = 60", "angle_deg = 60, back_angle_deg = 175"),
+            "joint.preparation.double_v.back_angle_deg",
+        ),
+        (format!("gouge = {{ depth_mm = 4 }}\n{x}"), "joint.gouge"),
+        (format!("side = \"back\"\ngouge = {{ depth_mm = 21 }}\n{x}"), "joint.gouge.depth_mm"),
+        (format!("side = \"back\"\ngouge = {{ depth_mm = 5, angle_deg = 88 }}\n{x}"), "joint.gouge.angle_deg"),
+        ("side = \"back\"\npreparation.single_v = { thickness_mm = 9, angle_deg = 60 }\n".to_owned(), "joint.side"),
+        (
+            "preparation.double_u = { thickness_mm = 30, angle_deg = 10, radius_mm = 19 }\n".to_owned(),
+            "joint.preparation.double_u.radius_mm",
+        ),
+        ("preparation.lap = { thickness_mm = 5, leg_mm = 6 }\n".to_owned(), "joint.preparation.lap.leg_mm"),
+        (format!("{x}[[joint.at_dihedral]]\ndihedral_deg = 90\nangle_deg = 40\n"), "joint.at_dihedral"),
+    ];
+    for (joint, key) in cases {
+        assert_eq!(refusal(&job(&joint)).key, key, "{joint}");
+    }
+    let back = read(&job(&format!("side = \"back\"\ngouge = {{ depth_mm = 6 }}\n{x}")));
+    let section = back.joint.as_ref().unwrap().section(&back.seam().at(0.0)).unwrap();
+    assert!((section.up.dot(section.first[0]) + 19.0 + 6.0).abs() < 1e-9);
+}

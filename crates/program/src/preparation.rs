@@ -1,0 +1,668 @@
+//! How the edges of a joint are prepared.
+
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_message::{Message, Unit};
+use serde::{Deserialize, Serialize};
+
+/// Joint preparation after ISO 9692-1, seen from the face.
+///
+/// In a butt joint both parts' surfaces lie (nearly) in one plane. In a fillet and the `t_` kinds one part's edge stands
+/// on the face of the other, at the seam's local dihedral angle; the prepared part is the one whose edge it is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Preparation {
+    /// Square butt.
+    Square(Square),
+    /// Single V butt; with a broad root face a Y.
+    SingleV(SingleV),
+    /// Double V butt (X): `side` of the joint says which of both is welded.
+    DoubleV(DoubleV),
+    /// Single bevel butt.
+    Bevel(Bevel),
+    /// Double bevel butt (K).
+    DoubleBevel(DoubleBevel),
+    /// Single U butt.
+    U(U),
+    /// Double U butt.
+    DoubleU(DoubleU),
+    /// Single J butt.
+    J(J),
+    /// Square ends of two walls that meet at an outside corner.
+    Corner(Corner),
+    /// Fillet.
+    Fillet(Fillet),
+    /// Fillet along the edge of a plate that lies on another.
+    Lap(Lap),
+    /// A round part beside a flat one: flare bevel.
+    FlareBevel(FlareBevel),
+    /// Two round parts side by side: flare V.
+    FlareV(FlareV),
+    /// Single bevel T: a bevelled edge on a face, as of a nozzle set on its shell or let into it.
+    TBevel(TBevel),
+    /// Double bevel T (K): an edge bevelled on both sides.
+    TDoubleBevel(TDoubleBevel),
+    /// Single J on a face.
+    TJ(TJ),
+}
+
+/// One of the two parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Member {
+    /// The first part: nozzle, tube, wall.
+    #[default]
+    First,
+    /// The second part: body, plate.
+    Second,
+}
+
+/// Square butt preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Square {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+}
+
+/// Single V preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SingleV {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Groove angle between the faces, degrees.
+    pub angle_deg: Positive,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+}
+
+/// Double V preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DoubleV {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Groove angle between the faces, degrees.
+    pub angle_deg: Positive,
+    /// Groove angle on the back, degrees; as on the face if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub back_angle_deg: Option<Positive>,
+    /// Depth of the preparation on the face, mm; if missing half of the thickness without the root face.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth_mm: Option<Positive>,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+}
+
+/// Single bevel preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Bevel {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Bevel angle from the square edge, degrees.
+    pub angle_deg: Positive,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// The part that is bevelled.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Double bevel preparation of a butt joint.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DoubleBevel {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Bevel angle from the square edge, degrees.
+    pub angle_deg: Positive,
+    /// Bevel angle on the back, degrees; as on the face if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub back_angle_deg: Option<Positive>,
+    /// Depth of the preparation on the face, mm; if missing half of the thickness without the root face.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth_mm: Option<Positive>,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// The part that is bevelled.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Single U preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct U {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Bevel angle of each face, degrees.
+    pub angle_deg: NonNegative,
+    /// Radius at the bottom, mm.
+    pub radius_mm: Positive,
+    /// Land: level part between root face and radius on each side, mm.
+    #[serde(default)]
+    pub land_mm: NonNegative,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+}
+
+/// Double U preparation: the same U on both sides.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DoubleU {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Bevel angle of each face, degrees.
+    pub angle_deg: NonNegative,
+    /// Radius at the bottom, mm.
+    pub radius_mm: Positive,
+    /// Land: level part between root face and radius on each side, mm.
+    #[serde(default)]
+    pub land_mm: NonNegative,
+    /// Depth of the preparation on the face, mm; if missing half of the thickness without the root face.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth_mm: Option<Positive>,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+}
+
+/// Single J preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct J {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Bevel angle from the square edge, degrees.
+    pub angle_deg: NonNegative,
+    /// Radius at the bottom, mm.
+    pub radius_mm: Positive,
+    /// Land: level part between root face and radius, mm.
+    #[serde(default)]
+    pub land_mm: NonNegative,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// The part that is prepared.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Corner joint: the square ends of two walls that touch, or nearly, along their inner edges. The seam is the line where
+/// their outsides would meet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Corner {
+    /// Thickness of both walls, mm.
+    pub thickness_mm: Positive,
+    /// Root gap between the inner edges, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+}
+
+/// Fillet: give `leg_mm`, or both legs apart, or `throat_mm`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fillet {
+    /// Leg length on both parts, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub leg_mm: Option<Positive>,
+    /// Leg length on the first part, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first_leg_mm: Option<Positive>,
+    /// Leg length on the second part, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second_leg_mm: Option<Positive>,
+    /// Throat, mm: equal legs that change with the dihedral angle so that the throat stays.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub throat_mm: Option<Positive>,
+    /// Root gap between the parts, mm, along the part that stands; the leg on that part is longer by it.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// The part that stands on the other.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Lap joint: a plate lies on another, and a fillet joins its edge to that one's face.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Lap {
+    /// Thickness of the plate that lies on the other, mm.
+    pub thickness_mm: Positive,
+    /// Leg length on both parts, mm; up to the thickness.
+    pub leg_mm: Positive,
+    /// Gap between the plates, mm; the leg on the edge is longer by it.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// The part that lies on the other.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Flare bevel: a round part that touches a flat one, filled to the line square to the flat one that touches the round
+/// one. The seam is the line where those two meet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlareBevel {
+    /// Radius of the round part, mm.
+    pub radius_mm: Positive,
+    /// Depth next to the line of contact that is not filled, mm.
+    #[serde(default)]
+    pub unfilled_mm: NonNegative,
+    /// The round part.
+    #[serde(default)]
+    pub round: Member,
+}
+
+/// Flare V: two round parts that touch, filled to the line that touches both. The seam lies on that line, above the
+/// contact.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlareV {
+    /// Radius of both parts, mm.
+    pub radius_mm: Positive,
+    /// Depth next to the line of contact that is not filled, mm.
+    #[serde(default)]
+    pub unfilled_mm: NonNegative,
+}
+
+/// Single bevel T: give the angle of the groove, or that of the cut.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TBevel {
+    /// Thickness of the part whose edge is prepared, mm.
+    pub thickness_mm: Positive,
+    /// Groove angle between its bevel and the other part's face, degrees: the same all along the seam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<Positive>,
+    /// Angle of the cut from the square edge, degrees: the same all along, so that the groove angle follows the
+    /// dihedral angle, groove = cut + (dihedral - 90).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cut_deg: Option<Finite>,
+    /// Root gap, mm, along the wall of the part whose edge is prepared: so far it is lifted off the other.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm: the part of the wall's thickness that is not bevelled.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// Leg of the cover fillet on the other part's face, mm.
+    #[serde(default)]
+    pub leg_mm: NonNegative,
+    /// The part whose edge is prepared: `first` for a nozzle set on, `second` for one let into its shell.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Double bevel T: an edge bevelled on both sides, that stands on a face. The back has a seam of its own, beyond the
+/// standing part.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TDoubleBevel {
+    /// Thickness of the part whose edge is prepared, mm.
+    pub thickness_mm: Positive,
+    /// Groove angle between its bevel and the other part's face, degrees: the same all along the seam.
+    pub angle_deg: Positive,
+    /// Groove angle on the back, degrees; as on the face if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub back_angle_deg: Option<Positive>,
+    /// Depth of the preparation on the face, mm; if missing half of the thickness without the root face.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth_mm: Option<Positive>,
+    /// Root gap, mm, along the wall of the part whose edge is prepared: so far it is lifted off the other.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm: the part of the wall's thickness that is not bevelled.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// Leg of the cover fillet on the other part's face, mm.
+    #[serde(default)]
+    pub leg_mm: NonNegative,
+    /// The part whose edge is prepared.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Single J on a face.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TJ {
+    /// Thickness of the part whose edge is prepared, mm.
+    pub thickness_mm: Positive,
+    /// Angle between the J's straight part and the other part's face, degrees.
+    pub angle_deg: NonNegative,
+    /// Radius at the bottom, mm.
+    pub radius_mm: Positive,
+    /// Land: level part between root face and radius, mm.
+    #[serde(default)]
+    pub land_mm: NonNegative,
+    /// Root gap, mm, along the wall of the part whose edge is prepared: so far it is lifted off the other.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm: the part of the wall's thickness that is not prepared.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// Leg of the cover fillet on the other part's face, mm.
+    #[serde(default)]
+    pub leg_mm: NonNegative,
+    /// The part whose edge is prepared.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+impl Preparation {
+    /// Its key.
+    pub fn key(&self) -> &'static str {
+        match self {
+            Self::Square(_) => "square",
+            Self::SingleV(_) => "single_v",
+            Self::DoubleV(_) => "double_v",
+            Self::Bevel(_) => "bevel",
+            Self::DoubleBevel(_) => "double_bevel",
+            Self::U(_) => "u",
+            Self::DoubleU(_) => "double_u",
+            Self::J(_) => "j",
+            Self::Corner(_) => "corner",
+            Self::Fillet(_) => "fillet",
+            Self::Lap(_) => "lap",
+            Self::FlareBevel(_) => "flare_bevel",
+            Self::FlareV(_) => "flare_v",
+            Self::TBevel(_) => "t_bevel",
+            Self::TDoubleBevel(_) => "t_double_bevel",
+            Self::TJ(_) => "t_j",
+        }
+    }
+
+    /// The key that a file gives instead of `key`, if it does: an angle of a bevel may be given by its cut.
+    pub fn given_key(&self, key: &'static str) -> &'static str {
+        match self {
+            Self::TBevel(p) if key == "angle_deg" && p.cut_deg.is_some() => "cut_deg",
+            _ => key,
+        }
+    }
+
+    /// Thickness (mm) of the prepared part, root gap and root face (mm) as drawn; `None` of a fillet or a flare groove,
+    /// and of preparations without a root face.
+    fn sizes(&self) -> (Option<Positive>, NonNegative, Option<NonNegative>) {
+        match self {
+            Self::Square(p) => (Some(p.thickness_mm), p.root_gap_mm, None),
+            Self::SingleV(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+            Self::DoubleV(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+            Self::Bevel(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+            Self::DoubleBevel(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+            Self::U(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+            Self::DoubleU(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+            Self::J(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+            Self::Corner(p) => (Some(p.thickness_mm), p.root_gap_mm, None),
+            Self::Fillet(p) => (None, p.root_gap_mm, None),
+            Self::Lap(p) => (Some(p.thickness_mm), p.root_gap_mm, None),
+            Self::FlareBevel(_) | Self::FlareV(_) => (None, NonNegative::default(), None),
+            Self::TBevel(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+            Self::TDoubleBevel(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+            Self::TJ(p) => (Some(p.thickness_mm), p.root_gap_mm, Some(p.root_face_mm)),
+        }
+    }
+
+    /// Thickness of the prepared part, mm; `None` of a fillet or a flare groove.
+    pub fn thickness_mm(&self) -> Option<f64> {
+        self.sizes().0.map(Positive::get)
+    }
+
+    /// Root gap of the drawing, mm.
+    pub fn root_gap_mm(&self) -> f64 {
+        self.sizes().1.get()
+    }
+
+    /// Root face of the drawing, mm; `None` of preparations without one.
+    pub fn root_face_mm(&self) -> Option<f64> {
+        self.sizes().2.map(NonNegative::get)
+    }
+
+    /// Key of the size that the area of the groove follows from, below [`Preparation::key`].
+    pub fn size_key(&self) -> &'static str {
+        match self {
+            Self::FlareBevel(_) | Self::FlareV(_) => "radius_mm",
+            Self::Fillet(p) if p.throat_mm.is_some() => "throat_mm",
+            Self::Fillet(p) if p.first_leg_mm.is_some() => "first_leg_mm",
+            Self::Fillet(_) | Self::Lap(_) => "leg_mm",
+            _ => "thickness_mm",
+        }
+    }
+
+    /// True if the edges face each other over the bisector of the parts' surfaces: in butt and corner joints.
+    pub fn is_butt(&self) -> bool {
+        let across = matches!(self, Self::Square(_) | Self::SingleV(_) | Self::Bevel(_) | Self::U(_) | Self::J(_));
+        across || matches!(self, Self::FlareV(_) | Self::Corner(_)) || (self.is_double() && !self.is_t())
+    }
+
+    /// True if an edge stands on the other part's face with a bevel or a J.
+    pub fn is_t(&self) -> bool {
+        matches!(self, Self::TBevel(_) | Self::TDoubleBevel(_) | Self::TJ(_))
+    }
+
+    /// The part whose edge stands on the other's face; `None` where none does.
+    pub fn standing(&self) -> Option<Member> {
+        match self {
+            Self::TBevel(p) => Some(p.prepared),
+            Self::TDoubleBevel(p) => Some(p.prepared),
+            Self::TJ(p) => Some(p.prepared),
+            Self::Fillet(p) => Some(p.prepared),
+            Self::Lap(p) => Some(p.prepared),
+            Self::FlareBevel(p) => Some(p.round),
+            _ => None,
+        }
+    }
+
+    /// True if both sides are prepared.
+    pub fn is_double(&self) -> bool {
+        self.double().is_some()
+    }
+
+    /// Sizes of an edge that is prepared on both sides.
+    fn double(&self) -> Option<Double> {
+        let (thickness, root_face, depth) = match self {
+            Self::DoubleV(p) => (p.thickness_mm, p.root_face_mm, p.depth_mm),
+            Self::DoubleBevel(p) => (p.thickness_mm, p.root_face_mm, p.depth_mm),
+            Self::DoubleU(p) => (p.thickness_mm, p.root_face_mm, p.depth_mm),
+            Self::TDoubleBevel(p) => (p.thickness_mm, p.root_face_mm, p.depth_mm),
+            _ => return None,
+        };
+        Some(Double { thickness: thickness.get(), root_face: root_face.get(), depth: depth.map(Positive::get) })
+    }
+
+    /// Depths (mm) of the preparation on the face, down to the root face, and on the back.
+    pub fn depths_mm(&self) -> [f64; 2] {
+        let (thickness, _, root_face) = self.sizes();
+        match (self.double(), thickness) {
+            (Some(double), _) => double.depths(),
+            (None, Some(thickness)) => [thickness.get() - root_face.map_or(0.0, NonNegative::get), 0.0],
+            (None, None) => [0.0, 0.0],
+        }
+    }
+
+    /// The widest root gap that still is one, mm: the thickness of the wall (a fillet's leg), or the width that the
+    /// bevels open at the surface of a joint at right angles or in a plane, if that is more.
+    fn max_root_gap_mm(&self) -> f64 {
+        let [depth, _] = self.depths_mm();
+        let thickness = self.thickness_mm().unwrap_or(f64::INFINITY);
+        let bevel = |degrees: f64, sides: f64| (sides * depth * degrees.to_radians().tan()).max(thickness);
+        match self {
+            Self::SingleV(p) => bevel(0.5 * p.angle_deg.get(), 2.0),
+            Self::DoubleV(p) => bevel(0.5 * p.angle_deg.get(), 2.0),
+            Self::Bevel(p) => bevel(p.angle_deg.get(), 1.0),
+            Self::DoubleBevel(p) => bevel(p.angle_deg.get(), 1.0),
+            Self::U(p) => bevel(p.angle_deg.get(), 2.0),
+            Self::DoubleU(p) => bevel(p.angle_deg.get(), 2.0),
+            Self::J(p) => bevel(p.angle_deg.get(), 1.0),
+            Self::Fillet(p) => {
+                let legs = [p.leg_mm, p.first_leg_mm, p.second_leg_mm, p.throat_mm];
+                legs.into_iter().flatten().map(Positive::get).fold(f64::INFINITY, f64::min)
+            }
+            Self::Lap(p) => p.leg_mm.get(),
+            _ => thickness,
+        }
+    }
+}
+
+/// Sizes of an edge that is prepared on both sides, mm.
+#[derive(Debug, Clone, Copy)]
+struct Double {
+    thickness: f64,
+    root_face: f64,
+    /// Depth on the face, if it is given.
+    depth: Option<f64>,
+}
+
+impl Double {
+    fn depths(self) -> [f64; 2] {
+        let both = self.thickness - self.root_face;
+        let face = self.depth.unwrap_or(0.5 * both);
+        [face, both - face]
+    }
+}
+
+impl Preparation {
+    /// Checks that the sizes at `path` of a file do not contradict each other. Fails with the key's address.
+    pub(crate) fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let at = Keys { file, path: format!("{path}.{}", self.key()) };
+        if let (Some(thickness), _, Some(root_face)) = self.sizes()
+            && root_face.get() >= thickness.get()
+        {
+            return at.wrong("root_face_mm", "program-root-face-too-high", below("thickness_mm", thickness));
+        }
+        if let Some(Double { thickness, root_face, depth: Some(depth) }) = self.double()
+            && depth >= thickness - root_face
+        {
+            let allowed = Message::new("document-less-than").quantity("max", thickness - root_face, Unit::Mm, 3);
+            return at.wrong("depth_mm", "program-depth-leaves-no-back", allowed);
+        }
+        let [depth, back] = self.depths_mm();
+        match self {
+            Self::Square(_) | Self::Corner(_) => Ok(()),
+            Self::SingleV(p) => at.angle("angle_deg", Some(p.angle_deg), 170.0),
+            Self::DoubleV(p) => {
+                at.angle("angle_deg", Some(p.angle_deg), 170.0)?;
+                at.angle("back_angle_deg", p.back_angle_deg, 170.0)
+            }
+            Self::Bevel(p) => at.angle("angle_deg", Some(p.angle_deg), 85.0),
+            Self::DoubleBevel(p) => {
+                at.angle("angle_deg", Some(p.angle_deg), 85.0)?;
+                at.angle("back_angle_deg", p.back_angle_deg, 85.0)
+            }
+            Self::U(p) => at.curved(p.angle_deg, p.radius_mm, depth),
+            Self::DoubleU(p) => at.curved(p.angle_deg, p.radius_mm, depth.min(back)),
+            Self::J(p) => at.curved(p.angle_deg, p.radius_mm, depth),
+            Self::TJ(p) => at.curved(p.angle_deg, p.radius_mm, depth),
+            Self::Fillet(p) => {
+                let both = usize::from(p.first_leg_mm.is_some() && p.second_leg_mm.is_some());
+                let one = p.first_leg_mm.is_some() != p.second_leg_mm.is_some();
+                let given = usize::from(p.leg_mm.is_some()) + usize::from(p.throat_mm.is_some()) + both;
+                if given == 1 && !one {
+                    return Ok(());
+                }
+                let message = Message::new("program-fillet-size-unclear");
+                Err(file.error_at(&at.path, message, Message::new("program-fillet-sizes")))
+            }
+            Self::Lap(p) if p.leg_mm > p.thickness_mm => {
+                let allowed = Message::new("program-positive-up-to-key").key("key", "thickness_mm");
+                let allowed = allowed.value("max", p.thickness_mm.get(), Unit::Mm);
+                at.wrong("leg_mm", "program-lap-leg-too-long", allowed)
+            }
+            Self::Lap(_) => Ok(()),
+            Self::FlareBevel(p) => at.unfilled(p.unfilled_mm, p.radius_mm),
+            Self::FlareV(p) => at.unfilled(p.unfilled_mm, p.radius_mm),
+            Self::TBevel(p) => {
+                if p.angle_deg.is_some() != p.cut_deg.is_some() {
+                    return Ok(());
+                }
+                let message = Message::new("program-bevel-angle-unclear");
+                Err(file.error_at(&at.path, message, Message::new("program-bevel-angles")))
+            }
+            Self::TDoubleBevel(_) => Ok(()),
+        }
+    }
+
+    /// Checks that a root gap (mm) at a key of a file leaves a groove: it is not wider than the wall, or than the groove
+    /// that the edges open where that is more. Fails with the key's address.
+    pub(crate) fn check_gap<T>(&self, file: &Document<T>, key: &str, gap: f64) -> Result<(), DocumentError> {
+        let most = self.max_root_gap_mm();
+        if gap <= most {
+            return Ok(());
+        }
+        let allowed = Message::new("document-between").value("min", 0.0, Unit::Mm).quantity("max", most, Unit::Mm, 1);
+        Err(file.error_at(key, Message::new("program-root-gap-too-wide"), allowed))
+    }
+}
+
+/// The keys of a preparation in a file.
+struct Keys<'a, T> {
+    file: &'a Document<T>,
+    path: String,
+}
+
+impl<T> Keys<'_, T> {
+    fn wrong(&self, key: &str, code: &'static str, allowed: Message) -> Result<(), DocumentError> {
+        Err(self.file.error_at(&format!("{}.{key}", self.path), Message::new(code), allowed))
+    }
+
+    fn angle(&self, key: &str, degrees: Option<Positive>, most: f64) -> Result<(), DocumentError> {
+        if degrees.is_none_or(|degrees| degrees.get() < most) {
+            return Ok(());
+        }
+        let allowed = Message::new("document-less-than").value("max", most, Unit::Deg);
+        self.wrong(key, "program-groove-angle-too-large", allowed)
+    }
+
+    /// Checks an edge with an arc that is `depth` mm high.
+    fn curved(&self, slope: NonNegative, radius: Positive, depth: f64) -> Result<(), DocumentError> {
+        self.angle("angle_deg", Positive::new(slope.get()), 60.0)?;
+        let high = radius.get() * (1.0 - slope.get().to_radians().sin());
+        if high < depth {
+            return Ok(());
+        }
+        let allowed = Message::new("document-less-than").quantity("max", depth * radius.get() / high, Unit::Mm, 3);
+        self.wrong("radius_mm", "program-radius-too-large", allowed)
+    }
+
+    fn unfilled(&self, unfilled: NonNegative, radius: Positive) -> Result<(), DocumentError> {
+        if unfilled.get() < radius.get() {
+            return Ok(());
+        }
+        self.wrong("unfilled_mm", "program-nothing-filled", below("radius_mm", radius))
+    }
+}
+
+fn below(key: &'static str, max: Positive) -> Message {
+    Message::new("program-less-than-key").key("key", key).value("max", max.get(), Unit::One)
+}
