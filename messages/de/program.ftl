@@ -80,6 +80,14 @@ program-bevel-angle-unclear = der Flankenwinkel ist nicht eindeutig
 program-bevel-angles = entweder angle_deg (der Fuge) oder cut_deg (der Kante)
 program-positions-increase = die Positionen müssen zunehmen
 program-flare-root-gap = runde Teile, die sich berühren, haben keinen Stegabstand
+program-layers-increase = Messungen nach weniger Lagen müssen zuerst kommen
+program-fit-up-without-angle = Kanten dieser Art haben keinen Öffnungswinkel
+program-allowed-bevelled-kinds = kein angle_deg, oder single_v, bevel, u, j, t_bevel, t_j
+program-fit-up-angle-invalid = die Kanten bilden keine Fuge mit diesem Winkel
+program-remaining-before-weld = vor dem Schweißen ist die ganze Fuge offen
+program-allowed-after-layer = after_layer von 1 oder mehr
+program-remaining-missing = die noch offene Fläche fehlt
+program-allowed-remaining = mit remaining_mm2
 
 # Process values.
 program-process-name-invalid = das ist kein zulässiger Name eines Prozesswerts

@@ -82,6 +82,14 @@ program-bevel-angle-unclear = угол скоса неясен
 program-bevel-angles = либо angle_deg (разделки), либо cut_deg (кромки)
 program-positions-increase = положения должны возрастать
 program-flare-root-gap = круглые детали, которые касаются, не имеют зазора в корне
+program-layers-increase = измерения после меньшего числа слоёв должны идти первыми
+program-fit-up-without-angle = у таких кромок нет угла разделки
+program-allowed-bevelled-kinds = без angle_deg, или single_v, bevel, u, j, t_bevel, t_j
+program-fit-up-angle-invalid = кромки не образуют разделку с таким углом
+program-remaining-before-weld = до сварки открыта вся разделка
+program-allowed-after-layer = after_layer от 1
+program-remaining-missing = нет ещё открытой площади
+program-allowed-remaining = с remaining_mm2
 
 # Process values.
 program-process-name-invalid = это недопустимое имя параметра процесса

@@ -82,6 +82,14 @@ program-bevel-angle-unclear = кут скосу незрозумілий
 program-bevel-angles = або angle_deg (розкриття), або cut_deg (кромки)
 program-positions-increase = положення мають зростати
 program-flare-root-gap = круглі деталі, що торкаються, не мають зазору в корені
+program-layers-increase = вимірювання після меншої кількості шарів мають іти першими
+program-fit-up-without-angle = такі кромки не мають кута розкриття
+program-allowed-bevelled-kinds = без angle_deg, або single_v, bevel, u, j, t_bevel, t_j
+program-fit-up-angle-invalid = кромки не утворюють розробку з таким кутом
+program-remaining-before-weld = до зварювання відкрита вся розробка
+program-allowed-after-layer = after_layer від 1
+program-remaining-missing = бракує ще відкритої площі
+program-allowed-remaining = з remaining_mm2
 
 # Process values.
 program-process-name-invalid = це недопустима назва параметра процесу

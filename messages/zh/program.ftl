@@ -74,6 +74,14 @@ program-bevel-angle-unclear = 坡口面角度不明确
 program-bevel-angles = angle_deg（坡口）或 cut_deg（边缘）
 program-positions-increase = 位置必须递增
 program-flare-root-gap = 相接触的圆件没有根部间隙
+program-layers-increase = 层数较少时的测量必须排在前面
+program-fit-up-without-angle = 这类边缘没有坡口角度
+program-allowed-bevelled-kinds = 不给 angle_deg，或用 single_v、bevel、u、j、t_bevel、t_j
+program-fit-up-angle-invalid = 边缘不能形成这个角度的坡口
+program-remaining-before-weld = 焊接前整个坡口都是敞开的
+program-allowed-after-layer = after_layer 为 1 或更大
+program-remaining-missing = 缺少尚未填充的面积
+program-allowed-remaining = 同时给出 remaining_mm2
 
 # Process values.
 program-process-name-invalid = 这不是有效的工艺参数名称

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
+use std::f64::consts::FRAC_PI_2;
 
 /// The joint along the seam.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -14,7 +15,7 @@ pub struct Joint {
     /// Height of the cap's middle over the line from toe to toe (excess weld metal, convexity), mm.
     #[serde(default)]
     pub cap_mm: NonNegative,
-    /// Gap and mismatch as measured, linear in between; without it those of the drawing.
+    /// The groove as measured, linear in between; without it that of the drawing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fit_up: Vec<FitUp>,
 }
@@ -255,7 +256,7 @@ pub struct TJ {
     pub prepared: Member,
 }
 
-/// Measured fit-up of the parts at one position.
+/// The groove as measured at one position, before the weld or after some of its layers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitUp {
@@ -266,6 +267,22 @@ pub struct FitUp {
     /// Height of the second part's surface above the first's, mm; negative: the second part lies lower.
     #[serde(default)]
     pub mismatch_mm: Finite,
+    /// Groove angle there, degrees: it replaces the angle of the preparation, and is measured as that. As drawn if
+    /// missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<NonNegative>,
+    /// Number of layers that were complete when this was measured. The layers above are planned from it; those below
+    /// stay as planned from the entries before.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub after_layer: usize,
+    /// Area of the groove that is still open there, mm^2, from the surface of the last layer up to the line from toe to
+    /// toe, without the cap; negative if the surface is above that line. Needed after a layer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub remaining_mm2: Option<Finite>,
+}
+
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 impl Preparation {
@@ -282,6 +299,57 @@ impl Preparation {
             Self::FlareV(_) => "flare_v",
             Self::TBevel(_) => "t_bevel",
             Self::TJ(_) => "t_j",
+        }
+    }
+
+    /// Groove angle where the faces are at this dihedral angle, rad, as `angle_deg` of the preparation counts it; `None`
+    /// without straight bevelled edges.
+    pub fn groove_angle(&self, dihedral: f64) -> Option<f64> {
+        match self {
+            Self::SingleV(p) => Some(p.angle_deg.get().to_radians()),
+            Self::Bevel(p) => Some(p.angle_deg.get().to_radians()),
+            Self::U(p) => Some(p.angle_deg.get().to_radians()),
+            Self::J(p) => Some(p.angle_deg.get().to_radians()),
+            Self::TBevel(p) => match (p.angle_deg, p.cut_deg) {
+                (_, Some(cut)) => Some(cut.get().to_radians() + dihedral - FRAC_PI_2),
+                (angle, None) => angle.map(|angle| angle.get().to_radians()),
+            },
+            Self::TJ(p) => Some(p.angle_deg.get().to_radians()),
+            Self::Square(_) | Self::Fillet(_) | Self::FlareBevel(_) | Self::FlareV(_) => None,
+        }
+    }
+
+    /// The same preparation with this groove angle, rad; `None` if it has no angle, or none of this size.
+    #[must_use]
+    pub fn with_groove_angle(&self, angle: f64) -> Option<Self> {
+        let positive = Positive::new(angle.to_degrees());
+        let from_zero = NonNegative::new(angle.to_degrees());
+        Some(match self {
+            Self::SingleV(p) => Self::SingleV(SingleV { angle_deg: positive?, ..p.clone() }),
+            Self::Bevel(p) => Self::Bevel(Bevel { angle_deg: positive?, ..p.clone() }),
+            Self::U(p) => Self::U(U { angle_deg: from_zero?, ..p.clone() }),
+            Self::J(p) => Self::J(J { angle_deg: from_zero?, ..p.clone() }),
+            Self::TBevel(p) => Self::TBevel(TBevel { angle_deg: Some(positive?), cut_deg: None, ..p.clone() }),
+            Self::TJ(p) => Self::TJ(TJ { angle_deg: from_zero?, ..p.clone() }),
+            Self::Square(_) | Self::Fillet(_) | Self::FlareBevel(_) | Self::FlareV(_) => return None,
+        })
+    }
+
+    /// Least and largest groove angle that leaves an edge, degrees; `None` without straight bevelled edges.
+    fn angle_range_deg(&self) -> Option<[f64; 2]> {
+        // The arc of a U or J ends within the wall: radius (1 - sin angle) is less than its depth.
+        let least = |radius: Positive, thickness: Positive, root_face: NonNegative| {
+            let part = 1.0 - (thickness.get() - root_face.get()) / radius.get();
+            part.clamp(0.0, 1.0).asin().to_degrees()
+        };
+        match self {
+            Self::SingleV(_) => Some([0.0, 170.0]),
+            Self::Bevel(_) => Some([0.0, 85.0]),
+            Self::TBevel(_) => Some([0.0, 150.0]),
+            Self::U(p) => Some([least(p.radius_mm, p.thickness_mm, p.root_face_mm), 60.0]),
+            Self::J(p) => Some([least(p.radius_mm, p.thickness_mm, p.root_face_mm), 60.0]),
+            Self::TJ(p) => Some([least(p.radius_mm, p.thickness_mm, p.root_face_mm), 60.0]),
+            Self::Square(_) | Self::Fillet(_) | Self::FlareBevel(_) | Self::FlareV(_) => None,
         }
     }
 
@@ -481,11 +549,21 @@ impl Joint {
 
     fn check_fit_up<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         for (i, pair) in self.fit_up.windows(2).enumerate() {
-            if pair[1].s_mm <= pair[0].s_mm {
+            if pair[1].after_layer < pair[0].after_layer {
+                let key = file
+                    .given_or(&format!("{path}.fit_up[{}].after_layer", i + 1), &format!("{path}.fit_up[{}]", i + 1))
+                    .to_owned();
+                let allowed = Message::new("document-at-least").value("min", pair[0].after_layer as f64, Unit::One);
+                return Err(file.error_at(&key, Message::new("program-layers-increase"), allowed));
+            }
+            if pair[1].after_layer == pair[0].after_layer && pair[1].s_mm <= pair[0].s_mm {
                 let key = format!("{path}.fit_up[{}].s_mm", i + 1);
                 let allowed = Message::new("document-more-than").value("min", pair[0].s_mm.get(), Unit::Mm);
                 return Err(file.error_at(&key, Message::new("program-positions-increase"), allowed));
             }
+        }
+        for (i, at) in self.fit_up.iter().enumerate() {
+            self.check_measured(file, &format!("{path}.fit_up[{i}]"), at)?;
         }
         let flare = matches!(self.preparation, Preparation::FlareBevel(_) | Preparation::FlareV(_));
         if flare && self.fit_up.iter().any(|f| f.root_gap_mm.get() > 0.0) {
@@ -493,6 +571,40 @@ impl Joint {
             return Err(file.error_at(&format!("{path}.fit_up"), message, "root_gap_mm = 0"));
         }
         Ok(())
+    }
+}
+
+impl Joint {
+    /// Checks the measured angle and the remaining area of the entry at `path`.
+    fn check_measured<T>(&self, file: &Document<T>, path: &str, at: &FitUp) -> Result<(), DocumentError> {
+        if let Some(angle) = at.angle_deg {
+            let key = format!("{path}.angle_deg");
+            let Some([min, max]) = self.preparation.angle_range_deg() else {
+                let allowed = Message::new("program-allowed-bevelled-kinds");
+                return Err(file.error_at(&key, Message::new("program-fit-up-without-angle"), allowed));
+            };
+            let upright = angle.get() == 0.0 && min == 0.0 && self.preparation.with_groove_angle(0.0).is_some();
+            if !upright && !(angle.get() > min && angle.get() < max) {
+                let allowed = Message::new("document-strictly-between");
+                let allowed = allowed.quantity("min", min, Unit::Deg, 3).value("max", max, Unit::Deg);
+                return Err(file.error_at(&key, Message::new("program-fit-up-angle-invalid"), allowed));
+            }
+        }
+        match (at.after_layer, at.remaining_mm2) {
+            (0, Some(_)) => {
+                let allowed = Message::new("program-allowed-after-layer");
+                Err(file.error_at(
+                    &format!("{path}.remaining_mm2"),
+                    Message::new("program-remaining-before-weld"),
+                    allowed,
+                ))
+            }
+            (1.., None) => {
+                let allowed = Message::new("program-allowed-remaining");
+                Err(file.error_at(&format!("{path}.after_layer"), Message::new("program-remaining-missing"), allowed))
+            }
+            _ => Ok(()),
+        }
     }
 }
 

@@ -197,10 +197,7 @@ impl Section {
                 corner(&faces, place, Corner { edge: side, prepared: p.round, thickness: radius, leg: 0.0 })?
             }
             Preparation::TBevel(p) => {
-                let angle = match (p.angle_deg, p.cut_deg) {
-                    (_, Some(cut)) => cut.get().to_radians() + place.dihedral - 0.5 * PI,
-                    (angle, None) => angle.map_or(0.0, |a| a.get().to_radians()),
-                };
+                let angle = preparation.groove_angle(place.dihedral).unwrap_or_default();
                 if angle < 0.0 {
                     return Err(NoGroove::Inside(angle.to_degrees()));
                 }
@@ -251,6 +248,18 @@ impl Section {
     pub fn chord(&self) -> f64 {
         let [first, second] = self.toes();
         first.distance(second)
+    }
+
+    /// Unit vector to a sensor that sees the faces beside the groove and the edges at the toes as little slanted as
+    /// possible.
+    pub fn view(&self) -> DVec2 {
+        let (sin, cos) = (0.5 * self.dihedral).sin_cos();
+        // Directions of the surface from the second part to the first.
+        let upper = |edge: &[DVec2]| edge.windows(2).last().map_or(DVec2::ZERO, |w| w[1] - w[0]);
+        let lines = [DVec2::new(sin, -cos), -upper(&self.second), upper(&self.first), DVec2::new(sin, cos)];
+        let slopes = lines.map(DVec2::to_angle);
+        let (low, high) = slopes.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(*s), h.max(*s)));
+        DVec2::from_angle(0.5 * (low + high)).perp()
     }
 
     /// The toes on the first and the second part.
