@@ -93,6 +93,14 @@ program-at-dihedral-unequal = die Zeilen nach Flächenwinkel geben verschiedene 
 program-same-keys-in-rows = angle_deg, root_gap_mm oder beide, in allen Zeilen dieselben
 program-dihedrals-increase = die Flächenwinkel müssen zunehmen
 program-flare-root-gap = runde Teile, die sich berühren, haben keinen Stegabstand
+program-layers-increase = Messungen nach weniger Lagen müssen zuerst kommen
+program-fit-up-without-angle = Kanten dieser Art haben keinen Öffnungswinkel
+program-allowed-bevelled-kinds = kein angle_deg, oder single_v, bevel, u, j, t_bevel, t_j
+program-fit-up-angle-invalid = die Kanten bilden keine Fuge mit diesem Winkel
+program-remaining-before-weld = vor dem Schweißen ist die ganze Fuge offen
+program-allowed-after-layer = after_layer von 1 oder mehr
+program-remaining-missing = die noch offene Fläche fehlt
+program-allowed-remaining = mit remaining_mm2
 
 # Process values.
 program-process-name-invalid = das ist kein zulässiger Name eines Prozesswerts

@@ -227,6 +227,14 @@ weld-cure-layer-height = layer_mm näher an diese Höhe setzen, oder den Quersch
 
 # Joints.
 weld-groove-at = bei s = { $s }: { $why }
+weld-remaining-area-impossible = die Fuge hat keine solche offene Fläche
+weld-scan-after-last-layer = bis dahin { $layers ->
+        [one] ist { $layers } Lage
+       *[other] sind { $layers } Lagen
+    } geplant: für diese Messung bleibt keine
+weld-scan-too-few-points = nur { $found } Punkte; nötig sind { $needed }
+weld-scan-no-groove = die Fuge ist nicht da: { $share } % der Punkte liegen auf ihr, mit einer Streuung von { $scatter } mm
+weld-scan-other-angle = die Flächen oder Kanten stehen in { $angle }; gezeichnet sind { $drawn }
 weld-groove-no-butt = Flächen unter { $dihedral } zueinander bilden keinen Stumpfstoß
 weld-groove-no-corner = Flächen unter { $dihedral } zueinander bilden weder Kehlnaht noch T-Stoß
 weld-groove-no-outside-corner = Flächen unter { $dihedral } zueinander bilden keine Außenecke

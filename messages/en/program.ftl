@@ -171,6 +171,22 @@ program-dihedrals-increase = the dihedral angles must increase
 program-flare-root-gap = round parts that touch have no root gap
     .cause = `[[joint.fit_up]]` gives a gap, and the preparation is `flare_bevel` or `flare_v`, whose parts touch.
     .cure = Set `root_gap_mm` to 0 there. Use `unfilled_mm` for the depth that stays empty.
+program-layers-increase = measurements after fewer layers must come first
+    .cause = `after_layer` of a `[[joint.fit_up]]` table is less than that of the table before.
+    .cure = Sort the tables by `after_layer`, then by `s_mm`.
+program-fit-up-without-angle = edges of this kind have no groove angle
+    .cause = `[[joint.fit_up]]` gives `angle_deg`, and the preparation has no straight bevelled edge.
+    .cure = Delete `angle_deg` there.
+program-allowed-bevelled-kinds = no angle_deg, or single_v, bevel, u, j, t_bevel, t_j
+program-fit-up-angle-invalid = the edges have no groove of this angle
+program-remaining-before-weld = before the weld the whole groove is open
+    .cause = `[[joint.fit_up]]` gives `remaining_mm2` without `after_layer`.
+    .cure = Give the number of complete layers in `after_layer`, or delete `remaining_mm2`.
+program-allowed-after-layer = after_layer of 1 or more
+program-remaining-missing = the area that was still open is missing
+    .cause = A `[[joint.fit_up]]` table with `after_layer` has no `remaining_mm2`.
+    .cure = Measure it (`seamwright vision scan`), or delete the table.
+program-allowed-remaining = with remaining_mm2
 
 # Process values.
 program-process-name-invalid = this is not a valid name of a process value

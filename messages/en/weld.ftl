@@ -413,6 +413,22 @@ weld-cure-layer-height = set layer_mm nearer to this height, or change the run's
 weld-groove-at = at s = { $s }: { $why }
     .cause = The joint is drawn at 721 stations along the seam, and at those of `[beads]`. This is the first one without a valid groove.
     .cure = Correct `[joint.preparation]`, or shorten the weld by `[start]`. The reason follows the position.
+weld-remaining-area-impossible = the groove does not have this open area
+    .cause = `remaining_mm2` is more than the area of the groove with the gap, mismatch and angle of its table, or so far below 0 that cap and groove are full.
+    .cure = Measure again, or correct `[joint.preparation]`.
+weld-scan-after-last-layer = { $layers ->
+        [one] { $layers } layer is planned
+       *[other] { $layers } layers are planned
+    } until then: none is left for this measurement
+    .cause = `after_layer` of a `[[joint.fit_up]]` table is not less than the number of layers planned from the tables before.
+    .cure = Correct `after_layer`, or delete the table.
+weld-scan-too-few-points = only { $found } points; { $needed } are needed
+weld-scan-no-groove = the joint is not there: { $share } % of the points lie on it, with a scatter of { $scatter } mm
+    .cause = Less than half of the profile's points lie on the drawn groove in any pose, or they scatter by more than 0.5 mm about it.
+    .cure = Look at the profile. The sensor must see both faces beside the groove, and look into the groove along its middle within 15°: `--turn-deg`.
+weld-scan-other-angle = the faces or edges are at { $angle }; drawn are { $drawn }
+    .cause = The dihedral or groove angle differs from the drawing by more than 8°: usually the profile of another station.
+    .cure = Check `s_mm` of the row, and the joint of the job.
 weld-groove-no-butt = faces at { $dihedral } to each other do not form a butt joint
     .cause = Butt preparations (`square`, `single_v`, `bevel`, `u`, `j`, the double ones, `flare_v`) need faces at 120° or more to each other.
     .cure = Use `fillet`, `t_bevel`, `t_j` or `flare_bevel` in `[joint.preparation]`, or correct the normals of the seam.

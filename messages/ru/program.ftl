@@ -95,6 +95,14 @@ program-at-dihedral-unequal = строки по двугранному углу 
 program-same-keys-in-rows = angle_deg, root_gap_mm или обе, одинаковые во всех строках
 program-dihedrals-increase = двугранные углы должны возрастать
 program-flare-root-gap = круглые детали, которые касаются, не имеют зазора в корне
+program-layers-increase = измерения после меньшего числа слоёв должны идти первыми
+program-fit-up-without-angle = у таких кромок нет угла разделки
+program-allowed-bevelled-kinds = без angle_deg, или single_v, bevel, u, j, t_bevel, t_j
+program-fit-up-angle-invalid = кромки не образуют разделку с таким углом
+program-remaining-before-weld = до сварки открыта вся разделка
+program-allowed-after-layer = after_layer от 1
+program-remaining-missing = нет ещё открытой площади
+program-allowed-remaining = с remaining_mm2
 
 # Process values.
 program-process-name-invalid = это недопустимое имя параметра процесса

@@ -222,6 +222,15 @@ weld-cure-layer-height = приблизить layer_mm к этой высоте 
 
 # Joints.
 weld-groove-at = на s = { $s }: { $why }
+weld-remaining-area-impossible = у разделки нет такой открытой площади
+weld-scan-after-last-layer = до этого запланировано { $layers ->
+        [one] { $layers } слой
+        [few] { $layers } слоя
+       *[many] { $layers } слоёв
+    }: для этого измерения не осталось ни одного
+weld-scan-too-few-points = точек всего { $found }; нужно { $needed }
+weld-scan-no-groove = разделки нет: на ней лежит { $share } % точек, с разбросом { $scatter } мм
+weld-scan-other-angle = поверхности или кромки стоят под { $angle }; на чертеже { $drawn }
 weld-groove-no-butt = поверхности под { $dihedral } друг к другу не образуют стыкового соединения
 weld-groove-no-corner = поверхности под { $dihedral } друг к другу не образуют углового или таврового соединения
 weld-groove-no-outside-corner = поверхности под углом { $dihedral } друг к другу не образуют наружного угла

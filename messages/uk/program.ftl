@@ -95,6 +95,14 @@ program-at-dihedral-unequal = рядки за двогранним кутом з
 program-same-keys-in-rows = angle_deg, root_gap_mm або обидва, однакові в усіх рядках
 program-dihedrals-increase = двогранні кути мають зростати
 program-flare-root-gap = круглі деталі, що торкаються, не мають зазору в корені
+program-layers-increase = вимірювання після меншої кількості шарів мають іти першими
+program-fit-up-without-angle = такі кромки не мають кута розкриття
+program-allowed-bevelled-kinds = без angle_deg, або single_v, bevel, u, j, t_bevel, t_j
+program-fit-up-angle-invalid = кромки не утворюють розробку з таким кутом
+program-remaining-before-weld = до зварювання відкрита вся розробка
+program-allowed-after-layer = after_layer від 1
+program-remaining-missing = бракує ще відкритої площі
+program-allowed-remaining = з remaining_mm2
 
 # Process values.
 program-process-name-invalid = це недопустима назва параметра процесу

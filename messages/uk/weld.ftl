@@ -222,6 +222,15 @@ weld-cure-layer-height = наблизити layer_mm до цієї висоти 
 
 # Joints.
 weld-groove-at = на s = { $s }: { $why }
+weld-remaining-area-impossible = розробка не має такої відкритої площі
+weld-scan-after-last-layer = до цього заплановано { $layers ->
+        [one] { $layers } шар
+        [few] { $layers } шари
+       *[many] { $layers } шарів
+    }: для цього вимірювання не лишилося жодного
+weld-scan-too-few-points = точок лише { $found }; потрібно { $needed }
+weld-scan-no-groove = розробки немає: на ній лежить { $share } % точок, із розкидом { $scatter } мм
+weld-scan-other-angle = поверхні або кромки стоять під { $angle }; на кресленні { $drawn }
 weld-groove-no-butt = поверхні під { $dihedral } одна до одної не утворюють стикового з’єднання
 weld-groove-no-corner = поверхні під { $dihedral } одна до одної не утворюють кутового чи таврового з’єднання
 weld-groove-no-outside-corner = поверхні під кутом { $dihedral } одна до одної не утворюють зовнішнього кута

@@ -87,6 +87,14 @@ program-at-dihedral-unequal = 按二面角的各行给出的量不同
 program-same-keys-in-rows = angle_deg、root_gap_mm 或两者，各行相同
 program-dihedrals-increase = 二面角必须递增
 program-flare-root-gap = 相接触的圆件没有根部间隙
+program-layers-increase = 层数较少时的测量必须排在前面
+program-fit-up-without-angle = 这类边缘没有坡口角度
+program-allowed-bevelled-kinds = 不给 angle_deg，或用 single_v、bevel、u、j、t_bevel、t_j
+program-fit-up-angle-invalid = 边缘不能形成这个角度的坡口
+program-remaining-before-weld = 焊接前整个坡口都是敞开的
+program-allowed-after-layer = after_layer 为 1 或更大
+program-remaining-missing = 缺少尚未填充的面积
+program-allowed-remaining = 同时给出 remaining_mm2
 
 # Process values.
 program-process-name-invalid = 这不是有效的工艺参数名称

@@ -31,7 +31,7 @@ pub struct Joint {
     /// Height of the cap's middle over the line from toe to toe (excess weld metal, convexity), mm.
     #[serde(default)]
     pub cap_mm: NonNegative,
-    /// Gap and mismatch as measured, linear in between; without it those of the drawing.
+    /// The groove as measured, linear in between; without it that of the drawing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fit_up: Vec<FitUp>,
 }
@@ -151,7 +151,7 @@ pub enum JointStandard {
     AsmeUw16,
 }
 
-/// Measured fit-up of the parts at one position.
+/// The groove as measured at one position, before the weld or after some of its layers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitUp {
@@ -162,6 +162,22 @@ pub struct FitUp {
     /// Height of the second part's surface above the first's, mm; negative: the second part lies lower.
     #[serde(default)]
     pub mismatch_mm: Finite,
+    /// Groove angle there, degrees: it replaces the angle of the preparation, and is measured as that. As drawn if
+    /// missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<NonNegative>,
+    /// Number of layers that were complete when this was measured. The layers above are planned from it; those below
+    /// stay as planned from the entries before.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub after_layer: usize,
+    /// Area of the groove that is still open there, mm^2, from the surface of the last layer up to the line from toe to
+    /// toe, without the cap; negative if the surface is above that line. Needed after a layer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub remaining_mm2: Option<Finite>,
+}
+
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 impl Joint {
@@ -176,6 +192,31 @@ impl Joint {
         self.check_gaps(file, path)?;
         self.check_fit_up(file, path)?;
         self.check_at_dihedral(file, path)
+    }
+
+    /// Groove angle (rad, as `angle_deg` of the preparation counts it; `None` without straight bevelled edges) and root gap
+    /// (mm) of the drawing where the faces are at this dihedral angle, rad.
+    pub fn groove(&self, dihedral: f64) -> (Option<f64>, f64) {
+        let (angle, gap) = self.at_dihedral(dihedral.to_degrees());
+        let angle = angle.map(f64::to_radians);
+        let drawn = || self.preparation.groove_angle(self.side, dihedral);
+        (angle.or_else(drawn), gap.unwrap_or_else(|| self.preparation.root_gap_mm()))
+    }
+
+    /// Groove angle (degrees) and root gap (mm) of the rows by the dihedral angle, degrees: linear in between, constant
+    /// beyond.
+    fn at_dihedral(&self, degrees: f64) -> (Option<f64>, Option<f64>) {
+        let rows = &self.at_dihedral;
+        let i = rows.partition_point(|row| row.dihedral_deg.get() <= degrees);
+        let (Some(low), Some(high)) = (rows.get(i.saturating_sub(1)), rows.get(i).or(rows.last())) else {
+            return (None, None);
+        };
+        let [from, to] = [low, high].map(|row| row.dihedral_deg.get());
+        let part = if to > from { ((degrees - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
+        let between = |a: Option<f64>, b: Option<f64>| Some(a? + part * (b? - a?));
+        let angle = |row: &AtDihedral| row.angle_deg.map(Positive::get);
+        let gap = |row: &AtDihedral| row.root_gap_mm.map(NonNegative::get);
+        (between(angle(low), angle(high)), between(gap(low), gap(high)))
     }
 
     /// Depth (mm) of the groove on the side that is welded, with the root face on the face and what is gouged on the back.
@@ -272,11 +313,21 @@ impl Joint {
 
     fn check_fit_up<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         for (i, pair) in self.fit_up.windows(2).enumerate() {
-            if pair[1].s_mm <= pair[0].s_mm {
+            if pair[1].after_layer < pair[0].after_layer {
+                let key = file
+                    .given_or(&format!("{path}.fit_up[{}].after_layer", i + 1), &format!("{path}.fit_up[{}]", i + 1))
+                    .to_owned();
+                let allowed = Message::new("document-at-least").value("min", pair[0].after_layer as f64, Unit::One);
+                return Err(file.error_at(&key, Message::new("program-layers-increase"), allowed));
+            }
+            if pair[1].after_layer == pair[0].after_layer && pair[1].s_mm <= pair[0].s_mm {
                 let key = format!("{path}.fit_up[{}].s_mm", i + 1);
                 let allowed = Message::new("document-more-than").value("min", pair[0].s_mm.get(), Unit::Mm);
                 return Err(file.error_at(&key, Message::new("program-positions-increase"), allowed));
             }
+        }
+        for (i, at) in self.fit_up.iter().enumerate() {
+            self.check_measured(file, &format!("{path}.fit_up[{i}]"), at)?;
         }
         let flare = matches!(self.preparation, Preparation::FlareBevel(_) | Preparation::FlareV(_));
         if flare && self.fit_up.iter().any(|f| f.root_gap_mm.get() > 0.0) {
@@ -284,6 +335,41 @@ impl Joint {
             return Err(file.error_at(&format!("{path}.fit_up"), message, "root_gap_mm = 0"));
         }
         Ok(())
+    }
+}
+
+impl Joint {
+    /// Checks the measured angle and the remaining area of the entry at `path`.
+    fn check_measured<T>(&self, file: &Document<T>, path: &str, at: &FitUp) -> Result<(), DocumentError> {
+        if let Some(angle) = at.angle_deg {
+            let key = format!("{path}.angle_deg");
+            let Some([min, max]) = self.preparation.angle_range_deg(self.side) else {
+                let allowed = Message::new("program-allowed-bevelled-kinds");
+                return Err(file.error_at(&key, Message::new("program-fit-up-without-angle"), allowed));
+            };
+            let upright =
+                angle.get() == 0.0 && min == 0.0 && self.preparation.with_groove_angle(self.side, 0.0).is_some();
+            if !upright && !(angle.get() > min && angle.get() < max) {
+                let allowed = Message::new("document-strictly-between");
+                let allowed = allowed.quantity("min", min, Unit::Deg, 3).value("max", max, Unit::Deg);
+                return Err(file.error_at(&key, Message::new("program-fit-up-angle-invalid"), allowed));
+            }
+        }
+        match (at.after_layer, at.remaining_mm2) {
+            (0, Some(_)) => {
+                let allowed = Message::new("program-allowed-after-layer");
+                Err(file.error_at(
+                    &format!("{path}.remaining_mm2"),
+                    Message::new("program-remaining-before-weld"),
+                    allowed,
+                ))
+            }
+            (1.., None) => {
+                let allowed = Message::new("program-allowed-remaining");
+                Err(file.error_at(&format!("{path}.after_layer"), Message::new("program-remaining-missing"), allowed))
+            }
+            _ => Ok(()),
+        }
     }
 }
 

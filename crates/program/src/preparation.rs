@@ -1,9 +1,11 @@
 //! How the edges of a joint are prepared.
 
+use crate::joint::WeldedSide;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
+use std::f64::consts::FRAC_PI_2;
 
 /// Joint preparation after ISO 9692-1, seen from the face.
 ///
@@ -409,6 +411,85 @@ impl Preparation {
         match self {
             Self::TBevel(p) if key == "angle_deg" && p.cut_deg.is_some() => "cut_deg",
             _ => key,
+        }
+    }
+
+    /// Groove angle on a side where the faces are at this dihedral angle, rad, as `angle_deg` counts it; `None` without
+    /// straight bevelled edges.
+    pub fn groove_angle(&self, side: WeldedSide, dihedral: f64) -> Option<f64> {
+        let of_side = |face: Positive, back: Option<Positive>| match side {
+            WeldedSide::Face => face.get(),
+            WeldedSide::Back => back.unwrap_or(face).get(),
+        };
+        let degrees = match self {
+            Self::SingleV(p) => p.angle_deg.get(),
+            Self::DoubleV(p) => of_side(p.angle_deg, p.back_angle_deg),
+            Self::Bevel(p) => p.angle_deg.get(),
+            Self::DoubleBevel(p) => of_side(p.angle_deg, p.back_angle_deg),
+            Self::U(p) => p.angle_deg.get(),
+            Self::DoubleU(p) => p.angle_deg.get(),
+            Self::J(p) => p.angle_deg.get(),
+            Self::TBevel(p) => match (p.angle_deg, p.cut_deg) {
+                (_, Some(cut)) => return Some(cut.get().to_radians() + dihedral - FRAC_PI_2),
+                (angle, None) => angle?.get(),
+            },
+            Self::TDoubleBevel(p) => of_side(p.angle_deg, p.back_angle_deg),
+            Self::TJ(p) => p.angle_deg.get(),
+            Self::Square(_) | Self::Corner(_) | Self::Fillet(_) | Self::Lap(_) => return None,
+            Self::FlareBevel(_) | Self::FlareV(_) => return None,
+        };
+        Some(degrees.to_radians())
+    }
+
+    /// The same preparation with this groove angle on a side, rad; `None` if it has no angle, or none of this size.
+    #[must_use]
+    pub fn with_groove_angle(&self, side: WeldedSide, angle: f64) -> Option<Self> {
+        let positive = Positive::new(angle.to_degrees());
+        let from_zero = NonNegative::new(angle.to_degrees());
+        let of_side = |face: Positive, back: Option<Positive>| match side {
+            WeldedSide::Face => Some((positive?, Some(back.unwrap_or(face)))),
+            WeldedSide::Back => Some((face, Some(positive?))),
+        };
+        Some(match self {
+            Self::SingleV(p) => Self::SingleV(SingleV { angle_deg: positive?, ..p.clone() }),
+            Self::DoubleV(p) => {
+                let (angle_deg, back_angle_deg) = of_side(p.angle_deg, p.back_angle_deg)?;
+                Self::DoubleV(DoubleV { angle_deg, back_angle_deg, ..p.clone() })
+            }
+            Self::Bevel(p) => Self::Bevel(Bevel { angle_deg: positive?, ..p.clone() }),
+            Self::DoubleBevel(p) => {
+                let (angle_deg, back_angle_deg) = of_side(p.angle_deg, p.back_angle_deg)?;
+                Self::DoubleBevel(DoubleBevel { angle_deg, back_angle_deg, ..p.clone() })
+            }
+            Self::U(p) => Self::U(U { angle_deg: from_zero?, ..p.clone() }),
+            Self::DoubleU(p) => Self::DoubleU(DoubleU { angle_deg: from_zero?, ..p.clone() }),
+            Self::J(p) => Self::J(J { angle_deg: from_zero?, ..p.clone() }),
+            Self::TBevel(p) => Self::TBevel(TBevel { angle_deg: Some(positive?), cut_deg: None, ..p.clone() }),
+            Self::TDoubleBevel(p) => {
+                let (angle_deg, back_angle_deg) = of_side(p.angle_deg, p.back_angle_deg)?;
+                Self::TDoubleBevel(TDoubleBevel { angle_deg, back_angle_deg, ..p.clone() })
+            }
+            Self::TJ(p) => Self::TJ(TJ { angle_deg: from_zero?, ..p.clone() }),
+            Self::Square(_) | Self::Corner(_) | Self::Fillet(_) | Self::Lap(_) => return None,
+            Self::FlareBevel(_) | Self::FlareV(_) => return None,
+        })
+    }
+
+    /// Least and largest groove angle that leaves an edge on a side, degrees; `None` without straight bevelled edges.
+    pub(crate) fn angle_range_deg(&self, side: WeldedSide) -> Option<[f64; 2]> {
+        let depth = self.depths_mm()[usize::from(side == WeldedSide::Back)];
+        // The arc of a U or J ends within the wall: radius (1 - sin angle) is less than its depth.
+        let least = |radius: Positive| (1.0 - depth / radius.get()).clamp(0.0, 1.0).asin().to_degrees();
+        match self {
+            Self::SingleV(_) | Self::DoubleV(_) => Some([0.0, 170.0]),
+            Self::Bevel(_) | Self::DoubleBevel(_) => Some([0.0, 85.0]),
+            Self::TBevel(_) | Self::TDoubleBevel(_) => Some([0.0, 150.0]),
+            Self::U(p) => Some([least(p.radius_mm), 60.0]),
+            Self::DoubleU(p) => Some([least(p.radius_mm), 60.0]),
+            Self::J(p) => Some([least(p.radius_mm), 60.0]),
+            Self::TJ(p) => Some([least(p.radius_mm), 60.0]),
+            Self::Square(_) | Self::Corner(_) | Self::Fillet(_) | Self::Lap(_) => None,
+            Self::FlareBevel(_) | Self::FlareV(_) => None,
         }
     }
 

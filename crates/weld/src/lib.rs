@@ -71,7 +71,7 @@ pub use attitude::Attitude;
 pub use bead_line::BeadLine;
 pub use beads::{Adapt, BeadAt, BeadPlan, Beads, Layer, Order, Run};
 pub use job::{Job, Station, Weld};
-pub use joint::{SeamJoint, Section};
+pub use joint::{Groove, SeamJoint, Section};
 pub use nozzle::NozzleEdges;
 pub use order::{Cosmetic, Parts, Rows, Rule, ShortSequence, Tacks, Turns, WeldOrder};
 pub use outside_data::{NoFiles, Outside, Wrong};

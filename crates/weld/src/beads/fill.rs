@@ -62,25 +62,37 @@ impl BeadAt {
 /// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height.
 const ROOT_RISE: f64 = 0.35;
 
-/// The beads of `layers` in a section, layer by layer, each from the second part to the first. Layers for which
+/// Layers between two areas of the filled section.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Stack<'a> {
+    pub(crate) layers: &'a [Layer],
+    /// Index of the first of them among all layers.
+    pub(crate) first: usize,
+    /// Area below them, mm^2.
+    pub(crate) from: f64,
+    /// Area with them, mm^2.
+    pub(crate) to: f64,
+}
+
+/// Adds the beads of `stack` in a section, layer by layer, each from the second part to the first. Layers for which
 /// `present` is false are left out and their area goes to the others.
 ///
-/// Guarantee: the areas sum to that of groove and cap. A bead's area is its share of its layer's. The layers' areas are
-/// those of the groove between their levels, and of the cap for the last one.
+/// Guarantee: the areas sum to that between the stack's ends. A bead's area is its share of its layer's. The layers'
+/// areas are those of the groove between their levels, and of the cap for the last one.
 pub(crate) fn fill(
     section: &Section,
-    layers: &[Layer],
+    stack: &Stack,
     present: impl Fn(usize) -> bool,
     laying: Laying,
     out: &mut Vec<BeadAt>,
 ) {
-    out.clear();
-    let shares: f64 = layers.iter().enumerate().filter(|(k, _)| present(*k)).map(|(_, l)| l.share).sum();
-    let scale = section.total() / shares;
+    let there = || (stack.first..).zip(stack.layers).filter(|(k, _)| present(*k));
+    let shares: f64 = there().map(|(_, l)| l.share).sum();
+    let scale = (stack.to - stack.from) / shares;
     let square = section.up.x.atan2(section.up.y);
     let chord = section.chord();
-    let mut low = Level::new(section, 0.0);
-    for (k, layer) in layers.iter().enumerate().filter(|(k, _)| present(*k)) {
+    let mut low = Level::new(section, stack.from);
+    for (k, layer) in there() {
         let high = Level::new(section, low.area + layer.share * scale);
         let shape = LayerShape::new(&low, &high, chord);
         let size = shape.bead(layer.beads, laying.spacing);

@@ -72,17 +72,38 @@ const OUTSIDE: f64 = 400.0;
 /// Cost of a layer's height beside that of its beads' area: the area follows from wire and speed, the height is a wish.
 const HEIGHT: f64 = 0.5;
 
-/// The layers that fill a joint best, judged at sections along the seam, the first of them the most important one.
+/// A section of which a part is filled already.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Opening<'a> {
+    pub(crate) section: &'a Section,
+    /// Area that is filled, mm^2.
+    pub(crate) filled: f64,
+}
+
+impl Opening<'_> {
+    /// Area to be filled, mm^2.
+    fn to_fill(&self) -> f64 {
+        self.section.total() - self.filled
+    }
+
+    /// The level below which lies this part of the area to be filled.
+    fn level(&self, part: f64) -> Level {
+        Level::new(self.section, self.filled + part * self.to_fill())
+    }
+}
+
+/// The layers that fill a joint best, judged at sections along the seam, the first of them the most important one. The
+/// lowest is a root layer only `from_root`.
 ///
 /// Errors: the number of beads it would take, if that is more than [`MAX_BEADS`].
-pub(crate) fn layers(sections: &[&Section], runs: &Runs) -> Result<Vec<Layer>, f64> {
-    let total = sections[0].total();
+pub(crate) fn layers(sections: &[Opening], runs: &Runs, from_root: bool) -> Result<Vec<Layer>, f64> {
+    let total = sections[0].to_fill();
     // Before the first layer is made: each of them takes memory, and there may be more than there is.
     let beads = total / runs.smallest();
     if beads > MAX_BEADS as f64 {
         return Err(beads);
     }
-    let best = Search::new(sections, runs).best();
+    let best = Search::new(sections, runs, from_root).best();
     // The same layers with one factor for all beads: often better, as levels are steps.
     let area: f64 = best.iter().map(|l| l.beads as f64 * runs.of(l.role).area).sum();
     let even: Vec<Layer> =
@@ -92,14 +113,14 @@ pub(crate) fn layers(sections: &[&Section], runs: &Runs) -> Result<Vec<Layer>, f
 }
 
 /// Cost of a stack of layers.
-fn stack_cost(sections: &[&Section], runs: &Runs, layers: &[Layer]) -> f64 {
-    let one = |section: &&Section| {
-        let (chord, total) = (section.chord(), section.total());
+fn stack_cost(sections: &[Opening], runs: &Runs, layers: &[Layer]) -> f64 {
+    let one = |opening: &Opening| {
+        let chord = opening.section.chord();
         let mut filled = 0.0;
-        let mut low = Level::new(section, 0.0);
+        let mut low = opening.level(0.0);
         let of = |layer: &Layer| {
             filled += layer.share;
-            let high = Level::new(section, filled * total);
+            let high = opening.level(filled);
             let shape = LayerShape::new(&low, &high, chord);
             low = high;
             layer_cost(&shape, layer.beads, runs.of(layer.role), runs)
@@ -137,7 +158,9 @@ pub(crate) fn excess(value: f64, [low, high]: [f64; 2]) -> f64 {
 /// The cheapest way from level to level.
 struct Search<'a> {
     runs: &'a Runs,
-    /// Parts of the whole area below the levels.
+    /// True if the lowest layer is a root layer.
+    from_root: bool,
+    /// Parts of the area to be filled below the levels.
     parts: Vec<f64>,
     /// The levels, from the root out, at each section.
     levels: Vec<Vec<Level>>,
@@ -157,9 +180,9 @@ struct Step {
 }
 
 impl<'a> Search<'a> {
-    fn new(sections: &[&Section], runs: &'a Runs) -> Self {
-        let chosen = sections[0];
-        let (low, high) = chosen.slices.heights();
+    fn new(sections: &[Opening], runs: &'a Runs, from_root: bool) -> Self {
+        let Opening { section: chosen, filled } = sections[0];
+        let (low, high) = (chosen.slices.height_of(filled), chosen.slices.heights().1);
         let heights = || runs.all().map(|run| run.layer);
         let finest = heights().fold(f64::INFINITY, f64::min) / LEVELS_PER_LAYER;
         let highest = MAX_LAYER * heights().fold(0.0, f64::max);
@@ -167,13 +190,14 @@ impl<'a> Search<'a> {
         let most = (MAX_EDGES * ((high - low) / highest).max(1.0)).sqrt();
         let count = ((high - low) / finest).min(most).max(MIN_LEVELS).ceil() as usize;
         let step = (high - low) / count as f64;
-        let total = chosen.total();
-        let part = |i: usize| chosen.slices.area_below(low + step * i as f64) / total;
+        let to_fill = sections[0].to_fill();
+        let part = |i: usize| (chosen.slices.area_below(low + step * i as f64) - filled).max(0.0) / to_fill;
         let mut parts: Vec<f64> = (0..count).map(part).collect();
         parts.push(1.0);
-        let levels = sections.iter().map(|s| parts.iter().map(|p| Level::new(s, p * s.total())).collect()).collect();
+        let levels = sections.iter().map(|s| parts.iter().map(|p| s.level(*p)).collect()).collect();
         let reach = (highest / step).ceil().clamp(1.0, count as f64) as usize;
-        Self { runs, parts, levels, chords: sections.iter().map(|s| s.chord()).collect(), reach }
+        let chords = sections.iter().map(|s| s.section.chord()).collect();
+        Self { runs, from_root, parts, levels, chords, reach }
     }
 
     fn best(&self) -> Vec<Layer> {
@@ -205,7 +229,7 @@ impl<'a> Search<'a> {
     /// The best layer between two levels that costs less than `room`.
     fn step(&self, from: usize, to: usize, room: f64) -> Option<Step> {
         let role = match (from, to) {
-            (0, _) if self.runs.root.is_some() => Role::Root,
+            (0, _) if self.from_root && self.runs.root.is_some() => Role::Root,
             (_, to) if to + 1 == self.parts.len() => Role::Cap,
             _ => Role::Fill,
         };

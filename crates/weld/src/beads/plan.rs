@@ -1,6 +1,6 @@
 use super::file::{Adapt, Beads, Order};
-use super::fill::{BeadAt, Laying, fill};
-use super::layers::{Layer, Runs, layers};
+use super::fill::{BeadAt, Laying, Stack, fill};
+use super::layers::{Layer, Opening, Runs, layers};
 use super::refusal::NoPlan;
 use crate::joint::{SeamJoint, Section};
 use crate::seam::SeamCurve;
@@ -24,10 +24,24 @@ pub struct BeadPlan {
     pub order: Vec<usize>,
     /// Number of beads at a station.
     per_station: usize,
+    /// Layers planned from each state in which the groove was measured.
+    stages: Vec<Stage>,
     laying: Laying,
     /// The seam's length if it is welded all round.
     period: Option<f64>,
 }
+
+/// Layers planned from one state of the groove.
+#[derive(Debug, Clone, PartialEq)]
+struct Stage {
+    /// Index of the first of them.
+    first: usize,
+    /// The part of the groove's area that was open before them, at the stations.
+    open: Vec<f64>,
+}
+
+/// Minimum area of the layers of a stage as a part of the whole: measured areas may contradict each other.
+const SLIVER: f64 = 1e-6;
 
 /// Maximum number of stations along a seam; more are a mistake: 100 m of seam at the default distance.
 pub(crate) const MAX_STATIONS: usize = 20_000;
@@ -94,9 +108,35 @@ impl BeadPlan {
     /// Lays out the beads of `beads` along a seam with a joint. The layers are chosen so that the beads keep their
     /// windows all along the seam (at its largest area, if layers may be left out). They fill the groove everywhere.
     ///
-    /// Guarantee: at every station the beads' areas sum to that of groove and cap. Errors: a station without a groove,
-    /// and plans that would be too large: found before they are made.
+    /// If the groove was measured again after some layers, these stay as they were planned. The layers above fill the
+    /// area that was open then.
+    ///
+    /// Guarantee: at every station the areas of the beads planned last sum to the open area and the cap, away from ends
+    /// of layers. Errors: a station without a groove, and plans that would be too large: found before they are made.
     pub(crate) fn new(seam: &SeamCurve, joint: &SeamJoint, beads: &Beads, runs: &Runs) -> Result<Self, NoPlan> {
+        let mut plan = Self::of_state(seam, joint, beads, runs, 0)?;
+        for state in 1..joint.states() {
+            let (done, entry) = joint.after_layer(state);
+            if done >= plan.layers.len() {
+                return Err(NoPlan::Layers { entry, layers: plan.layers.len() });
+            }
+            plan = plan.followed_by(done, Self::of_state(seam, joint, beads, runs, state)?);
+            plan.check_size()?;
+        }
+        Ok(plan)
+    }
+
+    /// Fails if the plan takes too much memory.
+    fn check_size(&self) -> Result<(), NoPlan> {
+        let stations = self.stations.len();
+        // A layer over several pieces of the seam has each bead as often, with all of its rows.
+        let passes: usize = self.layers.iter().zip(&self.parts).map(|(l, parts)| l.beads * parts.len().max(1)).sum();
+        let too_many = passes.max(self.per_station) * stations > MAX_BEAD_STATIONS;
+        if too_many { Err(NoPlan::Positions { passes, stations }) } else { Ok(()) }
+    }
+
+    /// Lays out the beads that fill the groove as measured in a state.
+    fn of_state(seam: &SeamCurve, joint: &SeamJoint, beads: &Beads, runs: &Runs, state: usize) -> Result<Self, NoPlan> {
         let period = seam.all_round().then(|| seam.length());
         let length = period.unwrap_or_else(|| seam.weld_length());
         let cells = parts_of(length, beads.station_mm.get());
@@ -105,19 +145,19 @@ impl BeadPlan {
             return Err(NoPlan::Stations(count));
         }
         let stations: Vec<f64> = (0..count).map(|i| part_start(length, i, cells)).collect();
-        let section = |s: &f64| joint.try_section(&seam.at(*s)).map_err(|why| NoPlan::NoGroove { s: *s, why });
+        let section = |s: &f64| joint.try_section(state, &seam.at(*s)).map_err(|why| NoPlan::NoGroove { s: *s, why });
         let sections: Vec<Section> = stations.iter().map(section).collect::<Result<_, _>>()?;
+        let stage = Stage { first: 0, open: stations.iter().map(|s| joint.open_part(state, *s)).collect() };
         let totals: Vec<f64> = sections.iter().map(Section::total).collect();
-        let judged = judged(&totals, beads.adapt);
-        let chosen: Vec<&Section> = judged.iter().map(|i| &sections[*i]).collect();
-        let layers = layers(&chosen, runs).map_err(|beads| {
-            let groove = chosen[0].total();
+        let filled = |i: usize| (1.0 - stage.open[i]) * sections[i].area();
+        let to_fill: Vec<f64> = (0..count).map(|i| (totals[i] - filled(i)).max(SLIVER * totals[i])).collect();
+        let judged = judged(&to_fill, beads.adapt);
+        let chosen: Vec<Opening> =
+            judged.iter().map(|i| Opening { section: &sections[*i], filled: totals[*i] - to_fill[*i] }).collect();
+        let layers = layers(&chosen, runs, state == 0).map_err(|beads| {
+            let groove = to_fill[judged[0]];
             NoPlan::Beads { groove, beads, smallest: groove / beads }
         })?;
-        let per_station: usize = layers.iter().map(|l| l.beads).sum();
-        if per_station * count > MAX_BEAD_STATIONS {
-            return Err(NoPlan::Positions { passes: per_station, stations: count });
-        }
         let laying = Laying {
             wall: beads.wall(),
             tilt: beads.wall_tilt_deg.get().to_radians(),
@@ -126,23 +166,21 @@ impl BeadPlan {
         };
         let mut plan = Self {
             parts: vec![Vec::new(); layers.len()],
+            per_station: layers.iter().map(|l| l.beads).sum(),
             layers,
             stations,
             totals,
             beads: Vec::new(),
             order: Vec::new(),
-            per_station,
+            stages: vec![stage],
             laying,
             period,
         };
+        plan.check_size()?;
         if beads.adapt == Adapt::Passes {
-            plan.leave_out(runs, beads.shortest_mm.get());
+            plan.leave_out(runs, beads.shortest_mm.get(), &to_fill);
             plan.per_station = plan.layers.iter().map(|l| l.beads).sum();
-        }
-        // A layer over several pieces of the seam has each bead as often, with all of its rows.
-        let passes: usize = plan.layers.iter().zip(&plan.parts).map(|(l, parts)| l.beads * parts.len().max(1)).sum();
-        if passes * count > MAX_BEAD_STATIONS {
-            return Err(NoPlan::Positions { passes, stations: count });
+            plan.check_size()?;
         }
         plan.order = plan.ordered(beads.order);
         let mut here = Vec::new();
@@ -152,6 +190,33 @@ impl BeadPlan {
         }
         plan.tie_in(beads.tie_in_mm.get());
         Ok(plan)
+    }
+
+    /// This plan up to layer `done`, then the layers of `later`, which has the same stations.
+    fn followed_by(self, done: usize, later: Self) -> Self {
+        let kept: usize = self.layers[..done].iter().map(|l| l.beads).sum();
+        let of_layer = |bead: &BeadAt| BeadAt { layer: bead.layer + done, ..*bead };
+        let beads = (0..self.stations.len()).flat_map(|i| {
+            let above = later.at_station(i).iter().map(of_layer);
+            self.at_station(i)[..kept].iter().copied().chain(above)
+        });
+        let stages = self.stages.iter().filter(|stage| stage.first < done).cloned();
+        let above = later.stages.iter().map(|stage| Stage { first: stage.first + done, open: stage.open.clone() });
+        Self {
+            beads: beads.collect(),
+            layers: self.layers[..done].iter().chain(&later.layers).copied().collect(),
+            parts: self.parts[..done].iter().chain(&later.parts).cloned().collect(),
+            order: self
+                .order
+                .iter()
+                .copied()
+                .filter(|b| *b < kept)
+                .chain(later.order.iter().map(|b| b + kept))
+                .collect(),
+            stages: stages.chain(above).collect(),
+            per_station: kept + later.per_station,
+            ..later
+        }
     }
 
     /// Lets beads change evenly over `length` (mm) where another layer starts or ends. Metal is kept: what is too much
@@ -213,18 +278,11 @@ impl BeadPlan {
 
     /// Area of a bead (as counted at a station) at path length `s`, linear between stations; at an end of its layer
     /// that of the nearest one. `None` if it is absent at both.
-    pub(crate) fn area(&self, bead: usize, s: f64) -> Option<f64> {
-        let n = self.stations.len();
-        let end = self.period.unwrap_or_else(|| self.stations[n - 1]);
-        let s = if self.period.is_some() { s.rem_euclid(end) } else { s.clamp(0.0, end) };
-        let before = self.stations.partition_point(|x| *x <= s).clamp(1, n) - 1;
-        let after = if self.period.is_some() { (before + 1) % n } else { (before + 1).min(n - 1) };
+    pub fn area(&self, bead: usize, s: f64) -> Option<f64> {
+        let (before, after, part) = self.around(s);
         let at = |i: usize| Some(self.at_station(i)[bead].area).filter(|area| *area > 0.0);
         match (at(before), at(after)) {
-            (Some(a), Some(b)) if before != after => {
-                let width = if after > before { self.stations[after] } else { end } - self.stations[before];
-                Some(a + (b - a) * (s - self.stations[before]) / width)
-            }
+            (Some(a), Some(b)) => Some(a + (b - a) * part),
             (a, b) => a.or(b),
         }
     }
@@ -237,10 +295,39 @@ impl BeadPlan {
     }
 
     fn lay(&self, section: &Section, s: f64, out: &mut Vec<BeadAt>) {
-        fill(section, &self.layers, |layer| self.is_there(layer, s), self.laying, out);
+        out.clear();
+        let mut from = section.area() * (1.0 - self.open(0, s));
+        for (k, stage) in self.stages.iter().enumerate() {
+            let next = self.stages.get(k + 1).map(|next| next.first);
+            let to = next.map_or(section.total(), |_| section.area() * (1.0 - self.open(k + 1, s)));
+            let layers = &self.layers[stage.first..next.unwrap_or(self.layers.len())];
+            let to = to.max(from + SLIVER * section.total());
+            let stack = Stack { layers, first: stage.first, from, to };
+            fill(section, &stack, |layer| self.is_there(layer, s), self.laying, out);
+            from = to;
+        }
         if out.len() < self.count() {
             self.add_absent(s, out);
         }
+    }
+
+    /// The part of the groove's area that was open before the layers of a stage, linear between stations.
+    fn open(&self, stage: usize, s: f64) -> f64 {
+        let open = &self.stages[stage].open;
+        let (before, after, part) = self.around(s);
+        open[before] + (open[after] - open[before]) * part
+    }
+
+    /// The stations around path length `s`, and its part of the way between them.
+    fn around(&self, s: f64) -> (usize, usize, f64) {
+        let n = self.stations.len();
+        let end = self.period.unwrap_or_else(|| self.stations[n - 1]);
+        let s = if self.period.is_some() { s.rem_euclid(end) } else { s.clamp(0.0, end) };
+        let before = self.stations.partition_point(|x| *x <= s).clamp(1, n) - 1;
+        let after = if self.period.is_some() { (before + 1) % n } else { (before + 1).min(n - 1) };
+        let width = if after > before { self.stations[after] } else { end } - self.stations[before];
+        let part = if width > 0.0 { (s - self.stations[before]) / width } else { 0.0 };
+        (before, after, part)
     }
 
     /// Adds absent layers, without area, on top of those below them: so the line of a pass continues smoothly beyond
@@ -272,12 +359,12 @@ impl BeadPlan {
     }
 
     /// Leaves out fill layers, the last first, where the beads would be nearer to their areas without.
-    fn leave_out(&mut self, runs: &Runs, shortest: f64) {
+    fn leave_out(&mut self, runs: &Runs, shortest: f64, to_fill: &[f64]) {
         // Fills follow each other between root and cap.
         let first = self.layers.iter().position(|l| l.role == Role::Fill).unwrap_or(self.layers.len());
         let fills = self.layers[first..].iter().take_while(|l| l.role == Role::Fill).count();
         // Shares were made for the largest area: without some layers the others' beads are larger by this.
-        let whole = self.totals.iter().copied().fold(0.0, f64::max);
+        let whole = to_fill.iter().copied().fold(0.0, f64::max);
         let with = |mut sizes: Sizes, layer: &Layer| {
             sizes.add(layer.share, layer.share * whole / layer.beads as f64 / runs.of(layer.role).area);
             sizes
@@ -292,7 +379,7 @@ impl BeadPlan {
         let stacks: Vec<Sizes> = stacks.into_iter().rev().map(|stack| above.iter().fold(stack, with)).collect();
         let off = |left: &usize, total: f64| stacks[*left].off(total / whole);
         let best = |total: &f64| (0..=fills).min_by(|a, b| off(a, *total).total_cmp(&off(b, *total))).unwrap_or(0);
-        let left: Vec<usize> = self.totals.iter().map(best).collect();
+        let left: Vec<usize> = to_fill.iter().map(best).collect();
         for rank in 0..fills {
             let there: Vec<bool> = left.iter().map(|left| *left <= rank).collect();
             self.parts[first + fills - 1 - rank] = self.runs_of(&there, shortest);

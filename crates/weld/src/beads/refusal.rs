@@ -1,5 +1,6 @@
 use super::layers::{MAX_BEADS, Runs};
 use super::plan::{MAX_BEAD_STATIONS, MAX_STATIONS};
+use crate::allowed::between;
 use crate::joint::NoGroove;
 use seamwright_message::{Message, Unit};
 use seamwright_program::Preparation;
@@ -19,6 +20,11 @@ pub(crate) enum NoPlan {
         smallest: f64,
     },
     Stations(usize),
+    /// A scan after as many layers as the plan has, or more: its entry in `joint.fit_up`, and their number.
+    Layers {
+        entry: usize,
+        layers: usize,
+    },
     /// Numbers of passes and of stations of each.
     Positions {
         passes: usize,
@@ -41,6 +47,7 @@ impl NoPlan {
                 .number("beads", *beads, 0)
                 .quantity("bead", *smallest, Unit::Mm2, 3),
             Self::Stations(count) => Message::new("weld-too-many-stations").count("count", *count),
+            Self::Layers { layers, .. } => Message::new("weld-scan-after-last-layer").count("layers", *layers),
             Self::Positions { passes, stations } => {
                 Message::new("weld-too-many-bead-positions").count("passes", *passes).count("rows", *stations)
             }
@@ -62,6 +69,10 @@ impl NoPlan {
                 (format!("{groove}.{}", preparation.size_key()), up_to("weld-allowed-smaller-groove", MAX_BEADS))
             }
             Self::Stations(_) => (stations.to_owned(), up_to("weld-allowed-stations", MAX_STATIONS)),
+            Self::Layers { entry, layers } => {
+                let allowed = between(0.0, *layers as f64 - 1.0, Unit::One);
+                (format!("joint.fit_up[{entry}].after_layer"), allowed)
+            }
             Self::Positions { .. } => (stations.to_owned(), up_to("weld-allowed-bead-positions", MAX_BEAD_STATIONS)),
         }
     }

@@ -1,6 +1,6 @@
 //! Beads over random grooves: areas, order and positions, against independent sums.
 
-use super::layers::{Runs, layers};
+use super::layers::{Opening, Runs, layers};
 use super::{BeadPlan, Beads, WeldValues};
 use crate::joint::{SeamJoint, Section};
 use crate::seam::SeamCurve;
@@ -161,7 +161,7 @@ proptest! {
         let rank = |r: &Role| match r { Role::Root | Role::Tack => 0, Role::Fill => 1, Role::Cap | Role::Cosmetic => 2 };
         prop_assert!(roles.windows(2).all(|w| rank(&w[0]) <= rank(&w[1])));
         let section: Section = planned.joint.section(&planned.seam.at(10.0)).unwrap();
-        prop_assert_eq!(layers(&[&section], &planned.runs).unwrap().len(), planned.plan.layers.len());
+        prop_assert_eq!(layers(&[Opening { section: &section, filled: 0.0 }], &planned.runs, true).unwrap().len(), planned.plan.layers.len());
         let mut order = planned.plan.order.clone();
         order.sort_unstable();
         prop_assert!(order.into_iter().eq(0..planned.plan.count()));
@@ -283,4 +283,88 @@ fn beads_of_random_joints_keep_their_windows_or_say_so() {
         }
     }
     println!("{plain} of {} joints without a finding; slowest plan {slowest:?}", cases(2000));
+}
+
+/// The line of a random job with its joint measured at both ends, and after `layers` layers again.
+fn measured_again(random: &mut Random, text: &str, first: &Planned, layers: usize) -> String {
+    let (_, below) = text.split_once("[joint]\n").unwrap();
+    let (joint, beads) = below.split_once("[beads]").unwrap();
+    let mut scan = String::new();
+    for s in [0.0, 70.0, 200.0] {
+        let section = first.joint.section(&first.seam.at(s)).unwrap();
+        let part = random.within(0.05, 0.95);
+        let (gap, _) = first.joint.fit_up(s);
+        scan += &format!(
+            "[[joint.fit_up]]\ns_mm = {s}\nroot_gap_mm = {gap}\nafter_layer = {layers}\nremaining_mm2 = {}\n",
+            part * section.area()
+        );
+    }
+    text.replace(&format!("{joint}[beads]{beads}"), &format!("{joint}{scan}[beads]{beads}"))
+}
+
+/// Layers below a measurement stay as they were planned; those above sum to the open area and the cap.
+#[test]
+fn layers_above_a_measurement_fill_the_area_that_is_open() {
+    let mut random = Random::new(146);
+    let (mut replanned, mut other_layers) = (0, 0);
+    for _ in 0..cases(600) {
+        let text = random_joint(&mut random);
+        let first = plan(&text);
+        if first.plan.layers.len() < 2 {
+            continue;
+        }
+        let done = 1 + random.below(first.plan.layers.len() - 1);
+        let text = measured_again(&mut random, &text, &first, done);
+        let again = plan(&text);
+        replanned += 1;
+        other_layers += usize::from(again.plan.layers.len() != first.plan.layers.len());
+        let below: usize = first.plan.layers[..done].iter().map(|l| l.beads).sum();
+        assert_eq!(again.plan.layers[..done], first.plan.layers[..done]);
+        let order = |plan: &BeadPlan| plan.order[..below].to_vec();
+        assert_eq!(order(&again.plan), order(&first.plan));
+        assert!(again.plan.layers[done..].iter().all(|l| l.role != Role::Root));
+        for (i, s) in again.plan.stations.iter().enumerate() {
+            let beads = again.plan.at_station(i);
+            assert_eq!(beads[..below], first.plan.at_station(i)[..below]);
+            let ends = again.plan.parts.iter().flatten().flat_map(|(from, to)| [*from, *to]);
+            if ends.into_iter().any(|end| (s - end).abs() <= 10.0) {
+                continue;
+            }
+            let section = again.joint.section(&again.seam.at(*s)).unwrap();
+            let open = again.joint.open_part(1, *s) * section.area() + section.cap;
+            let above: f64 = beads[below..].iter().map(|b| b.area).sum();
+            assert!((above - open).abs() < 1e-9 * section.total(), "{above} {open} {text}");
+            // Drawn in the groove as measured last, all of it is metal.
+            let there = again.plan.in_order(&section, *s);
+            let drawn: f64 = there.iter().map(|b| b.area).sum();
+            assert!((drawn - section.total()).abs() < 1e-9 * drawn || there.len() < again.plan.count(), "{text}");
+        }
+    }
+    println!("{replanned} plans, {other_layers} with another number of layers");
+    assert!(replanned > 300 && 2 * other_layers > replanned);
+}
+
+/// Measuring what was planned changes nothing: the open part is that above the layer.
+#[test]
+fn a_measurement_that_agrees_with_the_plan_changes_few_areas() {
+    let first = plan(HILLSIDE);
+    let done = 2;
+    let below: usize = first.plan.layers[..done].iter().map(|l| l.beads).sum();
+    let mut scan = String::new();
+    for i in (0..first.plan.stations.len()).step_by(4) {
+        let (s, filled) = (first.plan.stations[i], first.plan.at_station(i)[below - 1].filled.1);
+        let section = first.joint.section(&first.seam.at(s)).unwrap();
+        scan += &format!(
+            "[[joint.fit_up]]\ns_mm = {s}\nroot_gap_mm = 2\nafter_layer = {done}\nremaining_mm2 = {}\n",
+            section.area() - filled
+        );
+    }
+    let again = plan(&HILLSIDE.replace("[joint.preparation", &format!("{scan}[joint.preparation")));
+    assert_eq!(again.plan.layers.len(), first.plan.layers.len());
+    assert_eq!(again.plan.count(), first.plan.count());
+    for i in 0..first.plan.stations.len() {
+        for (a, b) in again.plan.at_station(i).iter().zip(first.plan.at_station(i)) {
+            assert!((a.area - b.area).abs() < 0.15 * b.area, "{a:?} {b:?}");
+        }
+    }
 }

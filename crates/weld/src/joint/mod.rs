@@ -8,6 +8,7 @@
 //! **Area.** Slices square to the line from toe to toe have a width that is linear between the corners of the edges. So
 //! the area is exactly quadratic there, and the height of a given area has a closed form.
 
+mod measured;
 mod outline;
 mod profile;
 mod section;
@@ -15,13 +16,15 @@ mod standard;
 #[cfg(test)]
 mod tests;
 
+pub use measured::Groove;
 pub use section::Section;
 
 use crate::allowed::{between, rounded};
 use crate::seam::{SeamCurve, SeamPoint};
-use seamwright_document::{Document, DocumentError, NonNegative};
+use measured::{MeasuredGroove, MeasuredRow};
+use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{AtDihedral, Joint, JointStandard, is_beyond};
+use seamwright_program::{Joint, JointStandard, is_beyond};
 pub(crate) use section::NoGroove;
 use section::Place;
 
@@ -29,8 +32,10 @@ use section::Place;
 #[derive(Debug, Clone, PartialEq)]
 pub struct SeamJoint {
     joint: Joint,
-    /// The seam's length if it is welded all round: then gap and mismatch come round too.
+    /// The seam's length if it is welded all round: then measured values come round too.
     period: Option<f64>,
+    /// The groove before the weld, then after each measured layer.
+    states: Vec<MeasuredGroove>,
 }
 
 impl SeamJoint {
@@ -38,7 +43,7 @@ impl SeamJoint {
     ///
     /// # Errors
     /// With the key's address: sizes that contradict each other, positions outside the weld, a groove that is
-    /// impossible all along the seam: with position and reason.
+    /// impossible all along the seam: with position and reason. Also remaining areas that the groove does not have.
     pub fn new<T>(file: &Document<T>, joint: &Joint, seam: &SeamCurve) -> Result<Self, DocumentError> {
         joint.check(file, "joint")?;
         let end = if seam.all_round() { seam.length() } else { seam.weld_length() };
@@ -54,13 +59,38 @@ impl SeamJoint {
             let message = Message::new("weld-standard-of-other-joints").text("standard", "AWS D1.1");
             return Err(file.error_at("joint.standard", message, Message::new("program-edge-on-face")));
         }
-        let built = Self { joint: joint.clone(), period: seam.all_round().then(|| seam.length()) };
+        let period = seam.all_round().then(|| seam.length());
+        let mut built = Self { joint: joint.clone(), period, states: MeasuredGroove::all(joint, seam) };
         let places = 720;
         for i in 0..=places {
             let p = seam.at(end * f64::from(i) / f64::from(places));
-            built.try_section(&p).map_err(|why| built.refused(file, &why, &p))?;
+            for state in 0..built.states.len() {
+                built.try_section(state, &p).map_err(|why| built.refused(file, &why, &p))?;
+            }
         }
+        built.set_open_parts(file, seam)?;
         Ok(built)
+    }
+
+    /// Sets the open part of the groove at each measured position from its area.
+    fn set_open_parts<T>(&mut self, file: &Document<T>, seam: &SeamCurve) -> Result<(), DocumentError> {
+        for state in 1..self.states.len() {
+            for k in 0..self.states[state].rows.len() {
+                let row = self.states[state].rows[k];
+                let Some(remaining) = row.remaining else { continue };
+                let p = seam.at(row.s);
+                let section = self.try_section(state, &p).map_err(|why| self.refused(file, &why, &p))?;
+                let (min, max) = (-section.cap, section.area());
+                if remaining <= min || remaining > max {
+                    let path = format!("joint.fit_up[{}].remaining_mm2", row.index);
+                    let allowed = Message::new("document-more-than-up-to");
+                    let allowed = allowed.quantity("min", min, Unit::Mm2, 1).quantity("max", max, Unit::Mm2, 1);
+                    return Err(file.error_at(&path, Message::new("weld-remaining-area-impossible"), allowed));
+                }
+                self.states[state].rows[k].open = remaining / section.area();
+            }
+        }
+        Ok(())
     }
 
     fn refused<T>(&self, file: &Document<T>, why: &NoGroove, p: &SeamPoint) -> DocumentError {
@@ -78,55 +108,68 @@ impl SeamJoint {
         &self.joint
     }
 
-    /// Root gap and mismatch at path length `s`, mm.
+    /// Root gap and mismatch at path length `s`, mm, as last measured.
     pub fn fit_up(&self, s: f64) -> (f64, f64) {
-        let at = &self.joint.fit_up;
-        let value = |i: usize| (at[i].root_gap_mm.get(), at[i].mismatch_mm.get());
-        let (Some(first), Some(last)) = (at.first(), at.last()) else {
-            return (self.joint.preparation.root_gap_mm(), 0.0);
-        };
-        let mut s = s;
-        if let Some(period) = self.period {
-            s = first.s_mm.get() + (s - first.s_mm.get()).rem_euclid(period);
-        }
-        let i = at.partition_point(|f| f.s_mm.get() <= s);
-        let between = |a: (f64, f64), b: (f64, f64), from: f64, to: f64| {
-            let part = (s - from) / (to - from);
-            (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1))
-        };
-        match (i.checked_sub(1), self.period) {
-            (None, _) => value(0),
-            (Some(k), _) if i < at.len() => between(value(k), value(i), at[k].s_mm.get(), at[i].s_mm.get()),
-            (Some(k), Some(period)) => between(value(k), value(0), last.s_mm.get(), first.s_mm.get() + period),
-            (Some(k), None) => value(k),
-        }
+        let last = self.states.len() - 1;
+        let drawn = || MeasuredRow::drawn(self.joint.preparation.root_gap_mm());
+        let at = self.measured(last, s).unwrap_or_else(drawn);
+        (at.gap, at.mismatch)
     }
 
-    /// Groove angle (rad) and root gap (mm) that the joint gives by the dihedral angle (rad); constant beyond its rows.
-    fn at_dihedral(&self, dihedral: f64) -> (Option<f64>, Option<f64>) {
-        let (rows, degrees) = (&self.joint.at_dihedral, dihedral.to_degrees());
-        let i = rows.partition_point(|row| row.dihedral_deg.get() <= degrees);
-        let (Some(low), Some(high)) = (rows.get(i.saturating_sub(1)), rows.get(i).or(rows.last())) else {
-            return (None, None);
-        };
-        let [from, to] = [low, high].map(|row| row.dihedral_deg.get());
-        let part = if to > from { ((degrees - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
-        let between = |a: Option<f64>, b: Option<f64>| Some(a? + part * (b? - a?));
-        let angle = |row: &AtDihedral| row.angle_deg.map(|angle| angle.get().to_radians());
-        let gap = |row: &AtDihedral| row.root_gap_mm.map(NonNegative::get);
-        (between(angle(low), angle(high)), between(gap(low), gap(high)))
+    /// Number of states in which the groove was measured; the first is that before the weld.
+    pub(crate) fn states(&self) -> usize {
+        self.states.len()
     }
 
-    /// The section at a station of the seam, or the reason for its absence.
-    pub(crate) fn try_section(&self, p: &SeamPoint) -> Result<Section, NoGroove> {
-        let (drawn, mismatch) = self.fit_up(p.s);
-        let (angle, gap) = self.at_dihedral(p.dihedral);
-        let gap = gap.filter(|_| self.joint.fit_up.is_empty()).unwrap_or(drawn);
-        Section::new(&self.joint, Place { dihedral: p.dihedral, gap, mismatch, angle })
+    /// The number of layers that were complete in a state, and the index of its first entry in the file.
+    pub(crate) fn after_layer(&self, state: usize) -> (usize, usize) {
+        let state = &self.states[state];
+        (state.after_layer, state.rows.first().map_or(0, |row| row.index))
     }
 
-    /// The section at a station of the seam; `None` without a groove.
+    /// The part of the groove's area that was open in a state at path length `s`; below 0 if more than filled.
+    pub(crate) fn open_part(&self, state: usize, s: f64) -> f64 {
+        self.measured(state, s).map_or(1.0, |row| row.open)
+    }
+
+    fn measured(&self, state: usize, s: f64) -> Option<MeasuredRow> {
+        self.states[state].at(s, self.period)
+    }
+
+    /// The section at a station of the seam as measured in a state, or the reason for its absence.
+    pub(crate) fn try_section(&self, state: usize, p: &SeamPoint) -> Result<Section, NoGroove> {
+        self.section_of(&self.groove_in(state, p))
+    }
+
+    /// The section at a station of the seam as last measured; `None` without a groove.
     pub fn section(&self, p: &SeamPoint) -> Option<Section> {
-        self.try_section(p).ok()
+        self.try_section(self.states.len() - 1, p).ok()
+    }
+
+    /// The groove of the drawing, or as fitted up before the weld, at a station of the seam.
+    pub fn groove(&self, p: &SeamPoint) -> Groove {
+        self.groove_in(0, p)
+    }
+
+    fn groove_in(&self, state: usize, p: &SeamPoint) -> Groove {
+        let (drawn, gap) = self.joint.groove(p.dihedral);
+        let at = self.measured(state, p.s).unwrap_or(MeasuredRow::drawn(gap));
+        let angle = drawn.map(|angle| angle + at.turn);
+        Groove { dihedral: p.dihedral, gap: at.gap, mismatch: at.mismatch, angle }
+    }
+
+    /// The section that this preparation has with other sizes; `None` without a groove.
+    pub fn section_with(&self, groove: &Groove) -> Option<Section> {
+        self.section_of(groove).ok()
+    }
+
+    fn section_of(&self, groove: &Groove) -> Result<Section, NoGroove> {
+        let Groove { dihedral, gap, mismatch, angle } = *groove;
+        let place = Place { dihedral, gap, mismatch };
+        let drawn = &self.joint.preparation;
+        let differs = |angle: &f64| drawn.groove_angle(self.joint.side, dihedral) != Some(*angle);
+        let Some(angle) = angle.filter(differs) else { return Section::new(&self.joint, place) };
+        let turned = drawn.with_groove_angle(self.joint.side, angle).ok_or(NoGroove::Inside(angle.to_degrees()))?;
+        Section::new(&Joint { preparation: turned, fit_up: Vec::new(), ..self.joint.clone() }, place)
     }
 }

@@ -100,7 +100,7 @@ impl SeamJoint {
         if !joint.preparation.is_butt() || !(is_back || joint.preparation.is_double()) {
             return Vec::new();
         }
-        let place = Place { dihedral: TAU - section.dihedral, gap: section.gap, mismatch: 0.0, angle: None };
+        let place = Place { dihedral: TAU - section.dihedral, gap: section.gap, mismatch: 0.0 };
         let Ok(beyond) = Section::new(&other, place) else { return Vec::new() };
         let depth = joint.preparation.thickness_mm().unwrap_or_default() / (0.5 * section.dihedral).sin();
         let edge = [&beyond.first, &beyond.second][i];

@@ -68,16 +68,6 @@ impl Profile {
         Self::Gouged { depth, angle: self.angle().unwrap_or(0.0), radius, side }
     }
 
-    /// The same at another angle of the straight part, rad, if one is given.
-    pub(crate) fn at_angle(self, angle: Option<f64>) -> Self {
-        match (self, angle) {
-            (Self::Curved { root_face, radius, land, .. }, Some(angle)) => {
-                Self::Curved { root_face, angle, radius, land }
-            }
-            _ => self,
-        }
-    }
-
     /// Corners of the edge in (lateral, depth), mm, from the root at lateral `gap` and depth `thickness` on, until far
     /// outside of the part; a round edge ends where it touches the surface.
     pub(crate) fn corners(self, gap: f64, thickness: f64) -> Vec<DVec2> {

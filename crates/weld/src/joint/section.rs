@@ -45,8 +45,6 @@ pub(crate) struct Place {
     pub(crate) gap: f64,
     /// Height of the second part over the first, mm.
     pub(crate) mismatch: f64,
-    /// Groove angle of an edge on a face, rad, where it replaces that of the preparation.
-    pub(crate) angle: Option<f64>,
 }
 
 /// Reason why a station has no groove.
@@ -242,6 +240,18 @@ impl Section {
         first.distance(second)
     }
 
+    /// Unit vector to a sensor that sees the faces beside the groove and the edges at the toes as little slanted as
+    /// possible.
+    pub fn view(&self) -> DVec2 {
+        let (sin, cos) = (0.5 * self.dihedral).sin_cos();
+        // Directions of the surface from the second part to the first.
+        let upper = |edge: &[DVec2]| edge.windows(2).last().map_or(DVec2::ZERO, |w| w[1] - w[0]);
+        let lines = [DVec2::new(sin, -cos), -upper(&self.second), upper(&self.first), DVec2::new(sin, cos)];
+        let slopes = lines.map(DVec2::to_angle);
+        let (low, high) = slopes.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(*s), h.max(*s)));
+        DVec2::from_angle(0.5 * (low + high)).perp()
+    }
+
     /// The toes on the first and the second part.
     pub fn toes(&self) -> [DVec2; 2] {
         [&self.first, &self.second].map(|edge| edge.last().copied().unwrap_or_default())
@@ -308,17 +318,15 @@ fn of_back(joint: &Joint, edge: Profile) -> Profile {
 fn edge_on_face(joint: &Joint, place: Place) -> Result<Corner, NoGroove> {
     let (edge, prepared, leg) = match &joint.preparation {
         Preparation::TBevel(p) => {
-            let cut = p.cut_deg.map(|cut| cut.get().to_radians() + place.dihedral - 0.5 * PI);
-            let drawn = cut.or(p.angle_deg.map(|angle| angle.get().to_radians()));
-            let angle = place.angle.or(drawn).unwrap_or(0.0);
+            let angle = joint.preparation.groove_angle(joint.side, place.dihedral).unwrap_or_default();
             (Profile::Bevel { root_face: p.root_face_mm.get(), angle }, p.prepared, p.leg_mm)
         }
         Preparation::TDoubleBevel(p) => {
-            let drawn = on_side(joint.side, p.angle_deg, p.back_angle_deg).to_radians();
-            let edge = Profile::Bevel { root_face: p.root_face_mm.get(), angle: place.angle.unwrap_or(drawn) };
+            let angle = joint.preparation.groove_angle(joint.side, place.dihedral).unwrap_or_default();
+            let edge = Profile::Bevel { root_face: p.root_face_mm.get(), angle };
             (of_back(joint, edge), p.prepared, p.leg_mm)
         }
-        Preparation::TJ(p) => (Profile::from(p).at_angle(place.angle), p.prepared, p.leg_mm),
+        Preparation::TJ(p) => (p.into(), p.prepared, p.leg_mm),
         _ => (Profile::Square, Member::First, NonNegative::default()),
     };
     match edge.angle() {

@@ -15,7 +15,7 @@ fn joint(toml: &str) -> Joint {
 }
 
 fn flat(gap: f64) -> Place {
-    Place { dihedral: PI, gap, mismatch: 0.0, angle: None }
+    Place { dihedral: PI, gap, mismatch: 0.0 }
 }
 
 fn section(toml: &str, place: Place) -> Section {
@@ -72,7 +72,7 @@ proptest! {
     #[test]
     fn fillets_have_their_legs_and_throat(z1 in 2.0..20.0f64, z2 in 2.0..20.0f64, degrees in 40.0..150.0f64) {
         let psi = degrees.to_radians();
-        let place = Place { dihedral: psi, gap: 0.0, mismatch: 0.0, angle: None };
+        let place = Place { dihedral: psi, gap: 0.0, mismatch: 0.0 };
         let s = section(&format!("p.fillet = {{ first_leg_mm = {z1}, second_leg_mm = {z2} }}"), place);
         prop_assert!((s.area() - 0.5 * z1 * z2 * psi.sin()).abs() < 1e-9 * s.area());
         let [toe1, toe2] = s.toes();
@@ -101,8 +101,7 @@ fn areas_are_those_of_parts_cut_as_solids() {
     assert!(all.len() >= 1000);
     let mut worst: f64 = 0.0;
     for r in &all {
-        let place =
-            Place { dihedral: r.dihedral_deg.to_radians(), gap: r.gap_mm, mismatch: r.mismatch_mm, angle: None };
+        let place = Place { dihedral: r.dihedral_deg.to_radians(), gap: r.gap_mm, mismatch: r.mismatch_mm };
         let s = section(&r.preparation, place);
         let off = (s.area() / r.area_mm2 - 1.0).abs();
         assert!(off < 1e-3, "{} {place:?}: {} for {}", r.preparation, s.area(), r.area_mm2);
@@ -118,7 +117,7 @@ fn the_root_of_a_sloping_wall_lies_on_its_inside() {
         for kind in ["t_bevel = { angle_deg = 40,", "t_j = { angle_deg = 5, radius_mm = 2,"] {
             let text = format!("p.{kind} thickness_mm = 12, root_face_mm = 1.5, prepared = \"second\" }}");
             let (gap, dihedral) = (3.0, psi.to_radians());
-            let s = section(&text, Place { dihedral, gap, mismatch: 0.0, angle: None });
+            let s = section(&text, Place { dihedral, gap, mismatch: 0.0 });
             // The second part stands: its outside rises from the seam towards the left.
             let up = DVec2::new(-(0.5 * dihedral).sin(), (0.5 * dihedral).cos());
             let [root, face] = [s.second[0], s.first[0]];
@@ -133,7 +132,7 @@ fn the_root_of_a_sloping_wall_lies_on_its_inside() {
 #[test]
 fn flares_have_the_area_beside_the_circle() {
     let r = 10.0;
-    let corner = Place { dihedral: FRAC_PI_2, gap: 0.0, mismatch: 0.0, angle: None };
+    let corner = Place { dihedral: FRAC_PI_2, gap: 0.0, mismatch: 0.0 };
     let one = r * r * (1.0 - PI / 4.0);
     for round in ["first", "second"] {
         let s = section(&format!("p.flare_bevel = {{ radius_mm = {r}, round = \"{round}\" }}"), corner);
@@ -147,7 +146,7 @@ fn flares_have_the_area_beside_the_circle() {
 
 #[test]
 fn a_cut_of_one_angle_opens_with_the_dihedral_angle() {
-    let at = |psi: f64| Place { dihedral: psi.to_radians(), gap: 2.0, mismatch: 0.0, angle: None };
+    let at = |psi: f64| Place { dihedral: psi.to_radians(), gap: 2.0, mismatch: 0.0 };
     let p = joint("p.t_bevel = { thickness_mm = 12, cut_deg = 45, root_face_mm = 1 }");
     for psi in [70.0, 90.0, 101.5, 113.6] {
         let same = joint(&format!("p.t_bevel = {{ thickness_mm = 12, angle_deg = {}, root_face_mm = 1 }}", psi - 45.0));
@@ -159,7 +158,7 @@ fn a_cut_of_one_angle_opens_with_the_dihedral_angle() {
 
 #[test]
 fn impossible_grooves_say_why() {
-    let at = |psi: f64, gap: f64, mismatch: f64| Place { dihedral: psi.to_radians(), gap, mismatch, angle: None };
+    let at = |psi: f64, gap: f64, mismatch: f64| Place { dihedral: psi.to_radians(), gap, mismatch };
     let no = |toml: &str, place: Place| Section::new(&joint(toml), place).unwrap_err();
     let wide = "p.t_bevel = { thickness_mm = 12, angle_deg = 60 }";
     assert!(matches!(no(wide, at(55.0, 0.0, 0.0)), NoGroove::NeverOut { .. }));
@@ -171,7 +170,7 @@ fn impossible_grooves_say_why() {
 #[test]
 fn mismatch_moves_one_edge() {
     let p = joint("p.single_v = { thickness_mm = 10, angle_deg = 60, root_gap_mm = 2, root_face_mm = 1 }");
-    let at = |mismatch: f64| Section::new(&p, Place { dihedral: PI, gap: 2.0, mismatch, angle: None }).unwrap();
+    let at = |mismatch: f64| Section::new(&p, Place { dihedral: PI, gap: 2.0, mismatch }).unwrap();
     let (even, out) = (at(0.0), at(1.5));
     assert!(out.first == even.first);
     for (a, b) in out.second.iter().zip(&even.second) {
@@ -213,7 +212,7 @@ fn both_sides_of_a_double_preparation_fill_it() {
         let bevel = format!("p.double_bevel = {{ angle_deg = {angle}, back_angle_deg = {back}");
         near(area(&bevel, "face"), gap * (depth + c) + 0.5 * depth * depth * tan(angle));
         near(area(&bevel, "back"), gap * other + 0.5 * other * other * tan(back));
-        let square = Place { dihedral: FRAC_PI_2, gap, mismatch: 0.0, angle: None };
+        let square = Place { dihedral: FRAC_PI_2, gap, mismatch: 0.0 };
         let k = format!("p.t_double_bevel = {{ angle_deg = {angle}, back_angle_deg = {back}, {sizes} }}\nside = ");
         near(section(&format!("{k}\"face\""), square).area(), gap * (depth + c) + 0.5 * depth * depth * tan(angle));
         near(section(&format!("{k}\"back\""), square).area(), gap * other + 0.5 * other * other * tan(back));
@@ -257,7 +256,7 @@ fn a_gouged_back_is_the_wider_of_gouge_and_preparation() {
 #[test]
 fn an_outside_corner_has_the_groove_of_its_square_ends() {
     for degrees in [225.0f64, 250.0, 270.0, 300.0] {
-        let place = Place { dihedral: degrees.to_radians(), gap: 0.0, mismatch: 0.0, angle: None };
+        let place = Place { dihedral: degrees.to_radians(), gap: 0.0, mismatch: 0.0 };
         let s = section("p.corner = { thickness_mm = 8 }", place);
         // Both ends, as long as the wall is thick, meet at the inner corner.
         let wanted = 0.5 * 64.0 * (degrees.to_radians() - PI).sin();
@@ -269,7 +268,7 @@ fn an_outside_corner_has_the_groove_of_its_square_ends() {
         let apart = open.first[0].distance(open.second[0]);
         assert!((apart - 2.0).abs() < 1e-9 && open.area() > s.area() + 4.0, "{degrees}: {apart} {}", open.area());
     }
-    let inside = Place { dihedral: FRAC_PI_2, gap: 0.0, mismatch: 0.0, angle: None };
+    let inside = Place { dihedral: FRAC_PI_2, gap: 0.0, mismatch: 0.0 };
     assert!(matches!(Section::new(&joint("p.corner = { thickness_mm = 8 }"), inside), Err(NoGroove::NoButt(_))));
     let nearly_flat = Place { dihedral: PI, ..inside };
     let corner = joint("p.corner = { thickness_mm = 8 }");
@@ -278,7 +277,7 @@ fn an_outside_corner_has_the_groove_of_its_square_ends() {
 
 #[test]
 fn a_lap_is_a_fillet_along_the_edge() {
-    let place = Place { dihedral: FRAC_PI_2, gap: 1.0, mismatch: 0.0, angle: None };
+    let place = Place { dihedral: FRAC_PI_2, gap: 1.0, mismatch: 0.0 };
     let s = section("p.lap = { thickness_mm = 6, leg_mm = 5, root_gap_mm = 1 }", place);
     assert!((s.area() - 0.5 * 5.0 * 6.0).abs() < 1e-9);
 }

@@ -164,3 +164,56 @@ fn mistakes_have_an_address_and_a_cure() {
     let findings = welding.findings();
     assert!(!findings.is_empty() && findings.iter().all(|f| f.kind == "bead" && f.cure.is_some()), "{findings:#?}");
 }
+
+/// Finished passes stay in a job whose groove was measured again, to the last digit of the program.
+#[test]
+fn finished_passes_stay_when_the_groove_is_measured_again() {
+    let entry = |s: f64, remaining: f64| {
+        format!("[[joint.fit_up]]\ns_mm = {s}\nroot_gap_mm = 2\nafter_layer = 1\nremaining_mm2 = {remaining}\n")
+    };
+    let first = read(HILLSIDE);
+    let scan: String = (0..8).map(|i| entry(50.0 * f64::from(i), 25.0 + 2.0 * f64::from(i % 3))).collect();
+    let again = read(&HILLSIDE.replace("[joint.preparation.t_bevel]", &format!("{scan}[joint.preparation.t_bevel]")));
+    let passes = |welding: &Welding| welding.program.value.passes.clone();
+    assert_eq!(passes(&again)[0], passes(&first)[0]);
+    assert_ne!(passes(&again)[1], passes(&first)[1]);
+    let (joint, turn) = (again.joint.as_ref().unwrap(), again.seam().length());
+    for i in 0..300 {
+        let s = turn * (f64::from(i) + 0.37) / 300.0;
+        let above: f64 = passes(&again)[1..].iter().filter_map(|pass| deposited(pass, s, turn)).sum();
+        let section = joint.section(&again.seam().at(s)).unwrap();
+        let remaining = above - section.cap;
+        assert!((23.0..31.0).contains(&remaining), "{s}: {remaining}");
+        // At a measured station the metal of the passes is the area measured there.
+        let k = (s / 50.0).round();
+        if (s - 50.0 * k).abs() < 0.5 && k < 8.0 {
+            assert!((remaining - 25.0 - 2.0 * (k % 3.0)).abs() < 0.6, "{s}: {remaining}");
+        }
+    }
+}
+
+#[test]
+fn contradictory_measurements_are_refused_at_their_keys() {
+    let entry =
+        |keys: &str| HILLSIDE.replace("[joint.preparation", &format!("[[joint.fit_up]]\n{keys}\n[joint.preparation"));
+    for (keys, key) in [
+        ("s_mm = 0\nroot_gap_mm = 2\nremaining_mm2 = 20", "joint.fit_up[0].remaining_mm2"),
+        ("s_mm = 0\nroot_gap_mm = 2\nafter_layer = 1", "joint.fit_up[0].after_layer"),
+        ("s_mm = 0\nroot_gap_mm = 2\nafter_layer = 40\nremaining_mm2 = 20", "joint.fit_up[0].after_layer"),
+        ("s_mm = 0\nroot_gap_mm = 2\nafter_layer = 1\nremaining_mm2 = 200", "joint.fit_up[0].remaining_mm2"),
+        ("s_mm = 0\nroot_gap_mm = 2\nafter_layer = 1\nremaining_mm2 = -200", "joint.fit_up[0].remaining_mm2"),
+        ("s_mm = 0\nroot_gap_mm = 2\nangle_deg = 170", "joint.fit_up[0].angle_deg"),
+        ("s_mm = 0\nroot_gap_mm = 2\nangle_deg = 0", "joint.fit_up[0].angle_deg"),
+        (
+            "s_mm = 0\nroot_gap_mm = 2\nafter_layer = 1\nremaining_mm2 = 20\n[[joint.fit_up]]\ns_mm = 5\nroot_gap_mm = 2",
+            "joint.fit_up[1]",
+        ),
+    ] {
+        let refused = refusal(&entry(keys));
+        assert_eq!(refused.key, key, "{refused}");
+    }
+    let square = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [100, 0, 0]\n\
+        first_normal = [0, 0, 1]\nsecond_normal = [0, 0, 1]\n[joint.preparation.square]\nthickness_mm = 4\n\
+        root_gap_mm = 1\n[[joint.fit_up]]\ns_mm = 0\nroot_gap_mm = 1\nangle_deg = 5\n[weld]\nspeed_mm_s = 5\n";
+    assert_eq!(refusal(square).key, "joint.fit_up[0].angle_deg");
+}
