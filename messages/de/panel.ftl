@@ -611,6 +611,7 @@ panel-plan-again = Neu planen
 panel-plan-wrong = Auftrag hat Fehler
 panel-plan-good = Schweißbar
 panel-plan-report = Bericht zum Plan
+panel-plan-report-with-appendix = Bericht mit Anhang
 panel-plan-before = Der Auftrag hat Fehler. Das ist der Plan vor der Änderung.
 panel-plan-none = Kein Plan (siehe Befunde). Gezeigt ist die Geometrie des Auftrags.
 panel-plan-line = Zeile { $line }

@@ -263,6 +263,14 @@ weld-allowed-room-to-weld = ein Stegabstand oder Winkel, der Platz zum Schweiße
 weld-beads-without-joint = es gibt keine Fuge zu füllen
 weld-allowed-joint = ein [joint] mit seiner Fugenvorbereitung
 weld-stations-with-beads = mit [beads] gehören Werte zu [beads.root], [beads.fill] und [beads.cap]
+weld-sector-position-unclear = die Position des Sektors ist nicht klar
+weld-sectors-unequal = die Sektoren geben Faktoren für verschiedene Werte an
+weld-sectors-at-one-place = zwei Sektoren liegen bei s = { $s }
+weld-feed-follows-area = der Drahtvorschub folgt dem Querschnitt der Fuge
+weld-allowed-s-or-phi = entweder s_mm oder phi_deg
+weld-allowed-same-factors = die Namen der ersten Zeile
+weld-allowed-sectors-apart = verschiedene Positionen
+weld-allowed-no-feed-factor = kein Faktor dafür, oder ein anderes adapt
 weld-allowed-no-table-or-beads = keine solche Tabelle, oder kein [beads]
 weld-ramp-with-beads = ein Wert mit einer Rampe über die Naht passt nicht zu [beads]
 weld-travel-angle-twice = der Anstellwinkel ist hier und an mehreren Positionen der Naht angegeben

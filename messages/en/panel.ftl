@@ -611,6 +611,7 @@ panel-plan-again = Plan again
 panel-plan-wrong = Job has errors
 panel-plan-good = Can be welded
 panel-plan-report = Report of the plan
+panel-plan-report-with-appendix = Report with appendix
 panel-plan-before = The job has errors. This is the plan before the change.
 panel-plan-none = No plan (see Findings). The job’s own geometry is shown.
 panel-plan-line = line { $line }

@@ -483,6 +483,22 @@ weld-allowed-joint = a [joint] with its preparation
 weld-stations-with-beads = with [beads], values belong to [beads.root], [beads.fill] and [beads.cap]
     .cause = The job has `[beads]` and also `[[weld.at]]` stations.
     .cure = Move speed and process values into `[beads.root]`, `[beads.fill]` and `[beads.cap]`, and delete `[[weld.at]]`.
+weld-sector-position-unclear = the position of the sector is not clear
+    .cause = A row of `[[beads.sectors]]` has both `s_mm` and `phi_deg`, or neither.
+    .cure = Give one of them in each row.
+weld-sectors-unequal = the sectors give factors for different values
+    .cause = All rows of `[[beads.sectors]]` change the same process values: those in between are linear.
+    .cure = Give the same names in `factors` of every row; a factor of 1 changes nothing.
+weld-sectors-at-one-place = two sectors are at s = { $s }
+    .cause = Two rows of `[[beads.sectors]]` have the same position on the seam.
+    .cure = Delete one of them, or move it.
+weld-feed-follows-area = the wire feed follows the area of the groove
+    .cause = With `adapt = "wire_feed"` the wire feed is computed at every station, so a sector cannot change it.
+    .cure = Delete the factor, or use `adapt = "speed"`.
+weld-allowed-s-or-phi = either s_mm or phi_deg
+weld-allowed-same-factors = the names of the first row
+weld-allowed-sectors-apart = positions that differ
+weld-allowed-no-feed-factor = no factor for it, or another adapt
 weld-allowed-no-table-or-beads = no such table, or no [beads]
 weld-ramp-with-beads = a value that ramps over the weld does not go with [beads]
     .cause = A value in `weld.process` has `from` and `to`, and the job has `[beads]`.

@@ -611,6 +611,7 @@ panel-plan-again = Спланировать снова
 panel-plan-wrong = В задании есть ошибки
 panel-plan-good = Можно сварить
 panel-plan-report = Отчёт о плане
+panel-plan-report-with-appendix = Отчёт с приложением
 panel-plan-before = В задании есть ошибки. Это план до изменения.
 panel-plan-none = Плана нет (см. Замечания). Показана геометрия задания.
 panel-plan-line = строка { $line }

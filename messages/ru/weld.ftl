@@ -259,6 +259,14 @@ weld-allowed-room-to-weld = зазор или угол, оставляющий �
 weld-beads-without-joint = нет соединения, которое заполнять
 weld-allowed-joint = [joint] с подготовкой кромок
 weld-stations-with-beads = вместе с [beads] значения задают в [beads.root], [beads.fill] и [beads.cap]
+weld-sector-position-unclear = положение сектора неясно
+weld-sectors-unequal = секторы задают коэффициенты для разных величин
+weld-sectors-at-one-place = два сектора находятся при s = { $s }
+weld-feed-follows-area = подача проволоки следует площади разделки
+weld-allowed-s-or-phi = либо s_mm, либо phi_deg
+weld-allowed-same-factors = имена первой строки
+weld-allowed-sectors-apart = разные положения
+weld-allowed-no-feed-factor = без коэффициента для неё, или другое adapt
 weld-allowed-no-table-or-beads = без этой таблицы или без [beads]
 weld-ramp-with-beads = значение, меняющееся по шву, не сочетается с [beads]
 weld-travel-angle-twice = угол хода задан здесь и в нескольких позициях шва

@@ -611,6 +611,7 @@ panel-plan-again = Спланувати знову
 panel-plan-wrong = Завдання має помилки
 panel-plan-good = Можна зварити
 panel-plan-report = Звіт про план
+panel-plan-report-with-appendix = Звіт із додатком
 panel-plan-before = Завдання має помилки. Це план до зміни.
 panel-plan-none = Плану немає (див. Зауваження). Показано геометрію завдання.
 panel-plan-line = рядок { $line }

@@ -259,6 +259,14 @@ weld-allowed-room-to-weld = зазор або кут, що лишає місце
 weld-beads-without-joint = немає з’єднання, яке заповнювати
 weld-allowed-joint = [joint] з підготовкою кромок
 weld-stations-with-beads = разом із [beads] значення задають у [beads.root], [beads.fill] і [beads.cap]
+weld-sector-position-unclear = положення сектора неясне
+weld-sectors-unequal = сектори задають коефіцієнти для різних величин
+weld-sectors-at-one-place = два сектори знаходяться при s = { $s }
+weld-feed-follows-area = подача дроту йде за площею розкриття
+weld-allowed-s-or-phi = або s_mm, або phi_deg
+weld-allowed-same-factors = імена першого рядка
+weld-allowed-sectors-apart = різні положення
+weld-allowed-no-feed-factor = без коефіцієнта для неї, або інше adapt
 weld-allowed-no-table-or-beads = без цієї таблиці або без [beads]
 weld-ramp-with-beads = значення, що змінюється по шву, не поєднується з [beads]
 weld-travel-angle-twice = кут уздовж задано тут і в кількох позиціях шва

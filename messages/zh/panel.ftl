@@ -611,6 +611,7 @@ panel-plan-again = 重新规划
 panel-plan-wrong = 任务有错误
 panel-plan-good = 可以焊接
 panel-plan-report = 规划报告
+panel-plan-report-with-appendix = 带附录的报告
 panel-plan-before = 任务有错误。这是更改之前的规划。
 panel-plan-none = 没有规划（见检查结果）。显示的是任务本身的几何形状。
 panel-plan-line = 第 { $line } 行

@@ -251,6 +251,14 @@ weld-allowed-room-to-weld = 留出焊接空间的间隙或角度
 weld-beads-without-joint = 没有要填充的接头
 weld-allowed-joint = 带坡口的 [joint]
 weld-stations-with-beads = 有 [beads] 时，数值写在 [beads.root]、[beads.fill] 和 [beads.cap] 中
+weld-sector-position-unclear = 扇区位置不明确
+weld-sectors-unequal = 各扇区给出的系数不是同一些量
+weld-sectors-at-one-place = s = { $s } 处有两个扇区
+weld-feed-follows-area = 送丝速度随坡口面积变化
+weld-allowed-s-or-phi = s_mm 或 phi_deg 之一
+weld-allowed-same-factors = 与第一行相同的名称
+weld-allowed-sectors-apart = 不同的位置
+weld-allowed-no-feed-factor = 不给它系数，或用别的 adapt
 weld-allowed-no-table-or-beads = 没有此表，或没有 [beads]
 weld-ramp-with-beads = 沿焊缝渐变的值不能与 [beads] 并用
 weld-travel-angle-twice = 行走角在此处和焊缝多个位置都已给出

@@ -349,7 +349,8 @@ impl Joint {
             };
             let upright =
                 angle.get() == 0.0 && min == 0.0 && self.preparation.with_groove_angle(self.side, 0.0).is_some();
-            if !upright && !(angle.get() > min && angle.get() < max) {
+            let is_between = min < angle.get() && angle.get() < max;
+            if !upright && !is_between {
                 let allowed = Message::new("document-strictly-between");
                 let allowed = allowed.quantity("min", min, Unit::Deg, 3).value("max", max, Unit::Deg);
                 return Err(file.error_at(&key, Message::new("program-fit-up-angle-invalid"), allowed));

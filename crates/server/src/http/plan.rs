@@ -181,19 +181,21 @@ pub(super) async fn tuning(State(panel): Shared, Query(of): Query<OfAxis>) -> An
     answer.await.map(Json)
 }
 
-/// `?job=NAME`, with an optional language; default English.
+/// `?job=NAME`, with an optional language (default English) and `appendix=true`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Named {
     job: String,
     language: Option<String>,
+    #[serde(default)]
+    appendix: bool,
 }
 
 pub(super) async fn report(State(panel): Shared, page: Page, Query(named): Query<Named>) -> Result<Response, Refused> {
-    let language = spoken(named.language)?.code().to_owned();
+    let (language, appendix) = (spoken(named.language)?.code().to_owned(), named.appendix);
     let (asked, name) = (Arc::clone(&panel), checked(&named.job)?.to_owned());
     let text = panel.reading.run(move || text(&asked, &named.job)).await?;
-    let question = Question::Report { name, text, language };
+    let question = Question::Report { name, text, language, appendix };
     let html = panel.planner.ask(page, question, panel.jobs()).await?;
     let html = String::from_utf8(html).map_err(|_| Refused::server(Message::new("server-failed")))?;
     Ok(page_of(html))

@@ -107,7 +107,7 @@ pub(super) fn routes() -> Vec<Route> {
         get "/api/teach/picture" "watch" "The newest picture of the camera, PNG" teach::picture;
         post "/api/teach/program" "teach" "A program of the taught points; nothing is saved"
             teach::made: TeachProgram => TaughtProgram;
-        get "/api/report" "jobs.read" "The report of a plan as a page; ?job=NAME, ?language=en, uk, zh, de or ru"
+        get "/api/report" "jobs.read" "The report of a plan as a page; ?job=NAME, ?language=en, uk, zh, de or ru, ?appendix=true for curves and the job's text"
             plan::report;
         get "/api/records" "records.read" "Welds" records::list => Vec<RecordRow>;
         get "/api/records/{id}" "records.read" "A weld" records::get => RecordView;

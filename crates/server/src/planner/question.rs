@@ -27,7 +27,7 @@ pub(crate) enum Question {
     /// Plan of a recorded weld: a [`crate::wire::WorkView`].
     Recorded { name: String, text: String, number: u64 },
     /// Report of its plan: an HTML page.
-    Report { name: String, text: String, language: String },
+    Report { name: String, text: String, language: String, appendix: bool },
     /// Part program for it: a [`PostAnswer`].
     Post { text: String, dialect: String },
     /// Check that it can be planned and loaded: its motion, see [`seamwright_cell::encode_motion`].
@@ -60,7 +60,10 @@ impl Question {
                 let planned = loaded.try_plan()?;
                 json(&work_view(*number, name, &loaded, planned.as_ref().map_err(Vec::as_slice)))
             }
-            Self::Report { name, text, language } => report(name, text, language, jobs),
+            Self::Report { name, text, language, appendix } => {
+                let extent = if *appendix { Extent::WithAppendix } else { Extent::Summary };
+                report(name, text, language, extent, jobs)
+            }
             Self::Post { text, dialect } => json(&post(text, dialect, jobs)?),
             Self::Load { load, text } => planned(load, text, jobs),
             Self::Place { asked } => json(&found_place(asked, jobs)?),
@@ -109,13 +112,13 @@ pub(crate) fn wrong_view(error: &DocumentError) -> WrongView {
     }
 }
 
-fn report(name: &str, text: &str, language: &str, jobs: &Path) -> Result<Vec<u8>, Refused> {
+fn report(name: &str, text: &str, language: &str, extent: Extent, jobs: &Path) -> Result<Vec<u8>, Refused> {
     let language = language.parse::<Language>().map_err(|e| Refused::input(e.to_string()))?;
     let loaded = load_foreign(name, text, jobs)?;
     let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
     let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, language);
     let date = Moment::now().to_string();
-    Ok(report.page(&plots, loaded.welding.program.text(), &date, Extent::Summary, language).into_bytes())
+    Ok(report.page(&plots, loaded.welding.program.text(), &date, extent, language).into_bytes())
 }
 
 fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {

@@ -80,7 +80,12 @@ async fn a_newer_draft_ends_the_older_one() {
 async fn one_user_does_not_take_all_places() {
     let folder = tempfile::tempdir().unwrap();
     let planner = Arc::new(Planner::new(Some(program())));
-    let report = |text: &str| Question::Report { name: String::new(), text: text.to_owned(), language: String::new() };
+    let report = |text: &str| Question::Report {
+        name: String::new(),
+        text: text.to_owned(),
+        language: String::new(),
+        appendix: false,
+    };
     let mut asked = Vec::new();
     for i in 0..20 {
         let page = Page { user: "eve".to_owned(), session: format!("session {i}"), page: format!("{i}") };

@@ -75,6 +75,12 @@ async fn jobs_are_kept_planned_posted_and_edited() {
         let page = String::from_utf8_lossy(&page);
         assert!(page.contains(&format!("<html lang=\"{language}\">")) && page.contains(verdict), "{page}");
     }
+    let mut sizes = Vec::new();
+    for appendix in [false, true] {
+        let page = owner.request("GET", &format!("/api/report?job=ellipse.toml&appendix={appendix}"), None);
+        sizes.push(bench.raw(page).await.into_body().collect().await.unwrap().to_bytes().len());
+    }
+    assert!(sizes[1] > sizes[0] + 50_000, "curves and the job's text: {sizes:?}");
     let wrong = owner.request("GET", "/api/report?job=ellipse.toml&language=fr", None);
     let (status, refused) = bench.ask(wrong).await;
     assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY);

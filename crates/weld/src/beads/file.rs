@@ -1,3 +1,4 @@
+use super::sectors::Sector;
 use crate::allowed::{at_most, between};
 use crate::attitude::check_angles;
 use schemars::JsonSchema;
@@ -55,6 +56,9 @@ pub struct Beads {
     /// Length of seam over which the other beads change where a layer starts or ends, mm, with `adapt = "passes"`.
     #[serde(default = "tie_in")]
     pub tie_in_mm: NonNegative,
+    /// Factors on process values by the position on the seam, for all passes: the sectors of an orbital weld.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sectors: Vec<Sector>,
     /// The root pass; without it the layers of `fill` begin at the root.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub root: Option<Run>,
@@ -174,6 +178,8 @@ pub(crate) struct WeldValues<'a> {
 pub(crate) struct Asked {
     /// Area of a bead, mm^2.
     pub(crate) area: f64,
+    /// True if the area follows from the wire.
+    pub(crate) area_from_wire: bool,
     /// Height of a layer, mm.
     pub(crate) layer: f64,
     /// Speed, mm/s.
@@ -279,6 +285,7 @@ impl Beads {
             window,
             weave: run.weave.clone().or_else(|| weld.weave.cloned()),
             area,
+            area_from_wire: run.area_mm2.is_none(),
             layer,
             speed,
             process: all,

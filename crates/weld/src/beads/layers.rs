@@ -82,7 +82,7 @@ pub(crate) struct Opening<'a> {
 
 impl Opening<'_> {
     /// Area to be filled, mm^2.
-    fn to_fill(&self) -> f64 {
+    fn to_fill(self) -> f64 {
         self.section.total() - self.filled
     }
 

@@ -17,6 +17,7 @@ mod outline;
 mod passes;
 mod plan;
 mod refusal;
+mod sectors;
 mod shape;
 #[cfg(test)]
 mod tests;
@@ -33,6 +34,7 @@ use layers::Runs;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;
 use seamwright_program::{Finding, Pass};
+use sectors::Sectors;
 
 /// A joint with its beads.
 #[derive(Debug)]
@@ -79,7 +81,8 @@ impl Beads {
             let (key, allowed) = why.cure(&joint.joint().preparation, &runs, stations);
             file.error_at(&key, why.message(), allowed)
         })?;
-        let all = passes::passes(&plan, self, &runs, seam, template);
+        let sectors = Sectors::new(file, self, seam, weld.process)?;
+        let all = passes::passes(&plan, self, &runs, &sectors, seam, template);
         if self.adapt == Adapt::WeaveWidth && all.iter().all(|(pass, _)| pass.weave.is_none()) {
             let allowed = Message::new("weld-allowed-weave");
             return Err(file.error_at("beads.adapt", Message::new("weld-no-bead-weaves"), allowed));

@@ -1,6 +1,7 @@
 use super::file::{Adapt, Asked, Beads, WIRE_FEED};
 use super::layers::Runs;
 use super::plan::BeadPlan;
+use super::sectors::Sectors;
 use crate::seam::SeamCurve;
 use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_program::{Bead, Pass, Ramp, Span, SpanValue, Weave, part_start, parts_of};
@@ -23,9 +24,11 @@ pub(crate) fn passes(
     plan: &BeadPlan,
     beads: &Beads,
     runs: &Runs,
+    sectors: &Sectors,
     seam: &SeamCurve,
     template: &Pass,
 ) -> Vec<(Pass, usize)> {
+    let making = Making { plan, beads, runs, sectors, template };
     let mut all = Vec::new();
     for &bead in &plan.order {
         let parts = &plan.parts[plan.at_station(0)[bead].layer];
@@ -48,7 +51,7 @@ pub(crate) fn passes(
                 _ => from,
             };
             let run = Run { bead, begin, length: to - from, reverse };
-            let mut pass = pass(plan, beads, runs, &run, template);
+            let mut pass = making.pass(&run);
             if pieces.len() > 1 {
                 pass.name = format!("{}, part {}", pass.name, i + 1);
             }
@@ -58,27 +61,88 @@ pub(crate) fn passes(
     all
 }
 
-fn pass(plan: &BeadPlan, beads: &Beads, runs: &Runs, run: &Run, template: &Pass) -> Pass {
-    let at = plan.at_station(0)[run.bead];
-    let layer = plan.layers[at.layer];
-    let asked = runs.of(layer.role);
-    let mut pass = template.clone();
-    pass.name = match layer.beads {
-        1 => format!("{} {}", layer.role.name(), at.layer + 1),
-        _ => format!("{} {}.{}", layer.role.name(), at.layer + 1, at.index + 1),
-    };
-    pass.role = Some(layer.role);
-    pass.begin_mm = NonNegative::new(run.begin).unwrap_or_default();
-    pass.reverse = run.reverse;
-    if let Some(travel) = asked.travel_angle_deg {
-        pass.torch.travel_angle_deg = travel;
+/// Inputs of all passes.
+struct Making<'a> {
+    plan: &'a BeadPlan,
+    beads: &'a Beads,
+    runs: &'a Runs,
+    sectors: &'a Sectors,
+    template: &'a Pass,
+}
+
+impl Making<'_> {
+    fn pass(&self, run: &Run) -> Pass {
+        let at = self.plan.at_station(0)[run.bead];
+        let layer = self.plan.layers[at.layer];
+        let asked = self.runs.of(layer.role);
+        let mut pass = self.template.clone();
+        pass.name = match layer.beads {
+            1 => format!("{} {}", layer.role.name(), at.layer + 1),
+            _ => format!("{} {}.{}", layer.role.name(), at.layer + 1, at.index + 1),
+        };
+        pass.role = Some(layer.role);
+        pass.begin_mm = NonNegative::new(run.begin).unwrap_or_default();
+        pass.reverse = run.reverse;
+        if let Some(travel) = asked.travel_angle_deg {
+            pass.torch.travel_angle_deg = travel;
+        }
+        if let Some(weave) = &asked.weave {
+            pass.weave = Some(weave.clone());
+        }
+        let follows = pass.weave.as_ref().filter(|_| self.beads.adapt == Adapt::WeaveWidth);
+        pass.bead = Some(columns(self.plan, run.bead, follows));
+        pass.spans = self.spans(asked, run);
+        pass
     }
-    if let Some(weave) = &asked.weave {
-        pass.weave = Some(weave.clone());
+
+    /// Spans on which the value that follows the area is straight, and the factors of the sectors are.
+    fn spans(&self, asked: &Asked, run: &Run) -> Vec<Span> {
+        let step = self.plan.stations.get(1).copied().unwrap_or(run.length);
+        let sense = if run.reverse { -1.0 } else { 1.0 };
+        let mut ends = self.sectors.places(run.begin, sense, run.length);
+        ends.push(run.length);
+        let on_seam = |s: f64| run.begin + sense * s;
+        let follows_feed = self.beads.adapt != Adapt::WireFeed && asked.area_from_wire;
+        let value = |s: f64| {
+            let ratio = self.plan.area(run.bead, on_seam(s)).map_or(1.0, |area| area / asked.area);
+            // More wire fills the same area at a higher speed.
+            let feed = if follows_feed { self.sectors.factor(WIRE_FEED, on_seam(s)) } else { 1.0 };
+            if self.beads.adapt == Adapt::WireFeed { ratio } else { feed / ratio }
+        };
+        let (mut spans, mut begin) = (Vec::new(), 0.0);
+        for end in ends {
+            let count = parts_of(end - begin, step);
+            let places: Vec<f64> = (0..=count).map(|i| begin + part_start(end - begin, i, count)).collect();
+            let values: Vec<f64> = places.iter().map(|s| value(*s)).collect();
+            let mut first = 0;
+            while first < count {
+                let last = first + straight(&values[first..]);
+                let [from, to] = [first, last].map(|i| (places[i], values[i]));
+                let mut span = span(self.beads.adapt, asked, from, to);
+                for (name, value) in span.process.iter_mut().filter(|(name, _)| self.sectors.changes(name)) {
+                    let [low, high] = [from.0, to.0].map(|s| self.sectors.factor(name, on_seam(s)));
+                    scale(value, low, high);
+                }
+                spans.push(span);
+                first = last;
+            }
+            begin = end;
+        }
+        spans
     }
-    pass.bead = Some(columns(plan, run.bead, pass.weave.as_ref().filter(|_| beads.adapt == Adapt::WeaveWidth)));
-    pass.spans = spans(plan, beads.adapt, asked, run);
-    pass
+}
+
+/// Multiplies both ends of a value.
+fn scale(value: &mut SpanValue<Finite>, from: f64, to: f64) {
+    let (a, b) = value.ends();
+    let [a, b] = [a * from, b * to].map(|value| Finite::new(rounded(value)).unwrap_or_default());
+    *value = if a == b { SpanValue::Steady(a) } else { SpanValue::Ramp(Ramp { from: a, to: b }) };
+}
+
+/// Rounds to six digits, more than any machine keeps.
+fn rounded(value: f64) -> f64 {
+    let digits = 10_f64.powf(5.0 - value.abs().log10().floor());
+    if value == 0.0 { 0.0 } else { (value * digits).round() / digits }
 }
 
 /// Position of the bead at every station, and the width of a weave that `follows` the groove.
@@ -103,25 +167,6 @@ fn columns(plan: &BeadPlan, bead: usize, follows: Option<&Weave>) -> Bead {
     }
 }
 
-/// Spans on which the value that follows the area is straight.
-fn spans(plan: &BeadPlan, adapt: Adapt, asked: &Asked, run: &Run) -> Vec<Span> {
-    let step = plan.stations.get(1).copied().unwrap_or(run.length);
-    let count = parts_of(run.length, step);
-    let places: Vec<f64> = (0..=count).map(|i| part_start(run.length, i, count)).collect();
-    let sense = if run.reverse { -1.0 } else { 1.0 };
-    let ratio = |s: &f64| plan.area(run.bead, run.begin + sense * s).map_or(1.0, |area| area / asked.area);
-    let value = |ratio: f64| if adapt == Adapt::WireFeed { ratio } else { 1.0 / ratio };
-    let values: Vec<f64> = places.iter().map(|s| value(ratio(s))).collect();
-    let mut spans = Vec::new();
-    let mut first = 0;
-    while first < count {
-        let last = first + straight(&values[first..]);
-        spans.push(span(adapt, asked, (places[first], values[first]), (places[last], values[last])));
-        first = last;
-    }
-    spans
-}
-
 /// Number of steps from the first of `values` (at least two) over which a line deviates from each by at most
 /// [`STRAIGHT`] of it. One pass over the values: each narrows the permitted slopes of the line.
 fn straight(values: &[f64]) -> usize {
@@ -135,11 +180,6 @@ fn straight(values: &[f64]) -> usize {
 }
 
 fn span(adapt: Adapt, asked: &Asked, from: (f64, f64), to: (f64, f64)) -> Span {
-    // Six digits are more than any machine keeps.
-    let rounded = |value: f64| {
-        let digits = 10_f64.powf(5.0 - value.abs().log10().floor());
-        (value * digits).round() / digits
-    };
     let mut span = Span {
         from_mm: NonNegative::new(from.0).unwrap_or_default(),
         to_mm: Positive::new(to.0).unwrap_or(Positive::TEN),

@@ -56,7 +56,7 @@ impl MeasuredRow {
             gap: at.root_gap_mm.get(),
             mismatch: at.mismatch_mm.get(),
             turn: turn.unwrap_or_default(),
-            remaining: at.remaining_mm2.map(|area| area.get()),
+            remaining: at.remaining_mm2.map(seamwright_document::Finite::get),
             open: 1.0,
         }
     }

@@ -217,3 +217,47 @@ fn contradictory_measurements_are_refused_at_their_keys() {
         root_gap_mm = 1\n[[joint.fit_up]]\ns_mm = 0\nroot_gap_mm = 1\nangle_deg = 5\n[weld]\nspeed_mm_s = 5\n";
     assert_eq!(refusal(square).key, "joint.fit_up[0].angle_deg");
 }
+
+/// A pipe welded by an orbital head: less wire and current overhead and uphill, in every pass.
+const ORBITAL: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.girth]\nradius_mm = 84.15\n\
+    [start]\noverlap_mm = 15\n[joint]\ncap_mm = 1\n[joint.preparation.single_v]\nthickness_mm = 11\nangle_deg = 50\n\
+    root_gap_mm = 2\nroot_face_mm = 1\n[beads]\nwire_mm = 1.2\nalternate = true\nfill = { layer_mm = 3 }\n\
+    [[beads.sectors]]\nphi_deg = 0\nfactors = { current_a = 1.0, wire_feed_m_min = 1.0 }\n\
+    [[beads.sectors]]\nphi_deg = 90\nfactors = { current_a = 0.92, wire_feed_m_min = 0.85 }\n\
+    [[beads.sectors]]\nphi_deg = 180\nfactors = { current_a = 0.9, wire_feed_m_min = 0.8 }\n\
+    [weld]\nspeed_mm_s = 5\n[weld.process]\ncurrent_a = 200\nvoltage_v = 22\nwire_feed_m_min = 6\n";
+
+#[test]
+fn sectors_change_every_pass_by_the_position_on_the_seam() {
+    let welding = read(ORBITAL);
+    assert!(off(&welding) < 4e-3, "{}", off(&welding));
+    let (seam, passes) = (welding.seam(), &welding.program.value.passes);
+    assert!(passes.len() >= 4 && passes.iter().any(|pass| pass.reverse));
+    let factor = |phi: f64, at: [f64; 3]| match phi {
+        phi if phi < 90.0 => at[0] + (at[1] - at[0]) * phi / 90.0,
+        phi if phi < 180.0 => at[1] + (at[2] - at[1]) * (phi - 90.0) / 90.0,
+        phi => at[2] + (at[0] - at[2]) * (phi - 180.0) / 180.0,
+    };
+    for pass in passes {
+        for i in 0..200 {
+            let own = pass.length() * (f64::from(i) + 0.3) / 200.0;
+            let sense = if pass.reverse { -1.0 } else { 1.0 };
+            let s = pass.begin_mm.get() + sense * own;
+            let phi = seam.at(s).phi.unwrap().to_degrees().rem_euclid(360.0);
+            for (name, drawn, at) in
+                [("current_a", 200.0, [1.0, 0.92, 0.9]), ("wire_feed_m_min", 6.0, [1.0, 0.85, 0.8])]
+            {
+                let value = pass.process_at(name, own, ArcTime::TRAVEL).unwrap();
+                assert!((value / (drawn * factor(phi, at)) - 1.0).abs() < 2e-5, "{} {name} {phi}", pass.name);
+            }
+            assert!((pass.process_at("voltage_v", own, ArcTime::TRAVEL).unwrap() - 22.0).abs() < 1e-12);
+        }
+    }
+    let key = |from: &str, to: &str| refusal(&ORBITAL.replace(from, to)).key;
+    assert_eq!(key("phi_deg = 90\n", ""), "beads.sectors[1]");
+    assert_eq!(key("phi_deg = 90\n", "s_mm = 9999\n"), "beads.sectors[1].s_mm");
+    assert_eq!(key("phi_deg = 90", "phi_deg = 180"), "beads.sectors");
+    assert_eq!(key("current_a = 0.92, ", "power_w = 0.92, "), "beads.sectors[1].factors.power_w");
+    assert_eq!(key("current_a = 0.92, ", ""), "beads.sectors[1].factors");
+    assert_eq!(key("alternate = true", "adapt = \"wire_feed\""), "beads.sectors[0].factors.wire_feed_m_min");
+}
