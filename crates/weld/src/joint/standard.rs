@@ -33,7 +33,7 @@ struct Ranges {
 const ANY: [f64; 2] = [0.0, f64::INFINITY];
 
 /// Ranges of ISO 9692-1 for arc welds in steel: of the kind that a preparation is, with the steep or broad form of a V
-/// told by its own sizes.
+/// recognised by its sizes.
 fn iso_9692(preparation: &Preparation, is_backed: bool) -> Ranges {
     let of = |thickness, angle, gap, root_face| Ranges { thickness, angle, gap, root_face };
     match preparation {
