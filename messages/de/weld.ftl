@@ -235,6 +235,7 @@ weld-scan-after-last-layer = bis dahin { $layers ->
 weld-scan-too-few-points = nur { $found } Punkte; nötig sind { $needed }
 weld-scan-no-groove = die Fuge ist nicht da: { $share } % der Punkte liegen auf ihr, mit einer Streuung von { $scatter } mm
 weld-scan-other-angle = die Flächen oder Kanten stehen in { $angle }; gezeichnet sind { $drawn }
+weld-scan-uncertain = die offene Fläche ist um { $uncertainty } unsicher: eine Kante ist nicht zu sehen
 weld-groove-no-butt = Flächen unter { $dihedral } zueinander bilden keinen Stumpfstoß
 weld-groove-no-corner = Flächen unter { $dihedral } zueinander bilden weder Kehlnaht noch T-Stoß
 weld-groove-no-outside-corner = Flächen unter { $dihedral } zueinander bilden keine Außenecke

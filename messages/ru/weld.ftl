@@ -231,6 +231,7 @@ weld-scan-after-last-layer = до этого запланировано { $layer
 weld-scan-too-few-points = точек всего { $found }; нужно { $needed }
 weld-scan-no-groove = разделки нет: на ней лежит { $share } % точек, с разбросом { $scatter } мм
 weld-scan-other-angle = поверхности или кромки стоят под { $angle }; на чертеже { $drawn }
+weld-scan-uncertain = открытая площадь известна с неопределённостью { $uncertainty }: кромка не видна
 weld-groove-no-butt = поверхности под { $dihedral } друг к другу не образуют стыкового соединения
 weld-groove-no-corner = поверхности под { $dihedral } друг к другу не образуют углового или таврового соединения
 weld-groove-no-outside-corner = поверхности под углом { $dihedral } друг к другу не образуют наружного угла

@@ -231,6 +231,7 @@ weld-scan-after-last-layer = до цього заплановано { $layers ->
 weld-scan-too-few-points = точок лише { $found }; потрібно { $needed }
 weld-scan-no-groove = розробки немає: на ній лежить { $share } % точок, із розкидом { $scatter } мм
 weld-scan-other-angle = поверхні або кромки стоять під { $angle }; на кресленні { $drawn }
+weld-scan-uncertain = відкрита площа відома з невизначеністю { $uncertainty }: кромку не видно
 weld-groove-no-butt = поверхні під { $dihedral } одна до одної не утворюють стикового з’єднання
 weld-groove-no-corner = поверхні під { $dihedral } одна до одної не утворюють кутового чи таврового з’єднання
 weld-groove-no-outside-corner = поверхні під кутом { $dihedral } одна до одної не утворюють зовнішнього кута

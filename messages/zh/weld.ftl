@@ -223,6 +223,7 @@ weld-scan-after-last-layer = 到此只规划了 { $layers } 层：没有剩余�
 weld-scan-too-few-points = 只有 { $found } 个点；需要 { $needed } 个
 weld-scan-no-groove = 没有坡口：{ $share } % 的点在其上，离散 { $scatter } mm
 weld-scan-other-angle = 表面或边缘成 { $angle }；图纸上为 { $drawn }
+weld-scan-uncertain = 敞开面积的不确定度为 { $uncertainty }：有一条边缘看不到
 weld-groove-no-butt = 相互成 { $dihedral } 的两面不构成对接接头
 weld-groove-no-corner = 相互成 { $dihedral } 的两面不构成角接或 T 形接头
 weld-groove-no-outside-corner = 两面夹角 { $dihedral } 不构成外角接头

@@ -10,6 +10,7 @@
 //! | track seams that deviate from the plan | [`tracking`] |
 //! | paint camera images and laser stripes | [`camera_simulator`] |
 //! | teach a seam by a simulated camera | [`teaching`] |
+//! | weld distorted grooves layer by layer, with scans between | [`groove`] |
 //! | test the response to every fault of every device | [`fault_injection`] |
 //!
 //! Simulation and real cell are the same executive. Only devices and time differ.
@@ -84,6 +85,7 @@ mod disturbance;
 mod drives;
 mod error;
 pub mod fault_injection;
+pub mod groove;
 mod sample;
 mod simulate;
 mod summary;

@@ -3,7 +3,7 @@
 pub mod acceptance;
 mod distortion;
 mod plate;
-mod random;
+pub(crate) mod random;
 pub mod scene;
 mod simulator;
 pub mod stripe;

@@ -10,6 +10,7 @@ mod elastic;
 mod executive;
 mod executive_tracked;
 mod fault_injection;
+mod groove;
 mod homing;
 mod joint;
 mod missed_cycles;
