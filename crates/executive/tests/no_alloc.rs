@@ -21,7 +21,7 @@ fn cycles_do_not_allocate() {
     assert_no_alloc(|| {
         for point in points.by_ref().take(2000) {
             let [first, second] = [0, 1].map(|head| machine.forward_of(head, &point.q));
-            let found = machine.inverse_near(Target { first, second: Some(second) }, &point.q);
+            let found = machine.inverse_near(Target::new(first, Some(second)), &point.q);
             let joints = found.map_or(point.q, |solution| solution.joints);
             for (axis, q) in axes.iter_mut().zip(joints) {
                 black_box(axis.update(SetPoint { position: q, velocity: 0.0, acceleration: 0.0 }, q - 1e-3));

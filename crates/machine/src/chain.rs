@@ -1,6 +1,6 @@
 use crate::axis::AxisKind;
 use arrayvec::ArrayVec;
-use glam::{DAffine3, DMat3, DQuat, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 use seamwright_geometry::Pose;
 
 /// Maximum number of axes of a machine.
@@ -76,6 +76,8 @@ pub(crate) struct Screw {
 pub struct Chain {
     pub(crate) screws: ArrayVec<Screw, MAX_AXES>,
     pub(crate) zero: Pose,
+    /// Unit direction across the torch at zero: that of its frame's x axis.
+    pub(crate) across: DVec3,
 }
 
 /// A turn given by the sine and cosine of its angle: the inverse finds these first, and the angle last.
@@ -104,6 +106,14 @@ impl Turn {
         self.sin.atan2(self.cos)
     }
 
+    pub(crate) fn sin(self) -> f64 {
+        self.sin
+    }
+
+    pub(crate) fn cos(self) -> f64 {
+        self.cos
+    }
+
     pub(crate) fn back(self) -> Self {
         Self { sin: -self.sin, ..self }
     }
@@ -121,6 +131,21 @@ impl Turn {
     /// `v` turned about the unit vector `axis` (Rodrigues' formula).
     pub(crate) fn of(self, axis: DVec3, v: DVec3) -> DVec3 {
         self.cos * v + self.sin * axis.cross(v) + (1.0 - self.cos) * axis.dot(v) * axis
+    }
+
+    /// `v` turned from x to y.
+    pub(crate) fn of_plane(self, v: DVec2) -> DVec2 {
+        self.cos * v + self.sin * v.perp()
+    }
+
+    /// The turn about the unit vector `axis` as a matrix.
+    pub(crate) fn matrix(self, axis: DVec3) -> DMat3 {
+        let (s, part) = (self.sin * axis, (1.0 - self.cos) * axis);
+        DMat3::from_cols(
+            part.x * axis + DVec3::new(self.cos, s.z, -s.y),
+            part.y * axis + DVec3::new(-s.z, self.cos, s.x),
+            part.z * axis + DVec3::new(s.y, -s.x, self.cos),
+        )
     }
 }
 
@@ -160,7 +185,14 @@ impl Chain {
             point: moved.transform_point3(self.zero.point),
             direction: moved.transform_vector3(self.zero.direction),
         };
-        Self { screws, zero }
+        Self { screws, zero, across: moved.transform_vector3(self.across) }
+    }
+
+    /// Torch tip and direction at axis positions `q`, and the direction across the torch.
+    pub(crate) fn frame(&self, q: &Joints) -> (Pose, DVec3) {
+        let across = self.screws.iter().rev().filter(|s| s.kind == AxisKind::Rotary);
+        let across = across.fold(self.across, |v, s| Turn::by(q[s.axis]).of(s.direction, v));
+        (self.forward(q), across)
     }
 
     /// Torch tip and direction (from the torch to the work) in the work frame at axis positions `q`.

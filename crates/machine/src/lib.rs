@@ -41,6 +41,7 @@ mod lever;
 mod links;
 mod machine;
 mod pitch_error;
+mod roll;
 mod sensor;
 mod shipped;
 mod solids;
@@ -63,10 +64,13 @@ pub use file::{
     ControlFile, ControlsFile, DeflectionFile, DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile,
     PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
 };
-pub use inverse::{Branches, MAX_BRANCHES, PairFault, Solution, Unreachable};
+pub use inverse::{
+    ArmConfiguration, ArmMargins, Branches, Elbow, MAX_BRANCHES, PairFault, Shoulder, Solution, Unreachable, WristSide,
+};
 pub use links::{LinkFrames, LinkJoint, Links, MAX_LINKS, NamedFrame};
 pub use machine::{Machine, Target};
 pub use pitch_error::PitchError;
+pub use roll::RollReference;
 pub use seamwright_clearance::Clamped;
 pub use sensor::{CameraSensor, HeightRowFile, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
 pub use shipped::{SHIPPED, Shipped, shipped};

@@ -7,9 +7,10 @@ use crate::devices::MachineDevices;
 use crate::file::{ControlsFile, Io, MachineFile};
 use crate::head_pair::Pair;
 use crate::inverse;
-use crate::inverse::{Branches, Inverse, PairFault, Query, Solution, Unreachable, Which};
+use crate::inverse::{ArmConfiguration, ArmMargins, Branches, Inverse, PairFault, Query, Solution, Unreachable, Which};
 use crate::lever::{Lever, PITCH, travel};
 use crate::links::{LinkFrames, Links};
+use crate::roll::RollReference;
 use crate::sensor::Sensor;
 use crate::solids::LinkSolids;
 use crate::welding_head::Head;
@@ -22,6 +23,8 @@ use std::f64::consts::TAU;
 
 /// Number of positions of the redundant axes tried to reach a pose.
 const FREE_PLACES: u32 = 500;
+/// The golden section spreads any number of rotations about the torch evenly.
+const GOLDEN: f64 = 0.618_033_988_75;
 /// Maximum number of starts of [`Machine::inverse_from`].
 const MAX_STARTS: usize = 16;
 
@@ -78,11 +81,21 @@ pub struct Target {
     pub first: Pose,
     /// Tip and direction of the second head's torch, if both weld.
     pub second: Option<Pose>,
+    /// Direction across the first head's torch (see [`Machine::across`]), on a six-axis arm; if missing, the rotation
+    /// about the torch stays as near as possible to the current one.
+    pub across: Option<DVec3>,
+}
+
+impl Target {
+    /// Target of the first head's torch, and of the second one's if both weld.
+    pub fn new(first: Pose, second: Option<Pose>) -> Self {
+        Self { first, second, across: None }
+    }
 }
 
 impl From<Pose> for Target {
     fn from(first: Pose) -> Self {
-        Self { first, second: None }
+        Self::new(first, None)
     }
 }
 
@@ -209,6 +222,32 @@ impl Machine {
         self.heads[head].chain.forward(&self.true_positions(q))
     }
 
+    /// Direction across the first head's torch, in the work frame at indicated positions `q`: the x axis of the tool
+    /// steps' last frame, made perpendicular to the torch.
+    pub fn across(&self, q: &Joints) -> DVec3 {
+        self.heads[0].chain.frame(&self.true_positions(q)).1
+    }
+
+    /// True if the rotation about the first head's torch is free: a six-axis arm with a closed form carries it.
+    pub fn has_free_roll(&self) -> bool {
+        self.heads[0].inverse.arm().is_some()
+    }
+
+    /// True if the pose of the first head's torch leaves axes or the rotation about the torch free.
+    pub fn is_redundant(&self) -> bool {
+        self.has_free_roll() || !self.free().is_empty()
+    }
+
+    /// Configuration of the six-axis arm at positions `q`; none for other machines.
+    pub fn arm_configuration(&self, q: &Joints) -> Option<ArmConfiguration> {
+        self.heads[0].inverse.arm().map(|arm| arm.configuration(&self.true_positions(q)))
+    }
+
+    /// Distances of the six-axis arm from its singularities at positions `q`; none for other machines.
+    pub fn arm_margins(&self, q: &Joints) -> Option<ArmMargins> {
+        self.heads[0].inverse.arm().map(|arm| arm.margins(&self.true_positions(q)))
+    }
+
     /// Columns of the first head's Jacobian at indicated positions `q`: change of tip (mm) and direction per mm or rad.
     pub fn jacobian(&self, q: &Joints) -> [(DVec3, DVec3); MAX_AXES] {
         let mut columns = self.heads[0].chain.jacobian(&self.true_positions(q));
@@ -330,7 +369,7 @@ impl Machine {
             pair.solve(&self.heads, [&target.first, second], near, branches)?;
         } else {
             let Head { chain, inverse, .. } = &self.heads[0];
-            inverse.solve(Query { chain, pose: &target.first, near, which }, branches)?;
+            inverse.solve(Query { chain, pose: &target.first, across: target.across, near, which }, branches)?;
             // Axes that do not carry the first head keep their positions.
             let idle = (0..self.axes.len()).filter(|&axis| !chain.axes().has(axis));
             idle.for_each(|axis| branches.iter_mut().for_each(|s| s.joints[axis] = near[axis]));
@@ -360,7 +399,7 @@ impl Machine {
     }
 
     /// The branches within all ranges, nearest to `near` first, rotary axes turned by whole turns as needed. If no
-    /// branch fits, other positions of the redundant axes are tried.
+    /// branch fits, other positions of the redundant axes and other rotations about the torch are tried.
     ///
     /// # Errors
     /// The reason why no branch fits: for the closest branch, the axis and its excess.
@@ -371,14 +410,18 @@ impl Machine {
             Err(reason) => reason,
         };
         let free = if target.second.is_some() { AxisSet::default() } else { self.free() };
-        if free.is_empty() {
+        let rolls = self.has_free_roll() && target.second.is_none() && target.across.is_none();
+        if free.is_empty() && !rolls {
             return Err(reason);
         }
+        let reference = RollReference::new(&[target.first]);
         for k in 1..=FREE_PLACES {
             let spread = inverse::spread(&self.axes, k);
             let mut start = *near;
             free.iter().for_each(|axis| start[axis] = spread[axis]);
-            match self.reach_from(&target, &start) {
+            let roll = TAU * (GOLDEN * f64::from(k)).fract();
+            let across = rolls.then(|| reference.across(target.first.direction, roll)).or(target.across);
+            match self.reach_from(&Target { across, ..target }, &start) {
                 Ok(found) => return Ok(found),
                 Err(other) if other.by() < reason.by() => reason = other,
                 Err(_) => {}
@@ -436,6 +479,27 @@ impl Machine {
     /// recurrence.
     pub fn spread(&self, k: u32) -> Joints {
         inverse::spread(&self.axes, k)
+    }
+
+    /// `q` with its rotary axes on every combination of whole turns within their ranges; empty if an axis has no turn
+    /// there. Continuous axes keep theirs.
+    pub fn turns_in_range(&self, q: &Joints) -> Vec<Joints> {
+        let mut all = vec![*q];
+        for (i, axis) in self.axes.iter().enumerate() {
+            let Some((low, high)) = axis.range else { continue };
+            if axis.kind == AxisKind::Linear {
+                all.retain(|q| axis.outside(q[i]).is_none());
+                continue;
+            }
+            let (first, last) = (((low - q[i]) / TAU).ceil() as i32, ((high - q[i]) / TAU).floor() as i32);
+            let turned = |q: &Joints, k: i32| {
+                let mut turned = *q;
+                turned[i] = axis.turned(q[i], f64::from(k));
+                turned
+            };
+            all = (first..=last).flat_map(|k| all.iter().map(move |q| turned(q, k))).collect();
+        }
+        all
     }
 
     /// `q` with rotary axes turned by whole turns into their ranges, where that is possible.

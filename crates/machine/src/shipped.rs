@@ -14,8 +14,21 @@ macro_rules! ship {
 }
 
 /// All machine files that ship.
-pub const SHIPPED: &[Shipped] =
-    ship!["saddle-4axis", "torch-5axis", "ebw-7axis", "dual-laser-10axis", "ellipse-xy", "table-tilting-xyzac"];
+pub const SHIPPED: &[Shipped] = ship![
+    "saddle-4axis",
+    "torch-5axis",
+    "ebw-7axis",
+    "dual-laser-10axis",
+    "ellipse-xy",
+    "table-tilting-xyzac",
+    "ur10e",
+    "irb-2600",
+    "kr-16",
+    "arc-mate-120id",
+    "ar1440",
+    "ur10e-positioner",
+    "irb-2600-rail"
+];
 
 /// The shipped machine file called `name`.
 pub fn shipped(name: &str) -> Option<Shipped> {

@@ -47,9 +47,11 @@ impl Head {
             }
             (linear, rotary) => linear.or(rotary).unwrap_or_default(),
         };
-        let structure = match self.free().is_empty() {
+        let roll = self.inverse.arm().map(|_| Argument::Message(Box::new(Message::new("machine-free-roll"))));
+        let free: Vec<Argument> = named(self.free()).into_iter().chain(roll).collect();
+        let structure = match free.is_empty() {
             true => Message::new("machine-structure"),
-            false => Message::new("machine-structure-with-free").list("free", named(self.free())),
+            false => Message::new("machine-structure-with-free").list("free", free),
         };
         structure.message("method", Message::new(self.inverse.method())).message("axes", decided)
     }

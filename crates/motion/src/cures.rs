@@ -126,7 +126,7 @@ impl Trial<'_> {
 
     /// True if axes are chosen along the whole path.
     fn is_redundant(&self) -> bool {
-        !self.held.free().is_empty() && self.request.path.second(0.0).is_none()
+        self.held.is_redundant() && self.request.path.second(0.0).is_none()
     }
 
     /// The first of `changes` that `cures`.
@@ -238,7 +238,7 @@ impl Trial<'_> {
         const STEP_MM: f64 = 0.01;
         let at = |step: DVec3| {
             let moved = Changed::new(self.request.path, Change::Move(step));
-            let target = Target { first: moved.pose(lack.s), second: moved.second(lack.s) };
+            let target = Target::new(moved.pose(lack.s), moved.second(lack.s));
             self.held.inverse_next(target, &lack.q).ok().map(|s| s.joints[lack.axis])
         };
         let here = at(DVec3::ZERO)?;

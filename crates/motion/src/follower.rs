@@ -17,8 +17,11 @@ impl Follower<'_> {
         self.path.axes(0.0).is_some()
     }
 
-    pub(crate) fn target(&self, s: f64) -> Target {
-        Target { first: self.path.pose(s), second: self.path.second(s) }
+    /// Target at `s`, with the rotation about the torch in `q` if it is free.
+    fn target(&self, s: f64, q: &Joints) -> Target {
+        let first = self.path.pose(s);
+        let across = self.free.roll.map(|roll| roll.across(first.direction, q));
+        Target { across, ..Target::new(first, self.path.second(s)) }
     }
 
     /// All branches at `s`, as [`Machine::inverse`].
@@ -26,7 +29,8 @@ impl Follower<'_> {
         if let Some(joints) = self.path.axes(s) {
             return Ok(Branches::one(Solution { joints, ..Solution::default() }));
         }
-        self.machine.inverse(self.target(s), &self.free.at(s, near))
+        let near = self.free.at(s, near);
+        self.machine.inverse(self.target(s, &near), &near)
     }
 
     /// The branch at `s` that is nearest to `near`, as [`Machine::inverse_near`].
@@ -34,7 +38,8 @@ impl Follower<'_> {
         if let Some(joints) = self.path.axes(s) {
             return Ok(Solution { joints, ..Solution::default() });
         }
-        self.machine.inverse_near(self.target(s), &self.free.at(s, near))
+        let near = self.free.at(s, near);
+        self.machine.inverse_near(self.target(s, &near), &near)
     }
 
     /// The branch at `s` that continues from `near`, as [`Machine::inverse_next`].
@@ -42,7 +47,8 @@ impl Follower<'_> {
         if let Some(joints) = self.path.axes(s) {
             return Ok(Solution { joints, ..Solution::default() });
         }
-        self.machine.inverse_next(self.target(s), &self.free.at(s, near))
+        let near = self.free.at(s, near);
+        self.machine.inverse_next(self.target(s, &near), &near)
     }
 
     /// Path lengths inside the path where a derivative of the axes may jump, increasing.

@@ -112,7 +112,7 @@ impl PassMotion {
         let Request { path, pass, number, effort, .. } = request;
         let held = holding(machine, &pass.spare_axes).map_err(|e| vec![hold_finding(e, path.length(), number)])?;
         let jumps = if path.axes(0.0).is_some() { Vec::new() } else { torch_jumps(path, number) };
-        if !jumps.is_empty() && !held.free().is_empty() {
+        if !jumps.is_empty() && held.is_redundant() {
             return Err(jumps);
         }
         let Chosen { machine, free, survey } = with_best_freedom(held, request).map_err(|found| with(&jumps, found))?;
@@ -256,7 +256,7 @@ fn with_best_freedom<'m>(machine: Cow<'m, Machine>, request: Request) -> Result<
     let is_good = |found: &(FreeAxes, Survey)| found.1.findings.iter().all(|f| f.allowed);
     let first = along_axes(&machine, request);
     let head = &machine.heads[0];
-    let redundant = !machine.free().is_empty() && path.axes(0.0).is_none() && path.second(0.0).is_none();
+    let redundant = machine.is_redundant() && path.axes(0.0).is_none() && path.second(0.0).is_none();
     if first.as_ref().is_ok_and(is_good) || !head.is_numeric() || !redundant {
         return first.map(|(free, survey)| Chosen { machine, free, survey });
     }

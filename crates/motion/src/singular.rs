@@ -15,8 +15,12 @@ const NEAR: f64 = 15.0 * std::f64::consts::PI / 180.0;
 const MUCH: f64 = 0.5;
 
 /// Distance of the attitude at `q` from a singular one: the area that the rotations of the rotary axes in `of` span on
-/// the sphere of directions, for two axes the sine of the angle between them. None with fewer than two such axes.
+/// the sphere of directions, for two axes the sine of the angle between them. None with fewer than two such axes. For a
+/// six-axis arm the smallest distance from its singularities.
 pub(crate) fn distance(machine: &Machine, of: AxisSet, q: &Joints) -> Option<f64> {
+    if let Some(margins) = machine.arm_margins(q) {
+        return Some(margins.min());
+    }
     let rotary = |i: usize| of.has(i) && machine.axes[i].kind == AxisKind::Rotary;
     if (0..machine.axes.len()).filter(|&i| rotary(i)).count() < 2 {
         return None;

@@ -310,7 +310,7 @@ fn one(
     if findings.is_empty() {
         return Ok((motion, clearance));
     }
-    if !machine.free().is_empty() && request.path.second(0.0).is_none() {
+    if machine.is_redundant() && request.path.second(0.0).is_none() {
         let room = |q: &Joints| {
             let nearest = around.nearest(q, WANTED_MM + around.greatest_least_mm());
             nearest.map_or(f64::INFINITY, |(watch, e)| e.distance - around.scene().watches()[watch].least_mm())
@@ -442,7 +442,7 @@ impl TransferSettings<'_> {
             let both = poses.get(1).filter(|_| *torches == Torches::Two);
             let along = both.map_or(first.direction, |second| (first.direction + second.direction).normalize());
             let back = |p: Pose| Pose { point: p.point - part * self.retract_mm * along, ..p };
-            let target = Target { first: back(first), second: both.map(|p| back(*p)) };
+            let target = Target::new(back(first), both.map(|p| back(*p)));
             if let Ok(solution) = machine.inverse_near(target, q)
                 && machine.outside(&solution.joints).is_none()
             {

@@ -45,8 +45,7 @@ fn main() {
         let begin = Instant::now();
         let profile = motion.profile.at(black_box(t), &mut cursor);
         let point = motion.path.point(profile.s, false);
-        let mut target =
-            Target { first: machine.forward_of(0, &point.q), second: Some(machine.forward_of(1, &point.q)) };
+        let mut target = Target::new(machine.forward_of(0, &point.q), Some(machine.forward_of(1, &point.q)));
         // Correction of the torch by a seam tracker.
         target.first.point += 0.1 * target.first.direction;
         match machine.inverse_near(black_box(target), &near) {

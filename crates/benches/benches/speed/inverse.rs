@@ -1,7 +1,8 @@
-//! Cost of the inverse from a neighbour: closed forms (aim: 200 ns), and Newton's method on a 7-axis arm (aim: 20 us).
+//! Cost of the inverse from a neighbour: closed forms (aim: 200 ns), and Newton's method on a 7-axis arm (aim: 20 us);
+//! of all branches of a six-axis arm (aims: 1 us with a spherical wrist, 2 us with three parallel axes).
 
 use crate::measure::time;
-use seamwright_machine::{Machine, SHIPPED};
+use seamwright_machine::{Machine, SHIPPED, Target, shipped};
 use std::hint::black_box;
 
 pub(crate) fn inverse() {
@@ -20,6 +21,22 @@ pub(crate) fn inverse() {
         time(&format!("inverse, {}", shipped.name), || {
             i = (i + 1) % poses.len();
             black_box(machine.inverse_near(black_box(&poses[i].0), &poses[i].1))
+        });
+    }
+}
+
+/// All branches of a frame.
+pub(crate) fn arms() {
+    for name in ["irb-2600", "ur10e"] {
+        let machine = Machine::read(name, shipped(name).unwrap().text).unwrap();
+        let framed = |q| Target { across: Some(machine.across(q)), ..Target::from(machine.forward(q)) };
+        let of_eight = (1..).map(|k| machine.spread(k)).map(|q| (framed(&q), q));
+        let of_eight = of_eight.filter(|(target, q)| machine.inverse(*target, q).is_ok_and(|found| found.len() == 8));
+        let poses: Vec<_> = of_eight.take(997).collect();
+        let mut i = 0;
+        time(&format!("inverse, all 8 branches, {name}"), || {
+            i = (i + 1) % poses.len();
+            black_box(machine.inverse(black_box(poses[i].0), &poses[i].1))
         });
     }
 }

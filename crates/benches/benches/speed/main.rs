@@ -28,6 +28,7 @@ fn main() {
     feed_override::runs();
     fine::benches();
     inverse::inverse();
+    inverse::arms();
     inverse::numeric();
     jog::benches();
     joint::joint();

@@ -92,7 +92,11 @@ impl Tree<'_> {
             point: self.frame.transform_point3(tip),
             direction: self.frame.transform_vector3(direction.unit()).normalize(),
         };
-        let chain = Chain { screws: screws.into_iter().rev().collect(), zero };
+        let x = self.frame.transform_vector3(DVec3::X);
+        let across = (x - x.dot(zero.direction) * zero.direction).try_normalize();
+        // A torch along the frame's x axis has no such direction: any will do.
+        let across = across.unwrap_or_else(|| zero.direction.any_orthonormal_vector());
+        let chain = Chain { screws: screws.into_iter().rev().collect(), zero, across };
         let own = chain.screws.iter().filter(|s| s.kind == AxisKind::Linear && !shared.has(s.axis));
         let slides = own.map(|s| s.axis).collect();
         let inverse = Inverse::of(&chain, self.axes);

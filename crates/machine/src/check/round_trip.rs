@@ -136,7 +136,8 @@ pub(super) fn one_head(task: &Task, seed: u64, poses: u32, step: &mut dyn FnMut(
         if numeric && k % NUMERIC_STRIDE != 0 {
             continue;
         }
-        let Ok(branches) = machine.inverse(pose, &elsewhere) else {
+        let target = Target { across: Some(machine.across(&q)), ..Target::from(pose) };
+        let Ok(branches) = machine.inverse(target, &elsewhere) else {
             found.branch_missed += u32::from(regular);
             continue;
         };
@@ -165,7 +166,7 @@ pub(super) fn pair(machine: &Machine, seed: u64, poses: u32, step: &mut dyn FnMu
             slides.iter().for_each(|axis| q[axis] = 0.0);
         }
         let tips = [0, 1].map(|head| machine.forward_of(head, &q));
-        let target = Target { first: tips[0], second: Some(tips[1]) };
+        let target = Target::new(tips[0], Some(tips[1]));
         let Ok(branches) = machine.inverse(target, &q) else {
             found.unsolved += 1;
             found.off_centre += u32::from(!centred);

@@ -23,7 +23,7 @@ pub(super) struct Task<'a> {
     pub(super) axes: ArrayVec<usize, MAX_AXES>,
     /// Freedoms of the tip's point that the axes give in regular configurations.
     freedoms: usize,
-    /// True if the roll about the torch counts too: the axes are those of a six-axis arm.
+    /// True if the rotation about the torch counts too: the axes are those of a six-axis arm.
     with_roll: bool,
 }
 
@@ -34,7 +34,7 @@ impl<'a> Task<'a> {
     pub(super) fn new(machine: &'a Machine) -> Self {
         let head = &machine.heads[0];
         let axes = head.chain.axes().iter().filter(|&axis| !head.free().has(axis)).collect();
-        let mut task = Self { machine, axes, freedoms: 0, with_roll: false };
+        let mut task = Self { machine, axes, freedoms: 0, with_roll: machine.has_free_roll() };
         if !task.axes.is_empty() {
             let rank = |k| task.point_part(&machine.spread(k)).rank(1e-6);
             task.freedoms = (1..=40).map(rank).max().unwrap_or(0);

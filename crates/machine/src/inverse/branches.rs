@@ -2,6 +2,7 @@
 
 use crate::chain::{Chain, Joints};
 use arrayvec::ArrayVec;
+use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_message::{Message, Unit, display_by_message};
 use std::ops::{Deref, DerefMut};
@@ -35,6 +36,8 @@ pub(crate) enum Which<'a> {
 pub(crate) struct Query<'a> {
     pub(crate) chain: &'a Chain,
     pub(crate) pose: &'a Pose,
+    /// Wanted direction across the torch: only arms that leave the rotation about the torch free regard it.
+    pub(crate) across: Option<DVec3>,
     pub(crate) near: &'a Joints,
     pub(crate) which: Which<'a>,
 }

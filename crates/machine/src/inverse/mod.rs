@@ -5,8 +5,10 @@
 //!   give the rotary axes (Murray, Li and Sastry, 1994), and a 3 x 3 system the linear ones.
 //! - **Closed form, saddle welder** (SADDLE-2020): one rotary axis next to the work and a plane of two linear axes. The
 //!   point gives the rotary axis; the direction is met as closely as possible.
+//! - **Closed form, six-axis arms** (`arm`): spherical wrist, or three parallel axes.
 //! - **Newton's method** (`numeric.rs`) for all other arrangements, with Levenberg and Marquardt's damping.
 
+mod arm;
 mod branches;
 mod choice;
 mod frame;
@@ -18,7 +20,9 @@ mod two_linear;
 mod vectors;
 
 use crate::axis::{Axis, AxisKind};
-use crate::chain::{AxisSet, Chain};
+use crate::chain::{AxisSet, Chain, MAX_AXES};
+pub(crate) use arm::Arm;
+pub use arm::{ArmConfiguration, ArmMargins, Elbow, Shoulder, WristSide};
 pub use branches::{Branches, MAX_BRANCHES, PairFault, Solution, Unreachable};
 pub(crate) use branches::{Query, Which};
 use choice::home;
@@ -39,6 +43,7 @@ pub(crate) struct Inverse {
 
 #[derive(Debug, Clone, PartialEq)]
 enum Form {
+    Arm(Box<Arm>),
     ThreeLinear(ThreeLinear),
     PlaneOnRotary(PlaneOnRotary),
     TwoLinear(TwoLinear),
@@ -49,6 +54,9 @@ impl Inverse {
     /// Chooses from the arrangement of the axes: a closed form if one exists for the chain or for the chain with some
     /// axes held, else Newton's method.
     pub(crate) fn of(chain: &Chain, axes: &[Axis]) -> Self {
+        if let Some(arm) = arm(chain, axes) {
+            return arm;
+        }
         let held = choice::held(chain, axes);
         let active = chain.holding(held, &home(axes));
         Self { held, form: Form::of(&active, axes) }
@@ -56,6 +64,9 @@ impl Inverse {
 
     /// Chooses the same with the axes of `wanted` among the held ones, if the rest can still reach every pose.
     pub(crate) fn holding(chain: &Chain, axes: &[Axis], wanted: AxisSet) -> Option<Self> {
+        if let Some(arm) = arm(chain, axes).filter(|arm| wanted.both(arm.held) == wanted) {
+            return Some(arm);
+        }
         let held = choice::held_with(chain, axes, wanted)?;
         let active = chain.holding(held, &home(axes));
         Some(Self { held, form: Form::of(&active, axes) })
@@ -65,9 +76,18 @@ impl Inverse {
         matches!(self.form, Form::Numeric(_))
     }
 
+    /// The six-axis arm whose rotation about the torch is free, if it is one.
+    pub(crate) fn arm(&self) -> Option<&Arm> {
+        match &self.form {
+            Form::Arm(arm) => Some(arm),
+            _ => None,
+        }
+    }
+
     /// Code of the form's name.
     pub(crate) fn method(&self) -> &'static str {
-        match self.form {
+        match &self.form {
+            Form::Arm(arm) => arm.method(),
             Form::ThreeLinear(_) => "machine-method-closed",
             Form::PlaneOnRotary(_) => "machine-method-plane-on-rotary",
             Form::TwoLinear(_) => "machine-method-in-plane",
@@ -80,12 +100,28 @@ impl Inverse {
         if self.held.is_empty() {
             return self.form.solve(query, branches);
         }
-        self.form.solve(Query { chain: &query.chain.holding(self.held, query.near), ..query }, branches)?;
+        if let Form::Arm(arm) = &self.form {
+            // Its axes do not depend on the others: these only move its base.
+            arm.solve(query, branches)?;
+        } else {
+            let chain = query.chain.holding(self.held, query.near);
+            self.form.solve(Query { chain: &chain, ..query }, branches)?;
+        }
         for solution in branches.iter_mut() {
             self.held.iter().for_each(|axis| solution.joints[axis] = query.near[axis]);
         }
         Ok(())
     }
+}
+
+/// A six-axis arm at the torch's end of `chain`, with all other axes held; none if the arm has no closed form, or if
+/// three linear axes carry the torch through space.
+fn arm(chain: &Chain, axes: &[Axis]) -> Option<Inverse> {
+    let arm = Arm::new(chain)?;
+    let held = chain.axes().different(arm.axes());
+    let strokes = held.iter().filter(|&axis| axes[axis].kind == AxisKind::Linear).count();
+    // One entry of the positions stays free for the rotation about the torch.
+    (strokes < 3 && axes.len() < MAX_AXES).then_some(Inverse { held, form: Form::Arm(Box::new(arm)) })
 }
 
 impl Form {
@@ -107,6 +143,7 @@ impl Form {
 
     fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
         match self {
+            Self::Arm(form) => form.solve(query, branches),
             Self::ThreeLinear(form) => form.solve(query, branches),
             Self::PlaneOnRotary(form) => form.solve(query, branches),
             Self::TwoLinear(form) => form.solve(query, branches),

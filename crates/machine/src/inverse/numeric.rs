@@ -61,7 +61,7 @@ impl Numeric {
     }
 
     pub(crate) fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
-        let Query { chain, pose, near, which } = query;
+        let Query { chain, pose, near, which, .. } = query;
         if let Which::From(starts) = which {
             return self.solve_each(query, starts.iter().copied(), branches);
         }

@@ -31,7 +31,7 @@ impl PlaneOnRotary {
     }
 
     pub(crate) fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
-        let Query { chain, pose, near, which } = query;
+        let Query { chain, pose, near, which, .. } = query;
         let turn = &chain.screws[self.rotary];
         let [x, y] = self.linear.map(|l| chain.screws[l].direction);
         let n = x.cross(y).normalize();

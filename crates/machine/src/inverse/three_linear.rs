@@ -24,7 +24,7 @@ impl ThreeLinear {
     }
 
     pub(crate) fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
-        let Query { chain, pose, near, which } = query;
+        let Query { chain, pose, near, which, .. } = query;
         let zero = chain.zero.direction;
         let axis = |i: usize| chain.screws[self.rotary[i]].direction;
         let pairs: [Option<Pair>; 2] = match self.rotary.len() {

@@ -105,6 +105,10 @@ fn by_brute_force(machine: &Machine, pose: &Pose, near: &Joints, linear: &[usize
 fn closed_forms_find_what_a_grid_finds() {
     for shipped in SHIPPED {
         let machine = Machine::read(shipped.name, shipped.text).unwrap();
+        if machine.has_free_roll() {
+            // Arms have tests of their own.
+            continue;
+        }
         let decided: Vec<usize> = machine.heads[0].chain.axes().iter().filter(|&i| !machine.free().has(i)).collect();
         let of_kind = |kind| decided.iter().copied().filter(|&i| machine.axes[i].kind == kind).collect::<Vec<_>>();
         let (linear, rotary) = (of_kind(AxisKind::Linear), of_kind(AxisKind::Rotary));

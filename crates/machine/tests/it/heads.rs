@@ -26,7 +26,7 @@ fn both_tips_lie_on_both_fillets_with_slides_centred() {
     let mut near = machine.home();
     for k in -1000..=1000 {
         let poses = fillets(f64::from(k), 2.0, 30f64.to_radians());
-        let target = Target { first: poses[0], second: Some(poses[1]) };
+        let target = Target::new(poses[0], Some(poses[1]));
         let solution = machine.inverse_near(target, &near).unwrap();
         near = solution.joints;
         assert!(machine.outside(&near).is_none(), "{k}");
@@ -47,14 +47,14 @@ fn both_tips_lie_on_both_fillets_with_slides_centred() {
 fn slides_take_another_thickness() {
     let machine = shipped_machine("dual-laser-10axis");
     let poses = fillets(120.0, 5.0, 30f64.to_radians());
-    let target = Target { first: poses[0], second: Some(poses[1]) };
+    let target = Target::new(poses[0], Some(poses[1]));
     let near = machine.inverse_near(target, &machine.home()).unwrap().joints;
     for (head, pose) in poses.iter().enumerate() {
         assert!((machine.forward_of(head, &near).point - pose.point).length() < 1e-9);
     }
     let u = |name| near[machine.axis(name).unwrap()];
     assert!((u("u1") - 1.5).abs() < 1e-9 && (u("u2") + 1.5).abs() < 1e-9 && u("v1").abs() < 1e-9);
-    let same = Target { first: poses[0], second: Some(poses[0]) };
+    let same = Target::new(poses[0], Some(poses[0]));
     assert!(matches!(machine.inverse(same, &near), Err(Unreachable::Pair(_))));
     let single = shipped_machine("torch-5axis");
     assert!(matches!(single.inverse(target, &single.home()), Err(Unreachable::Pair(_))));
@@ -96,7 +96,7 @@ fn two_heads_come_back() {
     for _ in 0..cases(20_000) {
         let q = random_joints(&machine, &mut random);
         let poses = [0, 1].map(|head| machine.forward_of(head, &q));
-        let target = Target { first: poses[0], second: Some(poses[1]) };
+        let target = Target::new(poses[0], Some(poses[1]));
         // Slides off centre turn the line between the tips against the carrier: the tips come back, by other positions.
         let Ok(branches) = machine.inverse(target, &q) else { continue };
         for b in branches.iter() {

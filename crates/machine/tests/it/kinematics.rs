@@ -32,7 +32,8 @@ fn round_trip(machine: &Machine, q: &Joints) -> (f64, f64, f64) {
 
 #[test]
 fn a_hundred_thousand_random_poses_a_machine_come_back() {
-    for machine in machines() {
+    // Arms have tests of their own.
+    for machine in machines().into_iter().filter(|machine| !machine.has_free_roll()) {
         let mut random = Random::new(7);
         let (mut point, mut direction, mut axes, mut compared) = (0.0f64, 0.0f64, 0.0f64, 0);
         for _ in 0..100_000 {

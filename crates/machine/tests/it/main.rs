@@ -1,5 +1,6 @@
 //! All tests in one program, which is compiled and linked once.
 
+mod arms;
 mod branches;
 mod check;
 mod common;

@@ -56,7 +56,7 @@ fn nearest_miss(task: &Task, samples: &[Joints], s: f64) -> (usize, f64, Message
         if !task.effort.spend(1, task.effort.progress().part) {
             break;
         }
-        match task.machine.inverse(place.target, q) {
+        match task.inverse(place.target, q) {
             Ok(branches) => {
                 for branch in branches.iter() {
                     let (axis, by, part) = worst(task, &task.machine.turned_into_range(&branch.joints));

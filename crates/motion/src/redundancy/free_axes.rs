@@ -1,4 +1,5 @@
-use seamwright_machine::Joints;
+use glam::DVec3;
+use seamwright_machine::{Joints, RollReference};
 
 /// The axes that a path leaves free, by path length: each rests or follows a uniform cubic B-spline, so that its second
 /// derivative is continuous.
@@ -7,8 +8,24 @@ pub struct FreeAxes {
     pub(crate) length: f64,
     pub(crate) still: Vec<(usize, f64)>,
     pub(crate) moving: Vec<(usize, Vec<f64>)>,
+    /// Rotation about the torch, if it is free: the entry of the positions that holds it, beyond those of the axes.
+    pub(crate) roll: Option<FreeRoll>,
     /// Positions of all axes at the start of the path, if the branch is chosen.
     pub(crate) start: Option<Joints>,
+}
+
+/// The rotation about the torch of a six-axis arm as a free coordinate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FreeRoll {
+    pub(crate) entry: usize,
+    pub(crate) reference: RollReference,
+}
+
+impl FreeRoll {
+    /// Direction across a torch of `direction` at the rotation in `q`.
+    pub(crate) fn across(&self, direction: DVec3, q: &Joints) -> DVec3 {
+        self.reference.across(direction, q[self.entry])
+    }
 }
 
 /// Basis of a uniform cubic B-spline at one path length: the first of its four coefficients, and their factors.

@@ -31,6 +31,8 @@ const WALKED: usize = 8;
 /// A branch of the inverse at one station and one sample of the free axes.
 pub(super) struct Node {
     pub(super) q: Joints,
+    /// Configuration of a six-axis arm, 0 for other machines: it changes in singularities only, which have no edges.
+    branch: u8,
     place: f64,
     /// Minimum cost from here to the end, and the next station's node on that path.
     onward: (f64, usize),
@@ -102,7 +104,7 @@ impl<'t, 'a> Graph<'t, 'a> {
         let close: Vec<usize> = (0..nodes.len()).filter(|&i| through(i) <= most).collect();
         let apart = |a: usize, b: usize| -> f64 {
             let parts = self.task.free.iter().map(|&axis| {
-                let span = self.task.machine.axes[axis].range.map_or(0.5 * TAU, |(low, high)| high - low);
+                let span = self.task.axes[axis].range.map_or(0.5 * TAU, |(low, high)| high - low);
                 (self.task.way(axis, nodes[a].q[axis], nodes[b].q[axis]) / span).powi(2)
             });
             parts.sum()
@@ -137,7 +139,7 @@ impl<'t, 'a> Graph<'t, 'a> {
         for (k, &i) in way.iter().enumerate() {
             let mut q = self.nodes[k][i].q;
             if let Some(before) = rows.last() {
-                for (axis, value) in q.iter_mut().enumerate().take(self.task.machine.axes.len()) {
+                for (axis, value) in q.iter_mut().enumerate().take(self.task.axes.len()) {
                     *value = before[axis] + self.task.way(axis, before[axis], *value);
                 }
             }
@@ -164,7 +166,7 @@ impl<'t, 'a> Graph<'t, 'a> {
             let before = &before[k - 1];
             for (j, node) in here[0].iter_mut().enumerate() {
                 (node.total, node.from) = (f64::INFINITY, 0);
-                for (i, from) in before.iter().enumerate().filter(|(_, n)| n.total.is_finite()) {
+                for (i, from) in before.iter().enumerate().filter(|(_, n)| n.branch == node.branch) {
                     if from.total + node.place >= node.total {
                         continue;
                     }
@@ -194,7 +196,7 @@ impl<'t, 'a> Graph<'t, 'a> {
             }
             let (before, here) = self.nodes.split_at_mut(k);
             for (i, node) in before[k - 1].iter_mut().enumerate().filter(|(_, n)| n.total.is_finite()) {
-                for (j, to) in here[0].iter().enumerate() {
+                for (j, to) in here[0].iter().enumerate().filter(|(_, to)| to.branch == node.branch) {
                     if to.onward.0 + to.place >= node.onward.0 {
                         continue;
                     }
@@ -231,12 +233,12 @@ impl<'t, 'a> Graph<'t, 'a> {
             for &axis in &task.free {
                 q[axis] = start[axis] + x * task.way(axis, start[axis], end[axis]);
             }
-            match task.machine.inverse_next(task.path.pose(from + x * (to - from)), &q) {
+            match task.inverse_next(task.path.pose(from + x * (to - from)).into(), &q) {
                 Ok(solution) => q = solution.joints,
                 Err(_) => return false,
             }
         }
-        (0..task.machine.axes.len()).all(|axis| task.way(axis, q[axis], end[axis]).abs() < 1e-5)
+        (0..task.axes.len()).all(|axis| task.way(axis, q[axis], end[axis]).abs() < 1e-5)
     }
 }
 
@@ -254,7 +256,7 @@ pub(super) fn finer(task: &Task, rough: &[Joints], steps: &[f64]) -> Option<Vec<
         let (a, b) = (&rough[k / 2], &rough[k.div_ceil(2)]);
         let middle: Joints = std::array::from_fn(|i| 0.5 * (a[i] + b[i]));
         let grid = |(&axis, step): (&usize, &f64)| -> Vec<f64> {
-            let within = |v: &f64| task.machine.axes[axis].outside(*v).is_none();
+            let within = |v: &f64| task.axes[axis].outside(*v).is_none();
             offsets.iter().map(|o| middle[axis] + o * step).filter(within).collect()
         };
         let grids: Vec<Vec<f64>> = task.free.iter().zip(steps).map(grid).collect();
@@ -272,8 +274,8 @@ pub(super) fn finer(task: &Task, rough: &[Joints], steps: &[f64]) -> Option<Vec<
 }
 
 fn grids(task: &Task, samples: usize) -> Vec<Vec<f64>> {
-    let range = |axis: usize| task.machine.axes[axis].range.filter(|_| !task.winds(axis));
-    let wanted = |&axis: &usize| match (task.machine.axes[axis].kind, range(axis)) {
+    let range = |axis: usize| task.axes[axis].range.filter(|_| !task.winds(axis));
+    let wanted = |&axis: &usize| match (task.axes[axis].kind, range(axis)) {
         (AxisKind::Linear, _) => LINEAR_SAMPLES as f64,
         (AxisKind::Rotary, Some((low, high))) => ((high - low) / ROTARY_STEP).ceil() + 1.0,
         (AxisKind::Rotary, None) => (TAU / ROTARY_STEP).ceil(),
@@ -283,7 +285,7 @@ fn grids(task: &Task, samples: usize) -> Vec<Vec<f64>> {
     let factor = (samples as f64 / counts.iter().product::<f64>()).powf(1.0 / counts.len() as f64);
     let most = |axis: usize| {
         let span = range(axis).map_or(TAU, |(low, high)| high - low);
-        let finest = if task.machine.axes[axis].kind == AxisKind::Linear { FINEST_MM } else { FINEST_TURN };
+        let finest = if task.axes[axis].kind == AxisKind::Linear { FINEST_MM } else { FINEST_TURN };
         (span / finest).ceil() + 1.0
     };
     for (count, &axis) in counts.iter_mut().zip(&task.free) {
@@ -311,7 +313,7 @@ fn nodes(task: &Task, place: &Place, near: &Joints, grids: &[Vec<f64>], part: f6
         if !task.effort.spend(1, part) {
             break;
         }
-        let Ok(branches) = task.machine.inverse_from(place.target, &q, &[q]) else { continue };
+        let Ok(branches) = task.inverse_from(place.target, &q, Some(&q)) else { continue };
         nodes.extend(branches.iter().flat_map(|branch| turned(task, place, &branch.joints)));
     }
     nodes
@@ -321,7 +323,8 @@ fn nodes(task: &Task, place: &Place, near: &Joints, grids: &[Vec<f64>], part: f6
 fn turned(task: &Task, place: &Place, q: &Joints) -> Vec<Node> {
     let node = |q: Joints| {
         let cost = task.cost.place(&q, place).iter().map(|r| r * r).sum();
-        Node { q, place: cost, onward: (f64::INFINITY, 0), total: f64::INFINITY, from: 0 }
+        let branch = task.machine.arm_configuration(&q).map_or(0, |arm| arm.branch());
+        Node { q, branch, place: cost, onward: (f64::INFINITY, 0), total: f64::INFINITY, from: 0 }
     };
     turns(task, q).into_iter().map(node).collect()
 }
@@ -374,7 +377,7 @@ fn turns(task: &Task, q: &Joints) -> Vec<Joints> {
 /// Cost of the motion from `a` to `b`, on the same scale as that of the nodes; none if too far.
 fn edge(task: &Task, places: &[Place], steps: &[f64], a: &Joints, b: &Joints) -> Option<f64> {
     for (&axis, step) in task.free.iter().zip(steps) {
-        let most = match task.machine.axes[axis].kind {
+        let most = match task.axes[axis].kind {
             AxisKind::Linear => WINDOW * step,
             AxisKind::Rotary => MAX_TURN.max(WINDOW * step),
         };

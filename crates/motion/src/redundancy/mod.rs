@@ -5,6 +5,9 @@
 //! programming finds the path of minimum cost through the nodes, then again with finer nodes about that path. It also
 //! finds paths far from the best one, because samples do not show the cost of acceleration.
 //!
+//! **Six-axis arms** in closed form. The rotation about the torch is one more free axis, sampled over a turn. Every
+//! configuration of the arm (shoulder, elbow, wrist) is a branch; edges keep it, since it changes in singularities only.
+//!
 //! **Refinement.** The free axes become uniform cubic B-splines. The Levenberg-Marquardt method (Levenberg, 1944;
 //! Marquardt, 1963) moves their coefficients to the minimum of the true cost: at 40 stations for every path, then at
 //! 120 and 1,000 for the best one. Ends of ranges repel strongly; the survey still checks them.
@@ -43,6 +46,11 @@ use task::Task;
 const EFFORTS: [(usize, usize); 2] = [(24, 216), (48, 800)];
 /// Stations and samples for an inverse without closed form.
 const NUMERIC_EFFORTS: [(usize, usize); 2] = [(24, 64), (48, 120)];
+/// Stations and samples with the rotation about an arm's torch as the only free axis, and with external ones. Its branches
+/// are continuous, so that few samples suffice: 7.5 degrees. Tried on nozzles welded by a UR10e, on the floor and with
+/// a positioner.
+const ROLL_EFFORTS: [(usize, usize); 2] = [(24, 48), (48, 96)];
+const ARM_EFFORTS: [(usize, usize); 2] = [(24, 216), (48, 600)];
 /// Maximum number of turns per node up to which nodes a whole turn apart are distinguished.
 const MAX_TURNS: f64 = 8.0;
 /// Number of levels of the graph after the first.
@@ -61,7 +69,7 @@ pub fn holding<'m>(machine: &'m Machine, wishes: &SpareAxes) -> Result<Cow<'m, M
     }
     let held: Vec<String> = held.iter().map(|(axis, _)| machine.axes[*axis].name.clone()).collect();
     let axis = held.first().cloned().unwrap_or_default();
-    let redundant = machine.free().iter().count();
+    let redundant = machine.free().iter().count() + usize::from(machine.has_free_roll());
     if redundant == 0 {
         return Err(needed(&axis));
     }
@@ -138,12 +146,12 @@ pub(crate) fn resolve_within(
         // Two torches determine every axis.
         return Err(vec![explain::hold(needed(&machine.axes[axis].name), path.length(), pass)]);
     }
-    if machine.free().is_empty() || two {
+    if !machine.is_redundant() || two {
         return Ok(FreeAxes::default());
     }
     let task = Task::new(effort, machine, path, aim, &still);
     if task.free.is_empty() {
-        return Ok(FreeAxes { length: path.length(), still, moving: Vec::new(), start: None });
+        return Ok(FreeAxes { length: path.length(), still, ..FreeAxes::default() });
     }
     let alike = task.search(&still, pass)?;
     if alike.inside || task.winding == task.endless() || task.telling_turns() > MAX_TURNS {
@@ -166,7 +174,12 @@ impl<'a> Task<'a> {
     fn search(&self, still: &[(usize, f64)], pass: usize) -> Result<Found, Vec<Finding>> {
         let mut best: Option<Found> = None;
         let mut last = None;
-        let efforts = if self.machine.heads[0].is_numeric() { NUMERIC_EFFORTS } else { EFFORTS };
+        let efforts = match self.roll {
+            Some(_) if self.free.len() == 1 => ROLL_EFFORTS,
+            Some(_) => ARM_EFFORTS,
+            None if self.machine.heads[0].is_numeric() => NUMERIC_EFFORTS,
+            None => EFFORTS,
+        };
         for (stations, samples) in efforts {
             let mut graph = graph::Graph::new(self, stations, samples);
             let mut ways = graph.ways();

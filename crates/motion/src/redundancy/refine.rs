@@ -42,7 +42,16 @@ pub(super) fn refine(task: &Task, ways: &[Vec<Joints>], still: Vec<(usize, f64)>
     let of = |a: usize| coefficients.iter().skip(a).step_by(count).copied().collect();
     let moving = task.free.iter().enumerate().map(|(a, &axis)| (axis, of(a))).collect();
     let inside = way.iter().all(|q| task.machine.outside(q).is_none());
-    Some((FreeAxes { length: task.path.length(), still, moving, start: way.first().copied() }, inside))
+    Some((
+        FreeAxes {
+            length: task.path.length(),
+            still,
+            moving,
+            roll: task.roll,
+            start: way.first().map(|q| task.of_machine(q)),
+        },
+        inside,
+    ))
 }
 
 /// Coefficients of splines near the path: its values at the peak of each coefficient's basis function, extrapolated
@@ -120,7 +129,7 @@ impl<'t, 'a> Stage<'t, 'a> {
         let count = self.task.free.len();
         let mut part: f64 = 1.0;
         for (i, d) in step.iter().enumerate() {
-            let axis = &self.task.machine.axes[self.task.free[i % count]];
+            let axis = &self.task.axes[self.task.free[i % count]];
             let most = match (axis.kind, axis.range) {
                 (AxisKind::Linear, Some((low, high))) => MAX_STROKE * (high - low),
                 _ => MAX_TURN,
@@ -156,7 +165,7 @@ impl<'t, 'a> Stage<'t, 'a> {
         if !effort.spend(1, effort.progress().part) {
             return None;
         }
-        let q = self.task.machine.inverse_next(self.places[k].target, near).ok()?.joints;
+        let q = self.task.inverse_next(self.places[k].target, near).ok()?.joints;
         Some(Row { q, residuals: self.task.cost.place(&q, &self.places[k]) })
     }
 
@@ -189,7 +198,7 @@ impl<'t, 'a> Stage<'t, 'a> {
     fn derivatives(&self, k: usize) -> Vec<(Joints, [f64; ROWS])> {
         let row = &self.rows[k];
         let derivative = |&axis: &usize| {
-            let d = match self.task.machine.axes[axis].kind {
+            let d = match self.task.axes[axis].kind {
                 AxisKind::Linear => 100.0 * DIFFERENCE,
                 AxisKind::Rotary => DIFFERENCE,
             };

@@ -1,13 +1,22 @@
 use super::cost::{Aim, Cost, Place};
+use super::free_axes::FreeRoll;
 use crate::effort::Effort;
-use seamwright_machine::{AxisKind, AxisSet, Joints, Machine};
+use seamwright_machine::{
+    Axis, AxisKind, AxisSet, Branches, Joints, Machine, RollReference, Solution, Target, Unreachable,
+};
 use seamwright_program::TorchPath;
 use std::f64::consts::TAU;
+
+/// Number of samples of the torch directions for the reference of the rotation about the torch.
+const ROLL_SAMPLES: u32 = 200;
 
 pub(super) struct Task<'a> {
     pub(super) effort: &'a Effort<'a>,
     pub(super) machine: &'a Machine,
     pub(super) path: &'a dyn TorchPath,
+    /// The machine's axes, then the rotation about the torch as one more if it is free.
+    pub(super) axes: Vec<Axis>,
+    pub(super) roll: Option<FreeRoll>,
     pub(super) free: Vec<usize>,
     /// Home, with the held axes at their positions.
     pub(super) base: Joints,
@@ -29,28 +38,85 @@ impl<'a> Task<'a> {
         let mut base = machine.home();
         held.iter().for_each(|&(axis, value)| base[axis] = value);
         let still: AxisSet = held.iter().map(|(axis, _)| *axis).collect();
-        let looked_for = machine.free().different(still);
+        let mut looked_for = machine.free().different(still);
         let cost = Cost::new(machine, aim, still, &base);
-        let winding = (0..machine.axes.len()).filter(|&axis| {
+        let mut axes = machine.axes.clone();
+        let roll = machine.has_free_roll().then(|| {
+            let poses: Vec<_> =
+                (0..=ROLL_SAMPLES).map(|i| path.pose(path.length() * f64::from(i) / f64::from(ROLL_SAMPLES))).collect();
+            FreeRoll { entry: axes.len(), reference: RollReference::new(&poses) }
+        });
+        if let Some(roll) = roll {
+            looked_for = looked_for.with(roll.entry);
+            axes.push(roll_axis());
+        }
+        let winding = (0..axes.len()).filter(|&axis| {
             // A free axis is sampled over one turn: the path may need another one.
             let turns = if looked_for.has(axis) { 2.0 } else { 1.0 };
-            let a = &machine.axes[axis];
+            let a = &axes[axis];
             let wide = a.range.is_none_or(|(low, high)| high - low >= turns * TAU * (1.0 - 1e-9));
             // A table of pitch errors is not periodic.
             a.kind == AxisKind::Rotary && wide && (a.range.is_none() || a.pitch_error.is_none())
         });
         let winding = winding.collect();
-        Self { effort, machine, path, free: looked_for.iter().collect(), base, winding, explains: aim.explains, cost }
+        let free = looked_for.iter().collect();
+        Self { effort, machine, path, axes, roll, free, base, winding, explains: aim.explains, cost }
+    }
+
+    fn target(&self, target: Target, q: &Joints) -> Target {
+        let across = self.roll.map(|roll| roll.across(target.first.direction, q));
+        Target { across, ..target }
+    }
+
+    /// As [`Machine::inverse`], with the rotation about the torch of `q`.
+    pub(super) fn inverse(&self, target: Target, q: &Joints) -> Result<Branches, Unreachable> {
+        self.inverse_from(target, q, None)
+    }
+
+    /// As [`Machine::inverse_from`] with `start`, if there is one.
+    pub(super) fn inverse_from(
+        &self,
+        target: Target,
+        q: &Joints,
+        start: Option<&Joints>,
+    ) -> Result<Branches, Unreachable> {
+        let target = self.target(target, q);
+        let mut branches = match start {
+            Some(start) => self.machine.inverse_from(target, q, &[*start])?,
+            None => self.machine.inverse(target, q)?,
+        };
+        branches.iter_mut().for_each(|solution| self.keep_roll(solution, q));
+        Ok(branches)
+    }
+
+    /// As [`Machine::inverse_next`], with the rotation about the torch of `q`.
+    pub(super) fn inverse_next(&self, target: Target, q: &Joints) -> Result<Solution, Unreachable> {
+        let mut solution = self.machine.inverse_next(self.target(target, q), q)?;
+        self.keep_roll(&mut solution, q);
+        Ok(solution)
+    }
+
+    fn keep_roll(&self, solution: &mut Solution, q: &Joints) {
+        if let Some(roll) = self.roll {
+            solution.joints[roll.entry] = q[roll.entry];
+        }
+    }
+
+    /// `q` without the rotation about the torch.
+    pub(super) fn of_machine(&self, q: &Joints) -> Joints {
+        let mut q = *q;
+        self.roll.iter().for_each(|roll| q[roll.entry] = 0.0);
+        q
     }
 
     pub(super) fn endless(&self) -> AxisSet {
-        let rotary = |axis: &usize| self.machine.axes[*axis].kind == AxisKind::Rotary;
-        (0..self.machine.axes.len()).filter(rotary).filter(|&axis| self.machine.axes[axis].range.is_none()).collect()
+        let is_endless = |axis: &Axis| axis.kind == AxisKind::Rotary && axis.range.is_none();
+        (0..self.axes.len()).filter(|&axis| is_endless(&self.axes[axis])).collect()
     }
 
     /// Approximate number of nodes per node if turns of all axes with ranges were distinguished.
     pub(super) fn telling_turns(&self) -> f64 {
-        let ranges = self.winding.iter().filter_map(|axis| self.machine.axes[axis].range);
+        let ranges = self.winding.iter().filter_map(|axis| self.axes[axis].range);
         ranges.map(|(low, high)| ((high - low) / TAU).ceil()).product()
     }
 
@@ -84,5 +150,22 @@ impl<'a> Task<'a> {
             let turns = axis.turns_within(low..=high, home).unwrap_or(home);
             way.iter_mut().for_each(|q| q[i] += TAU * turns);
         }
+    }
+}
+
+/// The rotation about the torch as an axis without limits: only the axes that follow it have some.
+fn roll_axis() -> Axis {
+    Axis {
+        name: String::new(),
+        letter: None,
+        kind: AxisKind::Rotary,
+        range: None,
+        home: 0.0,
+        max_speed: f64::INFINITY,
+        max_acceleration: f64::INFINITY,
+        max_jerk: f64::INFINITY,
+        pitch_error: None,
+        drive: None,
+        stepper: None,
     }
 }

@@ -61,7 +61,7 @@ impl<'a> Standing<'a> {
         if let Some(joints) = path.axes(s) {
             return Some(joints);
         }
-        let target = |s: f64| Target { first: path.pose(s), second: path.second(s) };
+        let target = |s: f64| Target::new(path.pose(s), path.second(s));
         let mut near_q = self.machine().home();
         for step in 0..STEPS {
             if let Ok(found) = self.machine().inverse_near(target(s * f64::from(step) / f64::from(STEPS)), &near_q) {
