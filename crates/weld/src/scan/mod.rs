@@ -252,8 +252,10 @@ fn scan(fixed: &Fixed, fit: &Fit, points: &[DVec2]) -> Option<GrooveScan> {
 
 /// True if the groove looks the same from both sides, so that a mirrored profile cannot be recognised.
 pub fn is_symmetrical(preparation: &Preparation) -> bool {
-    matches!(preparation, Preparation::SingleV(_) | Preparation::U(_))
-        || matches!(preparation, Preparation::Fillet(p) if p.first_leg_mm.is_none())
+    matches!(
+        preparation,
+        Preparation::SingleV(_) | Preparation::U(_) | Preparation::DoubleV(_) | Preparation::DoubleU(_)
+    ) || matches!(preparation, Preparation::Fillet(p) if p.first_leg_mm.is_none())
 }
 
 /// The groove of a scan, as it is drawn.

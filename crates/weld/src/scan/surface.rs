@@ -35,11 +35,13 @@ const PIECES: usize = 8;
 /// The sizes of a preparation that a profile shows; `None` if it does not show enough of them.
 pub(super) fn free_sizes(preparation: &Preparation) -> Option<&'static [usize]> {
     match preparation {
-        Preparation::SingleV(_) | Preparation::U(_) => Some(&[DIHEDRAL, GAP, MISMATCH, ANGLE]),
-        Preparation::TBevel(_) | Preparation::TJ(_) => Some(&[DIHEDRAL, GAP, ANGLE]),
+        Preparation::SingleV(_) | Preparation::DoubleV(_) => Some(&[DIHEDRAL, GAP, MISMATCH, ANGLE]),
+        Preparation::U(_) | Preparation::DoubleU(_) => Some(&[DIHEDRAL, GAP, MISMATCH, ANGLE]),
+        Preparation::TBevel(_) | Preparation::TDoubleBevel(_) | Preparation::TJ(_) => Some(&[DIHEDRAL, GAP, ANGLE]),
         Preparation::Fillet(_) => Some(&[DIHEDRAL]),
         // An upright wall is seen edge-on.
-        Preparation::Square(_) | Preparation::Bevel(_) | Preparation::J(_) => None,
+        Preparation::Square(_) | Preparation::Bevel(_) | Preparation::DoubleBevel(_) | Preparation::J(_) => None,
+        Preparation::Corner(_) | Preparation::Lap(_) => None,
         Preparation::FlareBevel(_) | Preparation::FlareV(_) => None,
     }
 }
