@@ -2,7 +2,7 @@
 //! of all branches of a six-axis arm (aims: 1 us with a spherical wrist, 2 us with three parallel axes).
 
 use crate::measure::time;
-use seamwright_machine::{Machine, SHIPPED, Target, shipped};
+use seamwright_machine::{Joints, Machine, SHIPPED, Target, shipped};
 use std::hint::black_box;
 
 pub(crate) fn inverse() {
@@ -29,7 +29,7 @@ pub(crate) fn inverse() {
 pub(crate) fn arms() {
     for name in ["irb-2600", "ur10e"] {
         let machine = Machine::read(name, shipped(name).unwrap().text).unwrap();
-        let framed = |q| Target { across: Some(machine.across(q)), ..Target::from(machine.forward(q)) };
+        let framed = |q: &Joints| Target { across: Some(machine.across(q)), ..Target::from(machine.forward(q)) };
         let of_eight = (1..).map(|k| machine.spread(k)).map(|q| (framed(&q), q));
         let of_eight = of_eight.filter(|(target, q)| machine.inverse(*target, q).is_ok_and(|found| found.len() == 8));
         let poses: Vec<_> = of_eight.take(997).collect();
