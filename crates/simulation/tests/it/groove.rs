@@ -2,7 +2,7 @@
 
 use seamwright_simulation::groove::Campaign;
 
-/// Seeds of the campaign; sensor, distortions and estimate were developed on those below 100.
+/// Seeds of the parts; sensor, distortions and estimate were developed on those below 100.
 const SEEDS: std::ops::Range<u64> = 1000..1020;
 
 /// Cap errors of 95 % of the stations are below `most`, mm, where those of the drawing's plan are above 1.5 mm.

@@ -211,7 +211,7 @@ impl<'a> GrooveScanner<'a> {
     }
 }
 
-/// The scan of a fit, or the reason why it is none of this groove.
+/// The scan of a fit, or the reason why the fit is not this groove.
 fn judged(fixed: &Fixed, fit: &Fit, points: &[DVec2]) -> Result<GrooveScan, NoScan> {
     let none = NoScan::NoGroove { share: fit.share, scatter: fit.scatter };
     if fit.share < MIN_SHARE || fit.scatter > MAX_SCATTER_MM {
