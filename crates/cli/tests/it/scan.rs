@@ -7,7 +7,7 @@ use seamwright_weld::Welding;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// A part of the campaign's kind.
+/// Seed of job and part.
 const SEED: u64 = 42;
 /// Distance of the profiles, mm.
 const STEP_MM: f64 = 25.0;
