@@ -365,6 +365,18 @@ cli-stripe-no-such-sensor = { $machine } hat diesen Sensor nicht
 cli-stripe-sees-none = dieser Sensor sieht keine Linie
 cli-stripe-kind = ein Sensor mit kind = "stripe"
 cli-stripe-hint = Tipp: auf dem Kopf ist die Fuge da: das Bild um 180 Grad drehen oder spiegeln, sodass oben von den Blechen weg zeigt
+cli-scan-at = bei s = { $s }: { $why }
+cli-scan-no-profile = kein Profil
+cli-scan-kind = Profile zeigen die Maße dieser Fuge nicht
+cli-scan-needs-scale = ein Bild braucht eine Abbildung von Pixeln auf mm
+cli-scan-scales = --machine und --sensor, oder --mm-per-px
+cli-scan-mirrored = die Profile zeigen die Fuge seitenverkehrt
+cli-scan-with-mirrored = mit --mirrored
+cli-scan-without-mirrored = ohne --mirrored
+cli-scan-same-position = eine andere Zeile hat diese Position
+cli-scan-one-profile = ein Profil je Position
+cli-scan-beside-seam = die Position liegt { $distance } neben der Naht
+cli-scan-not-measured = kein Profil zeigt die Fuge von s = { $from } bis { $to }: mehr als { $bridge }
 cli-stripe-no-joint = keine Fuge: { $why }
 cli-stripe-unsure = die Konfidenz { $confidence } liegt unter { $min }, daher ist der Fuge nicht zu folgen
 cli-stripe-unsure-because = die Konfidenz { $confidence } liegt unter { $min }, daher ist der Fuge nicht zu folgen: { $why }

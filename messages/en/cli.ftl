@@ -531,6 +531,24 @@ cli-stripe-kind = a sensor of kind = "stripe"
 cli-stripe-hint = hint: upside down the joint is there: turn the image by 180 degrees or mirror it, so that up is away from the plates
     .cause = The image or profile is mirrored or upside down: plates must be below, with up away from them.
     .cure = Turn the image or change the sign of the column `z_mm`.
+cli-scan-at = at s = { $s }: { $why }
+cli-scan-no-profile = no profile
+cli-scan-kind = profiles do not show the sizes of this groove
+    .cause = Upright walls and touching round parts are seen edge-on: no profile shows where they are.
+    .cure = Measure these joints by hand, or single profiles with `seamwright vision stripe`.
+cli-scan-needs-scale = an image needs a map from pixels to mm
+cli-scan-scales = --machine and --sensor, or --mm-per-px
+cli-scan-mirrored = the profiles show the joint the other way round
+    .cause = Most profiles fit the mirrored joint much better.
+    .cure = y must run from the second part to the first; with `--mirrored` it runs the other way.
+cli-scan-with-mirrored = with --mirrored
+cli-scan-without-mirrored = without --mirrored
+cli-scan-same-position = another row has this position
+cli-scan-one-profile = one profile a position
+cli-scan-beside-seam = the position is { $distance } beside the seam
+cli-scan-not-measured = no profile shows the joint from s = { $from } to { $to }: more than { $bridge }
+    .cause = The groove may change between two measured profiles. Over more than `--bridge-mm` it is not taken as linear.
+    .cure = Measure there again, or raise `--bridge-mm` if the groove is even there.
 cli-stripe-no-joint = no joint: { $why }
     .cause = The stripe is missing or interrupted, or has no shape of the kind in `--joint`.
     .cure = Look at the image; check `--joint`, the exposure and reflections.

@@ -185,7 +185,7 @@ program-remaining-before-weld = before the weld the whole groove is open
 program-allowed-after-layer = after_layer of 1 or more
 program-remaining-missing = the area that was still open is missing
     .cause = A `[[joint.fit_up]]` table with `after_layer` has no `remaining_mm2`.
-    .cure = Measure it, or delete the table.
+    .cure = Measure it (`seamwright vision scan`), or delete the table.
 program-allowed-remaining = with remaining_mm2
 
 # Process values.

@@ -383,6 +383,18 @@ cli-stripe-no-such-sensor = у { $machine } нет такого датчика
 cli-stripe-sees-none = этот датчик не видит полосы
 cli-stripe-kind = датчик с kind = "stripe"
 cli-stripe-hint = подсказка: вверх ногами стык есть: поверните изображение на 180 градусов или отразите, чтобы верх был от листов
+cli-scan-at = при s = { $s }: { $why }
+cli-scan-no-profile = нет профиля
+cli-scan-kind = профили не показывают размеров этой разделки
+cli-scan-needs-scale = изображению нужно преобразование пикселей в мм
+cli-scan-scales = --machine и --sensor, или --mm-per-px
+cli-scan-mirrored = профили показывают соединение зеркально
+cli-scan-with-mirrored = с --mirrored
+cli-scan-without-mirrored = без --mirrored
+cli-scan-same-position = другая строка имеет это положение
+cli-scan-one-profile = один профиль на положение
+cli-scan-beside-seam = положение в { $distance } от шва
+cli-scan-not-measured = ни один профиль не показывает соединение от s = { $from } до { $to }: больше { $bridge }
 cli-stripe-no-joint = стыка нет: { $why }
 cli-stripe-unsure = уверенность { $confidence } ниже { $min }, поэтому по стыку следовать нельзя
 cli-stripe-unsure-because = уверенность { $confidence } ниже { $min }, поэтому по стыку следовать нельзя: { $why }

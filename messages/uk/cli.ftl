@@ -383,6 +383,18 @@ cli-stripe-no-such-sensor = { $machine } не має такого давача
 cli-stripe-sees-none = цей давач не бачить смуги
 cli-stripe-kind = давач із kind = "stripe"
 cli-stripe-hint = підказка: догори дном стик є: поверніть зображення на 180 градусів або віддзеркальте, щоб верх був від листів
+cli-scan-at = при s = { $s }: { $why }
+cli-scan-no-profile = немає профілю
+cli-scan-kind = профілі не показують розмірів цієї розробки
+cli-scan-needs-scale = зображенню потрібне перетворення пікселів у мм
+cli-scan-scales = --machine і --sensor, або --mm-per-px
+cli-scan-mirrored = профілі показують з’єднання дзеркально
+cli-scan-with-mirrored = з --mirrored
+cli-scan-without-mirrored = без --mirrored
+cli-scan-same-position = інший рядок має це положення
+cli-scan-one-profile = один профіль на положення
+cli-scan-beside-seam = положення за { $distance } від шва
+cli-scan-not-measured = жоден профіль не показує з’єднання від s = { $from } до { $to }: більше { $bridge }
 cli-stripe-no-joint = стику немає: { $why }
 cli-stripe-unsure = довіра { $confidence } нижча за { $min }, тож за стиком не слід іти
 cli-stripe-unsure-because = довіра { $confidence } нижча за { $min }, тож за стиком не слід іти: { $why }

@@ -311,6 +311,18 @@ cli-stripe-no-such-sensor = { $machine } 没有该传感器
 cli-stripe-sees-none = 该传感器看不到激光条纹
 cli-stripe-kind = kind = "stripe" 的传感器
 cli-stripe-hint = 提示：上下颠倒后有接缝：把图像转 180 度或镜像，使上方背离板材
+cli-scan-at = 在 s = { $s }：{ $why }
+cli-scan-no-profile = 没有轮廓
+cli-scan-kind = 轮廓不显示这种坡口的尺寸
+cli-scan-needs-scale = 图像需要从像素到 mm 的映射
+cli-scan-scales = --machine 和 --sensor，或 --mm-per-px
+cli-scan-mirrored = 轮廓中的接头左右相反
+cli-scan-with-mirrored = 加上 --mirrored
+cli-scan-without-mirrored = 去掉 --mirrored
+cli-scan-same-position = 另一行已有此位置
+cli-scan-one-profile = 每个位置一个轮廓
+cli-scan-beside-seam = 该位置距焊缝 { $distance }
+cli-scan-not-measured = 从 s = { $from } 到 { $to } 没有轮廓显示接头：超过 { $bridge }
 cli-stripe-no-joint = 没有接缝：{ $why }
 cli-stripe-unsure = 置信度 { $confidence } 低于 { $min }，不可跟踪
 cli-stripe-unsure-because = 置信度 { $confidence } 低于 { $min }，不可跟踪：{ $why }

@@ -17,6 +17,7 @@ pub(crate) mod read;
 pub(crate) mod records;
 pub(crate) mod reduce;
 pub(crate) mod run;
+pub(crate) mod scan;
 pub(crate) mod serve;
 pub(crate) mod shell;
 mod simulate;
@@ -163,6 +164,8 @@ pub(crate) enum VisionVerb {
     Joint(find_joint::FindJointArgs),
     /// The joint in an image or a profile of a laser stripe: joint point, gap, mismatch, area, angles
     Stripe(stripe::StripeArgs),
+    /// The groove in a series of profiles along the seam: gap, mismatch, angle, open area, with their uncertainties
+    Scan(scan::ScanArgs),
 }
 
 #[derive(Debug, Args)]

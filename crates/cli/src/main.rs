@@ -89,6 +89,7 @@ fn dispatch(verb: Verb) -> Result<(), Failure> {
         Verb::Vision(a) => match a.verb {
             VisionVerb::Joint(a) => verbs::find_joint::run(&a),
             VisionVerb::Stripe(a) => verbs::stripe::run(&a),
+            VisionVerb::Scan(a) => verbs::scan::run(&a),
         },
         Verb::Tools(a) => match a.verb {
             ToolsVerb::Seam(a) => verbs::seam::run(&a),

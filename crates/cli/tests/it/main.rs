@@ -36,6 +36,7 @@ mod records;
 mod reduce;
 mod run_cell;
 mod run_modbus;
+mod scan;
 mod seams;
 mod section;
 mod serve;

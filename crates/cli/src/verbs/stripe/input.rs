@@ -13,14 +13,14 @@ use std::path::Path;
 /// Maximum number of points of a profile.
 const MAX_POINTS: usize = 1_000_000;
 
-pub(super) enum Input {
+pub(crate) enum Input {
     Image(Image),
     /// y and z, mm; not a number where it is missing.
     Profile(Vec<DVec2>),
 }
 
 /// Reads the file; `source` names it in messages.
-pub(super) fn read(path: &Path, source: &str) -> Result<Input, Failure> {
+pub(crate) fn read(path: &Path, source: &str) -> Result<Input, Failure> {
     let bytes = files::read_bytes(path, source)?;
     if is_image(&bytes) {
         return decode(&bytes).map(Input::Image).map_err(|e| Failure::input(in_file(source, &e)));

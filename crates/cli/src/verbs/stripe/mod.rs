@@ -8,7 +8,7 @@ use crate::args::stripe::{JointArg, StripeArgs};
 use crate::refusals::{in_file, refused};
 use crate::rows::{Cell, Rows, print_json};
 use glam::DVec2;
-use input::Input;
+pub(super) use input::{Input, read};
 use seamwright_geometry::Homography;
 use seamwright_machine::Sight;
 use seamwright_message::{Language, Message, Unit};
@@ -20,17 +20,62 @@ use serde_json::{Map, Value, json};
 use std::io::{self, Write as _};
 
 /// Unit of positions, mm or pixels, and the map from pixels to mm.
-struct Scale {
+pub(super) struct Scale {
     to_mm: Option<Homography>,
     /// The sensor's columns and rows, if it is known.
     size_px: Option<[usize; 2]>,
+    /// One scale for images with square pixels.
+    mm_per_px: Option<f64>,
+}
+
+impl Scale {
+    /// The map of the sensor that the command line names, or its scale.
+    pub(super) fn new(machine: Option<&str>, sensor: Option<&str>, mm_per_px: Option<f64>) -> Result<Self, Failure> {
+        if let Some(scale) = mm_per_px {
+            positive("--mm-per-px", scale)?;
+        }
+        let (Some(machine), Some(name)) = (machine, sensor) else {
+            return Ok(Self { to_mm: None, size_px: None, mm_per_px });
+        };
+        let loaded = load::machine(machine)?;
+        let Some(sensor) = loaded.sensor(name) else {
+            let names: Vec<&str> = loaded.sensors.iter().map(|s| s.name.as_str()).collect();
+            let allowed = if names.is_empty() {
+                Message::new("cli-stripe-no-sensors")
+            } else {
+                Message::verbatim(names.join(", "))
+            };
+            let fault = Message::new("cli-stripe-no-such-sensor").text("machine", machine);
+            return Err(refused("--sensor", name, fault, allowed));
+        };
+        let Sight::Stripe(stripe) = &sensor.sight else {
+            let allowed = Message::new("cli-stripe-kind");
+            return Err(refused("--sensor", name, Message::new("cli-stripe-sees-none"), allowed));
+        };
+        Ok(Self { to_mm: Some(stripe.to_mm), size_px: Some(sensor.size_px), mm_per_px })
+    }
+
+    /// Refuses an image that is not of the sensor's size.
+    pub(super) fn check_size(&self, source: &str, found: [usize; 2]) -> Result<(), Failure> {
+        let Some(size_px) = self.size_px.filter(|size| *size != found) else { return Ok(()) };
+        let size = |code, [width, height]: [usize; 2]| {
+            Message::new(code).text("width", width.to_string()).text("height", height.to_string())
+        };
+        let found = in_file(source, size("cli-image-size", found));
+        Err(Failure::refused(found, size("cli-stripe-sensor-size", size_px)))
+    }
+
+    /// The map of an image from pixels to mm, if there is one.
+    pub(super) fn of_image(&self, image: &Image) -> Option<Homography> {
+        self.to_mm.or_else(|| even(self.mm_per_px?, image))
+    }
 }
 
 pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
-    let scale = sensor(args)?;
+    let scale = Scale::new(args.machine.as_deref(), args.sensor.as_deref(), args.mm_per_px)?;
     let source = args.input.display().to_string();
     let mut reader = StripeReader::new();
-    match input::read(&args.input, &source)? {
+    match read(&args.input, &source)? {
         Input::Profile(points) => {
             if args.machine.is_some() || args.mm_per_px.is_some() || args.overlay.is_some() {
                 let message = in_file(&source, Message::new("cli-stripe-profile-in-mm"));
@@ -44,14 +89,8 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
         }
         Input::Image(image) => {
             let frame = image.frame().map_err(|e| Failure::input(in_file(&source, &e)))?;
-            if let Some([width, height]) = scale.size_px.filter(|s| *s != [frame.width(), frame.height()]) {
-                let size = |code, [width, height]: [usize; 2]| {
-                    Message::new(code).text("width", width.to_string()).text("height", height.to_string())
-                };
-                let found = in_file(&source, size("cli-image-size", [frame.width(), frame.height()]));
-                return Err(Failure::refused(found, size("cli-stripe-sensor-size", [width, height])));
-            }
-            let to_mm = scale.to_mm.or_else(|| even(args.mm_per_px?, &image));
+            scale.check_size(&source, [frame.width(), frame.height()])?;
+            let to_mm = scale.of_image(&image);
             let task = task(args, to_mm.is_some())?;
             let found = reader.read_image(&frame, to_mm.as_ref(), &task);
             if let Some(path) = &args.overlay {
@@ -63,29 +102,6 @@ pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
             write(args, &found, Some(to_mm.as_ref()), &source, &hint)
         }
     }
-}
-
-/// The map of the sensor that the command line names.
-fn sensor(args: &StripeArgs) -> Result<Scale, Failure> {
-    if let Some(scale) = args.mm_per_px {
-        positive("--mm-per-px", scale)?;
-    }
-    let (Some(machine), Some(name)) = (&args.machine, &args.sensor) else {
-        return Ok(Scale { to_mm: None, size_px: None });
-    };
-    let loaded = load::machine(machine)?;
-    let Some(sensor) = loaded.sensor(name) else {
-        let names: Vec<&str> = loaded.sensors.iter().map(|s| s.name.as_str()).collect();
-        let allowed =
-            if names.is_empty() { Message::new("cli-stripe-no-sensors") } else { Message::verbatim(names.join(", ")) };
-        let fault = Message::new("cli-stripe-no-such-sensor").text("machine", machine);
-        return Err(refused("--sensor", name, fault, allowed));
-    };
-    let Sight::Stripe(stripe) = &sensor.sight else {
-        let allowed = Message::new("cli-stripe-kind");
-        return Err(refused("--sensor", name, Message::new("cli-stripe-sees-none"), allowed));
-    };
-    Ok(Scale { to_mm: Some(stripe.to_mm), size_px: Some(sensor.size_px) })
 }
 
 /// Pixels of one size, the origin in the middle.
