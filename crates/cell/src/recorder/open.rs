@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 
 /// Period of attempts to open the journal, which the panel may hold for a moment.
 pub(super) const JOURNAL_AGAIN: Duration = Duration::from_millis(200);
-/// A journal that cannot be opened for this long is reported.
+/// Time after which a journal that does not open is reported.
 const JOURNAL_BUSY: Duration = Duration::from_secs(5);
 
 /// Files of a weld that are being written.

@@ -1,10 +1,8 @@
 //! `machine check`: shipped machines pass, all files are written, bad files and numbers are refused.
 
 use crate::common::{good, json_file, root, run, write};
+use seamwright_machine::SHIPPED;
 use std::fs;
-
-const SHIPPED: [&str; 6] =
-    ["saddle-4axis", "torch-5axis", "ebw-7axis", "dual-laser-10axis", "ellipse-xy", "table-tilting-xyzac"];
 
 fn text(bytes: Vec<u8>) -> String {
     String::from_utf8(bytes).unwrap()
@@ -13,7 +11,7 @@ fn text(bytes: Vec<u8>) -> String {
 #[test]
 fn shipped_machines_pass_and_are_drawn() {
     let folder = tempfile::tempdir().unwrap();
-    for name in SHIPPED {
+    for name in SHIPPED.iter().map(|shipped| shipped.name) {
         let out = folder.path().join(name);
         let shown = out.display().to_string();
         let summary = good(&["machine", "check", name, "--poses", "500", "-o", &shown]);

@@ -52,7 +52,7 @@ impl Campaign {
     /// Welds the parts of these seeds.
     ///
     /// # Errors
-    /// A job or a measured groove that cannot be planned.
+    /// A job or a measured groove without a plan.
     pub fn run(seeds: Range<u64>) -> Result<Self, DocumentError> {
         let one = |seed: u64| {
             let (job, part) = (nozzle_job(seed), DistortedPart::new(seed));

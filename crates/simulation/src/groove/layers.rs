@@ -58,7 +58,7 @@ struct Weld<'a> {
 /// Welds the job on a part layer by layer, with a simulated sensor.
 ///
 /// # Errors
-/// A job or a measured groove that cannot be planned.
+/// A job or a measured groove without a plan.
 pub fn weld_layers(
     job: &str,
     part: &DistortedPart,
