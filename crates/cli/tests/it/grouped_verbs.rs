@@ -26,7 +26,7 @@ fn the_verbs_are_grouped() {
     let machine = verbs(&good(&["machine", "--help"]));
     let expected = ["list", "show", "place", "check", "tune", "kinematics", "move", "io", "latency", "help"];
     assert_eq!(machine, expected);
-    assert_eq!(verbs(&good(&["vision", "--help"])), ["joint", "stripe", "help"]);
+    assert_eq!(verbs(&good(&["vision", "--help"])), ["joint", "stripe", "scan", "help"]);
 }
 
 #[test]

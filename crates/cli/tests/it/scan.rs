@@ -140,11 +140,11 @@ fn bad_series_are_refused_with_file_row_and_allowed_values() {
         has_all(&bad(2, &arguments), words);
     };
     scan("s_mm,name\n0,0.csv\n", &[], &["bad.csv", "file", "s_mm,file"]);
-    scan("s_mm,file\n0,0.csv\nx,1.csv\n", &[], &["bad.csv", "line 3", "s_mm"]);
-    scan("s_mm,file\n0,0.csv\n90000,1.csv\n", &[], &["bad.csv", "line 3", "s_mm", "90000"]);
-    scan("s_mm,file\n0,0.csv\n0,1.csv\n", &[], &["bad.csv", "line 3", "another row"]);
+    scan("s_mm,file\n0,0.csv\nx,1.csv\n", &[], &["bad.csv:3", "s_mm"]);
+    scan("s_mm,file\n0,0.csv\n90000,1.csv\n", &[], &["bad.csv:3", "s_mm", "90000"]);
+    scan("s_mm,file\n0,0.csv\n0,1.csv\n", &[], &["bad.csv:3", "another row"]);
     scan("s_mm,file\n0,none.csv\n", &[], &["none.csv"]);
-    scan("x_mm,y_mm,z_mm,file\n0,0,9000,0.csv\n", &[], &["bad.csv", "line 2", "beside the seam"]);
+    scan("x_mm,y_mm,z_mm,file\n0,0,9000,0.csv\n", &[], &["bad.csv:2", "beside the seam"]);
     scan("s_mm,file\n0,0.csv\n", &["--turn-deg", "80"], &["--turn-deg", "60"]);
     scan("s_mm,file\n0,0.csv\n", &["--bridge-mm", "0"], &["--bridge-mm"]);
     // Too long a part of the seam without a profile.

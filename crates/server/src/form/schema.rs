@@ -239,6 +239,6 @@ mod tests {
             assert_eq!(start.as_object().into_iter().flat_map(Map::keys).find(unknown), None, "{path}");
         }
         // Every kind of joint has one.
-        assert_eq!(job.kinds(&seamwright_document::steps("joint.preparation.u").unwrap()).len(), 10);
+        assert_eq!(job.kinds(&seamwright_document::steps("joint.preparation.u").unwrap()).len(), 16);
     }
 }

@@ -105,7 +105,7 @@ fn another_kind_of_joint_keeps_the_sizes_that_both_have() {
     let text = example("thick-saddle");
     let path = "joint.preparation.t_bevel";
     let before = ask(text, json!([]));
-    assert_eq!(table(&before, path).kinds.len(), 10);
+    assert_eq!(table(&before, path).kinds.len(), 16);
     let made = ask(text, json!([{ "op": "choose", "path": path, "kind": "bevel" }]));
     assert_eq!(made.wrong, None, "{}", made.text);
     let keys: Vec<&str> =

@@ -128,7 +128,9 @@ mod tests {
             let sampled =
                 (0..REPORTS + machine.axes.len()).all(|i| pins.contains(&format!("sampler.0.pin.{i}").as_str()));
             assert!(streamed && sampled, "{hal}");
-            assert!(hal.contains("name1=cell-base period1=50000 fp1=0 name2=cell period2=1000000"), "{hal}");
+            let period = (1e9 * machine.servo_period_s).round();
+            let threads = format!("name1=cell-base period1=50000 fp1=0 name2=cell period2={period}");
+            assert!(hal.contains(&threads), "{hal}");
         }
     }
 }

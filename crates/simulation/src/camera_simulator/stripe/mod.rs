@@ -23,8 +23,8 @@ pub struct StripeScene {
     pub section: Section,
     /// Pose of the section.
     pub placement: Placement,
-    /// The surfaces that the laser meets, as lines of points in the sensor's frame, mm.
-    pub surfaces: Vec<Vec<DVec2>>,
+    /// Other surfaces that the laser meets than those of the section, as lines of points in the sensor's frame, mm.
+    pub surfaces: Option<Vec<Vec<DVec2>>>,
     /// Columns and rows of the image.
     pub size_px: [usize; 2],
     /// Map from (column, row) to (y, z), mm.
@@ -50,14 +50,13 @@ impl StripeScene {
     pub fn new(section: Section, placement: Placement, size_px: [usize; 2], mm_per_px: f64) -> Self {
         let [x, y] = size_px.map(|n| mm_per_px * (n as f64 - 1.0) / 2.0);
         let to_mm = Homography::from_eight([mm_per_px, 0.0, -x, 0.0, -mm_per_px, y, 0.0, 0.0]);
-        let surfaces = section.surfaces(&placement);
         let to_mm = to_mm.unwrap_or(Homography::IDENTITY);
-        Self { section, placement, surfaces, size_px, to_mm, laser_height: 150.0 }
+        Self { section, placement, surfaces: None, size_px, to_mm, laser_height: 150.0 }
     }
 
     /// Creates a scene of any surfaces in the sensor's frame; the truth of its images has no joint.
     pub fn of_surfaces(surfaces: Vec<Vec<DVec2>>, size_px: [usize; 2], mm_per_px: f64) -> Self {
-        Self { surfaces, ..Self::new(Section::Plate, Placement::default(), size_px, mm_per_px) }
+        Self { surfaces: Some(surfaces), ..Self::new(Section::Plate, Placement::default(), size_px, mm_per_px) }
     }
 
     /// Returns the image under `disturbances`.
@@ -93,7 +92,8 @@ impl StripeScene {
     /// Returns the same at `parts` positions of every column, from left to right.
     fn lit_at(&self, parts: usize) -> Vec<Option<f64>> {
         let to_px = self.to_mm.inverse();
-        let edges: Vec<[DVec2; 2]> = self.surfaces.iter().flat_map(|l| l.windows(2).map(|w| [w[0], w[1]])).collect();
+        let surfaces = self.surfaces.clone().unwrap_or_else(|| self.section.surfaces(&self.placement));
+        let edges: Vec<[DVec2; 2]> = surfaces.iter().flat_map(|l| l.windows(2).map(|w| [w[0], w[1]])).collect();
         let seen = |e: &[DVec2; 2]| Some([to_px.map(e[0])?, to_px.map(e[1])?]);
         let seen: Vec<[DVec2; 2]> = edges.iter().filter_map(seen).collect();
         let laser = DVec2::new(0.0, self.laser_height);
