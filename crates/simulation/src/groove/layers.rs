@@ -69,7 +69,7 @@ pub fn weld_layers(
     let mut weld = Weld {
         part,
         sensor,
-        random: Random::new(seed ^ 0x11a9_e35),
+        random: Random::new(seed ^ 0x011a_9e35),
         metal: vec![0.0; STATIONS],
         entries: String::new(),
         done: WeldedGroove {

@@ -22,7 +22,8 @@ pub(super) fn open(fixed: &Fixed, fit: &Fit, points: &[DVec2]) -> Option<Measure
         let x = across.dot(to_section(&fit.unknowns, **p));
         x > across.dot(second) && x < across.dot(first)
     };
-    let on_metal: Vec<DVec2> = smooth(points.iter().filter(between).copied().collect(), fit.scatter);
+    let inside: Vec<DVec2> = points.iter().filter(between).copied().collect();
+    let on_metal = smooth(&inside, fit.scatter);
     let area = |u: &Unknowns| polygon(fixed, u, &on_metal);
     let value = area(&fit.unknowns)?;
     // Each point moves the area by its height times the distance of its neighbours.
@@ -33,7 +34,7 @@ pub(super) fn open(fixed: &Fixed, fit: &Fit, points: &[DVec2]) -> Option<Measure
 }
 
 /// The points without those far from the median of their neighbours.
-fn smooth(points: Vec<DVec2>, scatter: f64) -> Vec<DVec2> {
+fn smooth(points: &[DVec2], scatter: f64) -> Vec<DVec2> {
     let within = OUTLIER * scatter + ROUGH_MM;
     let near = |i: usize| {
         let from = i.saturating_sub(BESIDE);
