@@ -2,7 +2,7 @@ use crate::curve::{Curve, Jet};
 use crate::edge::{Edge, EdgePoint};
 use crate::error::Error;
 use crate::quadric::{Quadric, Surface};
-use crate::signed_distance::{Foot, QuadricDistance, SignedDistance};
+use crate::signed_distance::{Ball, Foot, QuadricDistance, SignedDistance, way_out};
 use crate::tube::Tube;
 use crate::tube_intersection::check_margin;
 use glam::{DMat3, DVec3};
@@ -17,9 +17,6 @@ pub struct ParallelSurface {
     /// Radius of a ball about the centre that contains it.
     ball: f64,
 }
-
-/// Maximum number of Newton steps to find the exit of a line.
-const MAX_NEWTON_STEPS: usize = 100;
 
 impl ParallelSurface {
     /// The surface below the ellipsoid with the semi-axes `semi` (mm) along `x_direction`, `z_direction` x `x_direction`
@@ -58,23 +55,9 @@ impl ParallelSurface {
     }
 
     /// Height over `foot` at which the line along the unit vector `d` leaves the body; NaN if it does not meet it.
-    ///
-    /// The signed distance of a convex body is convex along a line, so Newton's method from outside goes to the last zero
-    /// without passing it.
     fn leaves(&self, foot: DVec3, d: DVec3) -> f64 {
-        let q = foot - self.ellipsoid.centre;
-        let b = q.dot(d);
-        let mut h = (b * b - q.length_squared() + (1.001 * self.ball).powi(2)).sqrt() - b;
-        for _ in 0..MAX_NEWTON_STEPS {
-            let Foot { distance, normal } = self.foot(foot + h * d);
-            let next = h - distance / normal.dot(d);
-            if next < h {
-                h = next;
-                continue;
-            }
-            return if distance < 1e-9 * self.ball { h } else { f64::NAN };
-        }
-        h
+        let ball = Ball { centre: self.ellipsoid.centre, radius: self.ball };
+        way_out(self, ball, foot, d).unwrap_or(f64::NAN)
     }
 }
 

@@ -19,6 +19,35 @@ pub trait SignedDistance {
     fn foot(&self, p: DVec3) -> Foot;
 }
 
+/// A ball that contains a body.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ball {
+    pub(crate) centre: DVec3,
+    /// Radius, mm.
+    pub(crate) radius: f64,
+}
+
+/// Height over `foot` at which the line along the unit vector `d` leaves a convex body within `ball`; `None` if it does
+/// not meet it.
+///
+/// The signed distance of a convex body is convex along a line, so Newton's method from outside goes to the last zero
+/// without passing it.
+pub(crate) fn way_out(body: &impl SignedDistance, ball: Ball, foot: DVec3, d: DVec3) -> Option<f64> {
+    let q = foot - ball.centre;
+    let (b, radius) = (q.dot(d), 1.001 * ball.radius);
+    let mut h = (b * b - q.length_squared() + radius * radius).sqrt() - b;
+    for _ in 0..MAX_NEWTON_STEPS {
+        let Foot { distance, normal } = body.foot(foot + h * d);
+        let next = h - distance / normal.dot(d);
+        if next < h {
+            h = next;
+            continue;
+        }
+        return (distance < 1e-9 * radius).then_some(h);
+    }
+    Some(h)
+}
+
 impl SignedDistance for Tube {
     fn foot(&self, p: DVec3) -> Foot {
         let d = p - self.origin;

@@ -1,7 +1,7 @@
 use crate::error::{Error, positive, unit};
 use crate::parallel_surface::ParallelSurface;
 use crate::quadric::Quadric;
-use crate::signed_distance::{Foot, QuadricDistance, SignedDistance};
+use crate::signed_distance::{Ball, Foot, QuadricDistance, SignedDistance, way_out};
 use crate::torus::Torus;
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
@@ -76,9 +76,6 @@ struct Border {
     /// Angle of the normal there to the axis, rad.
     normal: f64,
 }
-
-/// Maximum number of Newton steps to find the exit of a line.
-const MAX_NEWTON_STEPS: usize = 100;
 
 impl Head {
     /// A spherical crown of radius `crown` and a knuckle of radius `knuckle` on a flange; outside measures.
@@ -220,24 +217,10 @@ impl Head {
 
     /// Height over `foot` at which the line along the unit vector `d` leaves the head, if it meets it. If the exit lies
     /// on the flange's continuation beyond the head, returns its height there.
-    ///
-    /// The distance from a convex body is convex along a line, so Newton's method from outside goes to the last zero
-    /// without passing it.
     pub(crate) fn way_out(&self, foot: DVec3, d: DVec3) -> Option<f64> {
         let half = 0.5 * (self.top + self.flange);
-        let q = foot - (self.centre + (self.top - half) * self.axis);
-        let (b, ball) = (q.dot(d), 1.001 * self.radius.hypot(half));
-        let mut h = (b * b - q.length_squared() + ball * ball).sqrt() - b;
-        for _ in 0..MAX_NEWTON_STEPS {
-            let Foot { distance, normal } = self.foot(foot + h * d);
-            let next = h - distance / normal.dot(d);
-            if next < h {
-                h = next;
-                continue;
-            }
-            return (distance < 1e-9 * ball).then_some(h);
-        }
-        Some(h)
+        let ball = Ball { centre: self.centre + (self.top - half) * self.axis, radius: self.radius.hypot(half) };
+        way_out(self, ball, foot, d)
     }
 
     /// A meridian around the head's own as a chain of lines, at most `within` mm outside it: distances from the axis

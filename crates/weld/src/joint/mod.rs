@@ -151,6 +151,11 @@ impl SeamJoint {
         self.groove_in(0, p)
     }
 
+    /// The groove as last measured, or of the drawing, at a station of the seam.
+    fn last_measured(&self, p: &SeamPoint) -> Groove {
+        self.groove_in(self.states.len() - 1, p)
+    }
+
     fn groove_in(&self, state: usize, p: &SeamPoint) -> Groove {
         let (drawn, gap) = self.joint.groove(p.dihedral);
         let at = self.measured(state, p.s).unwrap_or(MeasuredRow::drawn(gap));

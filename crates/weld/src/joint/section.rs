@@ -265,24 +265,18 @@ impl Section {
 
 /// Profiles of both edges of a butt joint on the side that is welded, each with its share of the gap.
 fn butt_edges(joint: &Joint, place: Place) -> [(Profile, f64); 2] {
-    let bevel = |root_face: NonNegative, degrees: f64| Profile::Bevel {
-        root_face: root_face.get(),
-        angle: degrees.to_radians(),
-    };
+    let angle = joint.preparation.groove_angle(joint.side, place.dihedral).unwrap_or_default();
+    let bevel = |root_face: NonNegative, angle: f64| Profile::Bevel { root_face: root_face.get(), angle };
     let both = |side: Profile| [side, side];
     let one = |side: Profile, prepared: Member| match prepared {
         Member::First => [side, Profile::Square],
         Member::Second => [Profile::Square, side],
     };
     let sides = match &joint.preparation {
-        Preparation::SingleV(p) => both(bevel(p.root_face_mm, 0.5 * p.angle_deg.get())),
-        Preparation::DoubleV(p) => {
-            both(bevel(p.root_face_mm, 0.5 * on_side(joint.side, p.angle_deg, p.back_angle_deg)))
-        }
-        Preparation::Bevel(p) => one(bevel(p.root_face_mm, p.angle_deg.get()), p.prepared),
-        Preparation::DoubleBevel(p) => {
-            one(bevel(p.root_face_mm, on_side(joint.side, p.angle_deg, p.back_angle_deg)), p.prepared)
-        }
+        Preparation::SingleV(p) => both(bevel(p.root_face_mm, 0.5 * angle)),
+        Preparation::DoubleV(p) => both(bevel(p.root_face_mm, 0.5 * angle)),
+        Preparation::Bevel(p) => one(bevel(p.root_face_mm, angle), p.prepared),
+        Preparation::DoubleBevel(p) => one(bevel(p.root_face_mm, angle), p.prepared),
         Preparation::U(p) => both(p.into()),
         Preparation::DoubleU(p) => both(p.into()),
         Preparation::J(p) => one(p.into(), p.prepared),
@@ -292,14 +286,6 @@ fn butt_edges(joint: &Joint, place: Place) -> [(Profile, f64); 2] {
         _ => both(Profile::Square),
     };
     sides.map(|side| (of_back(joint, side), 0.5))
-}
-
-/// The angle (degrees) on the side that is welded.
-fn on_side(side: WeldedSide, face: Positive, back: Option<Positive>) -> f64 {
-    match side {
-        WeldedSide::Face => face.get(),
-        WeldedSide::Back => back.unwrap_or(face).get(),
-    }
 }
 
 /// The profile that an edge has on the side that is welded: on the back without its root face, and gouged.

@@ -4,10 +4,9 @@
 use super::SeamJoint;
 use super::section::Section;
 use crate::seam::SeamCurve;
-use glam::DVec2;
 use seamwright_document::Positive;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, JointStandard, Member, PathRange, Preparation, Seam};
+use seamwright_program::{Finding, JointStandard, PathRange, Preparation, Seam};
 
 /// Stations at which a joint is compared.
 const PLACES: u32 = 360;
@@ -128,10 +127,12 @@ impl SeamJoint {
         let mut found: Vec<(Outside, PathRange, f64)> = Vec::new();
         for i in 0..=PLACES {
             let s = curve.weld_length() * f64::from(i) / f64::from(PLACES);
-            let Some(section) = self.section(&curve.at(s)) else { continue };
+            let p = curve.at(s);
+            let Some(section) = self.section(&p) else { continue };
+            let angle = self.last_measured(&p).angle.map(f64::to_degrees);
             let sizes = match standard {
-                JointStandard::Iso9692 => self.iso_sizes(&section),
-                JointStandard::AwsD11 => self.aws_sizes(&section),
+                JointStandard::Iso9692 => self.iso_sizes(&section, angle),
+                JointStandard::AwsD11 => aws_sizes(&section, angle),
                 JointStandard::AsmeUw16 => self.cover_throat(&section, seam, body),
             };
             for outside in sizes.into_iter().filter(|size| size.distance() > 1e-9) {
@@ -153,31 +154,17 @@ impl SeamJoint {
         found.into_iter().map(finding).collect()
     }
 
-    fn iso_sizes(&self, section: &Section) -> Vec<Outside> {
+    fn iso_sizes(&self, section: &Section, angle: Option<f64>) -> Vec<Outside> {
         let preparation = &self.joint.preparation;
         let ranges = iso_9692(preparation, self.joint.backing.is_some());
         let of = |size, value: Option<f64>, range| value.map(|value| Outside { size, value, range, dihedral: None });
         let sizes = [
             of(Size::Thickness, preparation.thickness_mm().filter(|_| !is_fillet(preparation)), ranges.thickness),
-            of(Size::Angle, self.groove_angle(section), ranges.angle),
+            of(Size::Angle, angle, ranges.angle),
             of(Size::RootGap, Some(section.gap), ranges.gap),
             of(Size::RootFace, preparation.root_face_mm(), ranges.root_face),
         ];
         sizes.into_iter().flatten().collect()
-    }
-
-    /// Groove angle and root opening beside the detail that they fit best.
-    fn aws_sizes(&self, section: &Section) -> Vec<Outside> {
-        let (dihedral, Some(angle)) = (section.dihedral.to_degrees(), self.groove_angle(section)) else {
-            return Vec::new();
-        };
-        let sizes = |[angles, gaps]: [[f64; 2]; 2]| {
-            let of = |size, value, range| Outside { size, value, range, dihedral: Some(dihedral) };
-            [of(Size::Angle, angle, angles), of(Size::RootGap, section.gap, gaps)]
-        };
-        let details = aws_details(dihedral, angle).into_iter().map(sizes);
-        let off = |sizes: &[Outside; 2]| sizes.iter().map(|size| size.distance().max(0.0)).sum::<f64>();
-        details.min_by(|a, b| off(a).total_cmp(&off(b))).map_or(Vec::new(), |sizes| sizes.into_iter().collect())
     }
 
     /// The throat of the cover fillet, over the corner of the parts' outsides: at least 6 mm or 0.7 of the thinner part,
@@ -191,28 +178,18 @@ impl SeamJoint {
         let range = [f64::min(6.0, 0.7 * thinner), f64::INFINITY];
         vec![Outside { size: Size::CoverThroat, value, range, dihedral: None }]
     }
+}
 
-    /// Angle of the groove at its surface, degrees: of a V or U that of both edges as drawn together, of a U of one; else
-    /// between the prepared edge and the other. `None` without a bevel.
-    fn groove_angle(&self, section: &Section) -> Option<f64> {
-        let last = |edge: &[DVec2]| edge.windows(2).last().map(|pair| (pair[1] - pair[0]).normalize_or_zero());
-        let [first, second] = [last(&section.first)?, last(&section.second)?];
-        let between = |a: DVec2, b: DVec2| a.angle_to(b).abs().to_degrees();
-        match &self.joint.preparation {
-            Preparation::SingleV(_) | Preparation::DoubleV(_) => Some(between(first, second)),
-            Preparation::U(_) | Preparation::DoubleU(_) => Some(0.5 * between(first, second)),
-            Preparation::Bevel(_) | Preparation::DoubleBevel(_) | Preparation::J(_) => Some(between(first, second)),
-            Preparation::TBevel(_) | Preparation::TDoubleBevel(_) | Preparation::TJ(_) => {
-                let (sin, cos) = (0.5 * section.dihedral).sin_cos();
-                let faces = [DVec2::new(sin, cos), DVec2::new(-sin, cos)];
-                let prepared = self.joint.preparation.standing();
-                let edges = [first, second];
-                let i = usize::from(prepared == Some(Member::Second));
-                Some(between(edges[i], faces[1 - i]))
-            }
-            _ => None,
-        }
-    }
+/// Groove angle (degrees) and root opening beside the detail that they fit best.
+fn aws_sizes(section: &Section, angle: Option<f64>) -> Vec<Outside> {
+    let (dihedral, Some(angle)) = (section.dihedral.to_degrees(), angle) else { return Vec::new() };
+    let sizes = |[angles, gaps]: [[f64; 2]; 2]| {
+        let of = |size, value, range| Outside { size, value, range, dihedral: Some(dihedral) };
+        [of(Size::Angle, angle, angles), of(Size::RootGap, section.gap, gaps)]
+    };
+    let details = aws_details(dihedral, angle).into_iter().map(sizes);
+    let off = |sizes: &[Outside; 2]| sizes.iter().map(|size| size.distance().max(0.0)).sum::<f64>();
+    details.min_by(|a, b| off(a).total_cmp(&off(b))).map_or(Vec::new(), |sizes| sizes.into_iter().collect())
 }
 
 fn is_fillet(preparation: &Preparation) -> bool {
