@@ -219,6 +219,7 @@ key-ranges = Bereiche
 key-rapid = Eilgang
 key-refuse = ablehnen
 key-remaining = restliche Fläche
+key-remaining-mm2 = restliche Fläche [mm²]
 key-replace = ersetzt das Werkstück
 key-retract = Rückzug
 key-right = rechte Seite

@@ -219,6 +219,7 @@ key-ranges = ranges
 key-rapid = rapid
 key-refuse = refuse
 key-remaining = remaining area
+key-remaining-mm2 = remaining area [mm²]
 key-replace = replace
 key-retract = retract
 key-right = right

@@ -219,6 +219,7 @@ key-ranges = пределы
 key-rapid = быстрый ход
 key-refuse = отказать
 key-remaining = оставшаяся площадь
+key-remaining-mm2 = оставшаяся площадь [мм²]
 key-replace = заменяет деталь
 key-retract = отвод
 key-right = правая сторона

@@ -219,6 +219,7 @@ key-ranges = межі
 key-rapid = швидкий хід
 key-refuse = відмовити
 key-remaining = решта площі
+key-remaining-mm2 = решта площі [мм²]
 key-replace = замінює деталь
 key-retract = відведення
 key-right = правий бік

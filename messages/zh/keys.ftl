@@ -219,6 +219,7 @@ key-ranges = 范围
 key-rapid = 快速
 key-refuse = 拒绝
 key-remaining = 剩余面积
+key-remaining-mm2 = 剩余面积 [mm²]
 key-replace = 替换工件
 key-retract = 回退
 key-right = 右侧
