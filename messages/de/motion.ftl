@@ -117,6 +117,10 @@ motion-cure-not-tried = nicht versucht: andere Brennerwinkel oder eine andere Au
 # Clearance.
 motion-too-near = { $first } kommt bis auf { $distance } an { $second } heran (mindestens { $minimum })
 motion-collision = { $first } stößt gegen { $second } (mindestens { $minimum })
+motion-above-root = { $contact }, { $height } über der Wurzel
+motion-below-root = { $contact }, { $height } unter der Wurzel
+motion-no-torch-angle = keine Winkel bis { $work } neben dem Arbeitswinkel und { $travel } neben dem Anstellwinkel halten den Brenner frei: { $reason }
+motion-cure-torch-angle = einen schlankeren Brenner oder ein längeres freies Drahtende, eine weitere Fuge, weitere Grenzen in torch.search, oder weniger Abstand mit clearance.least_mm
 motion-cure-clearance = die Brennerwinkel oder die Aufstellung ändern, oder mit clearance.least_mm weniger erlauben, wenn die Körper stimmen
 motion-cure-clearance-weld = { $change }: geprüft, dann kommt nichts zu nahe; oder mit clearance.least_mm weniger erlauben, wenn die Körper stimmen
 motion-cure-clearance-pass = { $change }: für diese Lage geprüft, dann kommt nichts zu nahe; oder mit clearance.least_mm weniger erlauben, wenn die Körper stimmen

@@ -5,6 +5,7 @@ weld-without-length = die Schweißung hat keine Länge
 weld-angles-twice = Winkel sind fest und an mehreren Positionen angegeben
 weld-travel-angle-too-large = der Brenner läge entlang der Naht
 weld-work-angle-too-large = der Brenner läge hinter einer Fläche
+weld-torch-search-too-wide = die Suche der Brennerwinkel geht über das hinaus, was ein Brenner kann
 weld-min-speed-too-high = die Mindestgeschwindigkeit liegt nicht unter der Schweißgeschwindigkeit
 weld-speed-below-min = die Schweißgeschwindigkeit liegt nicht über der Mindestgeschwindigkeit
 weld-value-ramps-already = dieser Wert hat schon eine Rampe über die ganze Naht

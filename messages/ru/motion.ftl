@@ -120,6 +120,10 @@ motion-cure-not-tried = не испытано: могут помочь друг�
 # Clearance.
 motion-too-near = { $first } и { $second }: расстояние { $distance } (нужно не менее { $minimum })
 motion-collision = { $first } и { $second }: столкновение (нужно не менее { $minimum })
+motion-above-root = { $contact }, на { $height } выше корня
+motion-below-root = { $contact }, на { $height } ниже корня
+motion-no-torch-angle = ни один угол в пределах { $work } от рабочего и { $travel } от угла наклона вдоль шва не оставляет горелке места: { $reason }
+motion-cure-torch-angle = более тонкая горелка или больший вылет, более широкая разделка, более широкие пределы в torch.search либо меньшее расстояние в clearance.least_mm
 motion-cure-clearance = измените углы горелки или размещение либо разрешите меньше в clearance.least_mm, если формы верны
 motion-cure-clearance-weld = { $change }: проверено, все расстояния тогда достаточны; или разрешите меньше в clearance.least_mm, если формы верны
 motion-cure-clearance-pass = { $change }: проверено для этого прохода, все расстояния тогда достаточны; или разрешите меньше в clearance.least_mm, если формы верны

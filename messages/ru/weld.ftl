@@ -5,6 +5,7 @@ weld-without-length = шов не имеет длины
 weld-angles-twice = углы заданы и постоянными, и в нескольких позициях
 weld-travel-angle-too-large = горелка лежала бы вдоль шва
 weld-work-angle-too-large = горелка лежала бы за поверхностью
+weld-torch-search-too-wide = поиск углов горелки выходит за пределы возможного
 weld-min-speed-too-high = минимальная скорость не ниже скорости сварки
 weld-speed-below-min = скорость сварки не выше минимальной
 weld-value-ramps-already = это значение уже меняется по всему шву

@@ -120,6 +120,10 @@ motion-cure-not-tried = не випробувано: можуть допомог
 # Clearance.
 motion-too-near = { $first } і { $second }: відстань { $distance } (потрібно щонайменше { $minimum })
 motion-collision = { $first } і { $second }: зіткнення (потрібно щонайменше { $minimum })
+motion-above-root = { $contact }, на { $height } вище кореня
+motion-below-root = { $contact }, на { $height } нижче кореня
+motion-no-torch-angle = жоден кут у межах { $work } від робочого і { $travel } від кута нахилу вздовж шва не лишає пальнику місця: { $reason }
+motion-cure-torch-angle = тонший пальник або більший виліт, ширша розробка, ширші межі в torch.search або менша відстань у clearance.least_mm
 motion-cure-clearance = змініть кути пальника чи розміщення або дозвольте менше в clearance.least_mm, якщо форми правильні
 motion-cure-clearance-weld = { $change }: перевірено, усі відстані тоді достатні; або дозвольте менше в clearance.least_mm, якщо форми правильні
 motion-cure-clearance-pass = { $change }: перевірено для цього проходу, усі відстані тоді достатні; або дозвольте менше в clearance.least_mm, якщо форми правильні

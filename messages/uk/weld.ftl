@@ -5,6 +5,7 @@ weld-without-length = шов не має довжини
 weld-angles-twice = кути задано і сталими, і в кількох позиціях
 weld-travel-angle-too-large = пальник лежав би вздовж шва
 weld-work-angle-too-large = пальник лежав би за поверхнею
+weld-torch-search-too-wide = пошук кутів пальника виходить за межі можливого
 weld-min-speed-too-high = мінімальна швидкість не нижча за швидкість зварювання
 weld-speed-below-min = швидкість зварювання не вища за мінімальну
 weld-value-ramps-already = це значення вже змінюється по всьому шву

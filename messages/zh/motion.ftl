@@ -114,6 +114,10 @@ motion-cure-not-tried = 未试：改变焊枪角度或工件放置可能有用
 # Clearance.
 motion-too-near = { $first } 距 { $second } 仅 { $distance }（至少 { $minimum }）
 motion-collision = { $first } 撞上 { $second }（至少 { $minimum }）
+motion-above-root = { $contact }，根部以上 { $height }
+motion-below-root = { $contact }，根部以下 { $height }
+motion-no-torch-angle = 工作角 { $work }、行走角 { $travel } 范围内没有使焊枪不碰撞的角度：{ $reason }
+motion-cure-torch-angle = 换用更细的焊枪或更长的伸出长度、更宽的坡口、在 torch.search 中放宽范围，或减小 clearance.least_mm
 motion-cure-clearance = 改变焊枪角度或工件放置；若形体正确也可减小 clearance.least_mm
 motion-cure-clearance-weld = { $change }：已试，随之各处距离足够；若形体正确也可减小 clearance.least_mm
 motion-cure-clearance-pass = { $change }：已对本焊道试过，随之各处距离足够；若形体正确也可减小 clearance.least_mm

@@ -5,6 +5,7 @@ weld-without-length = 焊缝没有长度
 weld-angles-twice = 角度既给了常数，又在多个位置给出
 weld-travel-angle-too-large = 焊枪会沿焊缝平躺
 weld-work-angle-too-large = 焊枪会位于表面背后
+weld-torch-search-too-wide = 焊枪角度的搜索范围超出焊枪能力
 weld-min-speed-too-high = 最低速度不低于焊接速度
 weld-speed-below-min = 焊接速度不高于最低速度
 weld-value-ramps-already = 该值已在整条焊缝上渐变

@@ -13,6 +13,8 @@ pub(crate) trait Convex {
     fn support(&self, direction: DVec3) -> DVec3;
     /// Radius around the core.
     fn radius(&self) -> f64;
+    /// A lower bound of the distance of a point to the core, quick to compute.
+    fn at_least(&self, point: DVec3) -> f64;
 }
 
 impl Convex for [DVec3; 3] {
@@ -28,6 +30,10 @@ impl Convex for [DVec3; 3] {
     }
 
     fn radius(&self) -> f64 {
+        0.0
+    }
+
+    fn at_least(&self, _: DVec3) -> f64 {
         0.0
     }
 }

@@ -19,13 +19,13 @@
 //!
 //! # Examples
 //!
-//! A clamp beside a gas nozzle:
+//! A clamp beside a gas cup:
 //!
 //! ```
 //! use glam::{DAffine3, DVec3};
 //! use seamwright_clearance::{Shape, Solid, nearest};
 //!
-//! let nozzle = Solid::new("gas nozzle", Shape::Cylinder { radius: 10.0, length: 80.0 }, DAffine3::IDENTITY)?;
+//! let nozzle = Solid::new("gas cup", Shape::Cylinder { radius: 10.0, length: 80.0 }, DAffine3::IDENTITY)?;
 //! let beside = DAffine3::from_translation(DVec3::new(20.0, 0.0, 40.0));
 //! let clamp = Solid::new("clamp", Shape::Sphere { radius: 5.0 }, beside)?;
 //! let frame = DAffine3::IDENTITY;
@@ -40,6 +40,7 @@
 
 mod along;
 mod boxes;
+mod cells;
 mod clamped;
 mod convex;
 mod distance;
@@ -53,6 +54,7 @@ mod shape;
 mod stl;
 
 pub use along::{Cell, Limits, Motion, Profile, Stretch, Trace};
+pub use cells::Cells;
 pub use clamped::Clamped;
 pub use distance::{Near, nearest};
 pub use error::ClearanceError;

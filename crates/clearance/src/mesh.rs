@@ -3,14 +3,16 @@
 mod surface;
 
 use crate::boxes::{Bounds, Node, tree};
+use crate::cells::Cells;
 use crate::convex::{Convex, Gap, nearest};
 use crate::error::ClearanceError;
 use glam::{DAffine3, DVec3};
+use std::sync::Arc;
 
 /// A closed surface of triangles, mm, with a tree of boxes over them. The inside is solid.
 ///
 /// A point is inside if the surface winds around it, so bodies may overlap and may have cavities. The overlap of two
-/// bodies of opposite orientation counts as outside.
+/// bodies of opposite orientation counts as outside. A region may be cut away: [`Mesh::without`].
 #[derive(Debug, Clone)]
 pub struct Mesh {
     /// In the order of the tree's leaves.
@@ -20,6 +22,8 @@ pub struct Mesh {
     pieces: Vec<DVec3>,
     centre: DVec3,
     reach: f64,
+    /// The whole body of a mesh with a region cut away, and that region.
+    cut: Option<(Arc<Mesh>, Arc<Cells>)>,
 }
 
 /// Index of the last nearest triangle, the initial guess of the next search.
@@ -33,12 +37,32 @@ impl Mesh {
     /// Corners that are not finite or beyond 1e7 mm, no triangles, edges that do not belong to exactly two triangles.
     pub fn new(triangles: &[[DVec3; 3]]) -> Result<Self, ClearanceError> {
         let (triangles, pieces) = surface::closed(triangles)?;
+        Ok(Self::of(&triangles, pieces, None))
+    }
+
+    /// The body of this mesh without the region `away`: the parts of its surface outside of the region, and `walls`, the
+    /// region's own surface within the body.
+    ///
+    /// `walls` may have parts outside of the body; they count as thin sheets.
+    #[must_use]
+    pub fn without(self: &Arc<Self>, away: &Arc<Cells>, walls: &[[DVec3; 3]]) -> Self {
+        let outside = self.triangles.iter().flat_map(|t| away.outside(*t));
+        let triangles: Vec<[DVec3; 3]> = outside.chain(walls.iter().copied()).collect();
+        if triangles.is_empty() {
+            return (**self).clone();
+        }
+        let first = |part: &[[DVec3; 3]]| part.first().map(|t| t[0]);
+        let pieces = [first(&triangles), first(walls)].into_iter().flatten().collect();
+        Self::of(&triangles, pieces, Some((Arc::clone(self), Arc::clone(away))))
+    }
+
+    fn of(triangles: &[[DVec3; 3]], pieces: Vec<DVec3>, cut: Option<(Arc<Self>, Arc<Cells>)>) -> Self {
         let boxes: Vec<Bounds> = triangles.iter().map(bounds).collect();
         let (nodes, order) = tree(&boxes);
         let triangles: Vec<_> = order.iter().map(|&i| triangles[i as usize]).collect();
         let centre = nodes[0].bounds.centre();
         let reach = triangles.iter().flatten().map(|p| p.distance_squared(centre)).fold(0.0, f64::max).sqrt();
-        Ok(Self { triangles, nodes, pieces, centre, reach })
+        Self { triangles, nodes, pieces, centre, reach, cut }
     }
 
     /// The corners of all triangles.
@@ -64,6 +88,9 @@ impl Mesh {
     /// Counts crossings of the ray along +z. The point counts as moved by an infinitesimal step in x and a smaller one
     /// in y. So rays never meet an edge or a corner, and exactly one of two neighbours is crossed.
     pub fn contains(&self, p: DVec3) -> bool {
+        if let Some((whole, away)) = &self.cut {
+            return whole.contains(p) && !away.contains(p);
+        }
         let mut winding = 0;
         let mut open = vec![0];
         while let Some(i) = open.pop() {
@@ -132,7 +159,7 @@ impl Mesh {
             }
             let first = node.first as usize;
             for (k, triangle) in self.leaf(node).iter().enumerate() {
-                if first + k != *last && !search.is_beyond(around, &bounds(triangle)) && search.look_at(triangle) {
+                if first + k != *last && !search.is_triangle_beyond(triangle) && search.look_at(triangle) {
                     *last = first + k;
                 }
             }
@@ -200,6 +227,18 @@ impl<C: Convex> Search<'_, C> {
     fn is_beyond(&self, around: &Bounds, part: &Bounds) -> bool {
         around.distance_squared(part) >= self.limit * self.limit
             || -part.reach(-self.towards) - self.body_reach >= self.limit
+            || self.body.at_least(part.centre()) - self.body.radius() - part.half().length() >= self.limit
+    }
+
+    /// True if a triangle is at least as far as the best distance so far.
+    fn is_triangle_beyond(&self, triangle: &[DVec3; 3]) -> bool {
+        let nearest = triangle.iter().map(|p| p.dot(self.towards)).fold(f64::INFINITY, f64::min);
+        if nearest - self.body_reach >= self.limit {
+            return true;
+        }
+        let middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+        let reach = triangle.iter().map(|p| p.distance_squared(middle)).fold(0.0, f64::max).sqrt();
+        self.body.at_least(middle) - self.body.radius() - reach >= self.limit
     }
 
     /// Checks one triangle; true if it is nearer than all before.

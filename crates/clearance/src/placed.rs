@@ -1,10 +1,13 @@
 use crate::convex::Convex;
 use crate::shape::Shape;
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
 /// A direction with a smaller part across a round body's axis counts as along it: dividing the radius by it could
 /// overflow.
-const ALONG: f64 = 1e-290;
+const ALONG: f64 = 1e-150;
+
+/// Bound of the rounding error of a distance, as a share of the coordinates.
+const ROUNDING: f64 = 1e-14;
 
 /// Core of a convex shape, in the shape's frame.
 #[derive(Debug, Clone, Copy)]
@@ -65,7 +68,7 @@ impl Convex for Placed {
                 semi * scaled.try_normalize().unwrap_or(DVec3::Z)
             }
             Core::Frustum(bottom, top, length) => {
-                let across = d.x.hypot(d.y);
+                let across = d.truncate().length();
                 let (radius, height) =
                     if across * top + d.z * length > across * bottom { (top, length) } else { (bottom, 0.0) };
                 let scale = if across > ALONG { radius / across } else { 0.0 };
@@ -77,5 +80,21 @@ impl Convex for Placed {
 
     fn radius(&self) -> f64 {
         self.radius
+    }
+
+    fn at_least(&self, point: DVec3) -> f64 {
+        let p = self.pose.matrix3.transpose() * (point - self.pose.translation);
+        // Of a cylinder around round bodies, and of a sphere around ellipsoids.
+        let beside = |radius: f64, low: f64, high: f64| {
+            let across = (p.truncate().length() - radius).max(0.0);
+            DVec2::new(across, (low - p.z).max(p.z - high).max(0.0)).length()
+        };
+        let distance = match self.core {
+            Core::Segment(low, high) => beside(0.0, low, high),
+            Core::Box(half) => (p.abs() - half).max(DVec3::ZERO).length(),
+            Core::Ellipsoid(semi) => (p.length() - semi.max_element()).max(0.0),
+            Core::Frustum(bottom, top, length) => beside(bottom.max(top), 0.0, length),
+        };
+        distance - ROUNDING * (point.abs().max_element() + self.pose.translation.abs().max_element() + distance)
     }
 }

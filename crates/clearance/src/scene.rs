@@ -81,7 +81,7 @@ pub struct Place {
 /// use seamwright_clearance::{Group, Scene, Shape, Solid, Watch};
 ///
 /// let solid = |name: &str, shape| Solid::new(name, shape, DAffine3::IDENTITY);
-/// let nozzle = solid("gas nozzle", Shape::Cylinder { radius: 10.0, length: 80.0 })?;
+/// let nozzle = solid("gas cup", Shape::Cylinder { radius: 10.0, length: 80.0 })?;
 /// let clamp = solid("clamp", Shape::Box { size: DVec3::splat(40.0) })?;
 /// let groups = vec![
 ///     Group { name: "torch".to_owned(), solids: vec![nozzle] },

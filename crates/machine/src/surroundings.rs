@@ -72,6 +72,20 @@ impl<'a> Surroundings<'a> {
         Ok(Self { machine, scene, links: build.links, kinds: build.kinds, spheres })
     }
 
+    /// The same with more solids of the part, as weld metal is; unchanged if the part is not watched.
+    ///
+    /// # Errors
+    /// Half-spaces.
+    pub fn with_part(&self, more: &[Solid]) -> Result<Self, ClearanceError> {
+        let Some(part) = self.kinds.iter().position(|kind| *kind == Kind::Part) else { return Ok(self.clone()) };
+        let mut groups = self.scene.groups().to_vec();
+        groups[part].solids.extend(more.iter().cloned());
+        let mut spheres = self.spheres.clone();
+        spheres[part] = around(&groups[part].solids);
+        let scene = Scene::new(groups, self.scene.watches().to_vec())?;
+        Ok(Self { machine: self.machine, scene, links: self.links.clone(), kinds: self.kinds.clone(), spheres })
+    }
+
     /// Groups and watches.
     pub fn scene(&self) -> &Scene {
         &self.scene
@@ -117,6 +131,11 @@ impl<'a> Surroundings<'a> {
             Watch::Inside { zones, .. } => permitted(zones[place.solids[1]].name()),
         };
         (self.solid_body(a, place.solids[0]), second)
+    }
+
+    /// True if the second group of a watch is the part.
+    pub fn is_part(&self, watch: usize) -> bool {
+        self.kinds[self.scene.watches()[watch].groups().1] == Kind::Part
     }
 
     fn body(&self, group: usize) -> Message {

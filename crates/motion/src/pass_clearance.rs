@@ -1,5 +1,6 @@
 use crate::joint_path::JointPath;
-use crate::transfer::{nearest, too_near};
+use crate::pass_motion::Request;
+use crate::transfer::{RootAt, nearest, too_near};
 use seamwright_clearance::Limits;
 use seamwright_machine::Surroundings;
 use seamwright_message::Message;
@@ -25,17 +26,18 @@ pub struct PassClearance {
 const STATIONS: usize = 400;
 const CUTOFF_MM: f64 = 60.0;
 
-/// Computes distances along the path of pass `pass`, and findings for stretches below a minimum clearance. None if
+/// Computes distances along the axes' path of a pass, and findings for stretches below a minimum clearance. None if
 /// nothing is watched.
 pub(crate) fn pass_clearance(
     around: &Surroundings,
     path: &JointPath,
-    pass: usize,
+    request: &Request,
 ) -> (Option<PassClearance>, Vec<Finding>) {
     let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest: 1e-6 * path.length() };
     if around.is_empty() {
         return (None, Vec::new());
     }
+    let pass = request.number;
     let finding = |message, from_mm, to_mm| {
         let cure = Message::new("motion-cure-clearance");
         Finding::error("clearance", message, pass, PathRange { from_mm, to_mm }, cure)
@@ -45,7 +47,10 @@ pub(crate) fn pass_clearance(
         // An unchecked pass counts as not clear.
         Err(e) => return (None, vec![finding(e.message(), 0.0, path.length())]),
     };
-    let findings = profile.stretches.iter().map(|s| finding(too_near(around, s.watch, &s.nearest), s.from, s.to));
+    let findings = profile.stretches.iter().map(|s| {
+        let root = RootAt::of(request.path, s.s);
+        finding(too_near(around, s.watch, &s.nearest, root.as_ref()), s.from, s.to)
+    });
     let at_least = (0..STATIONS).filter_map(|i| {
         let (_, cell) = profile.nearest(i)?;
         Some((profile.edges[i + 1], cell.at_least_mm))

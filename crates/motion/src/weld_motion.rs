@@ -8,6 +8,7 @@ use crate::redundancy::{Clearance, holding};
 use crate::set_points::{Phase, SetPoint};
 use crate::speed_profile::ProfilePoint;
 use crate::transfer::{Leg, TransferMove, obstacle, route_within};
+use seamwright_clearance::{ClearanceError, Solid};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
 use seamwright_message::{Message, Unit};
@@ -39,6 +40,8 @@ pub struct Terms<'a> {
     pub procedure: Option<&'a Procedure>,
     /// Watches the searches.
     pub watch: Option<&'a dyn Watch>,
+    /// Weld metal in the work frame before each pass, and after the last one; empty without any.
+    pub metal: &'a [Vec<Solid>],
 }
 
 /// Additional distance beyond the minimum that redundant axes seek near obstacles, mm.
@@ -74,6 +77,7 @@ impl WeldMotion {
     ) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(terms.watch);
         let mut planned = Self::default();
+        let arounds = with_metal(around, terms.metal, passes.len()).map_err(|e| vec![no_metal(e)])?;
         for (i, &(path, pass)) in passes.iter().enumerate() {
             effort.begin_pass(i + 1, passes.len());
             let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
@@ -88,7 +92,7 @@ impl WeldMotion {
                 weld: passes,
                 clearance: None,
             };
-            let (motion, clearance) = one(machine, around, request).map_err(|mut f| {
+            let (motion, clearance) = one(machine, &arounds[i], request).map_err(|mut f| {
                 f.extend(planned.findings.clone());
                 f
             })?;
@@ -96,7 +100,7 @@ impl WeldMotion {
             planned.passes.push(motion);
             planned.clearance.push(clearance);
         }
-        let settings = TransferSettings { machine, around, retract_mm, effort: &effort };
+        let settings = |i: usize| TransferSettings { machine, around: &arounds[i], retract_mm, effort: &effort };
         if around.is_empty() {
             planned.findings.push(unchecked(machine));
         }
@@ -115,7 +119,7 @@ impl WeldMotion {
             })
             .collect();
         for i in 0..=passes.len() {
-            planned.transfer_move(&settings, i, &ends);
+            planned.transfer_move(&settings(i), i, &ends);
             effort.check(i.max(1), passes.get(i.saturating_sub(1)).map_or(0.0, |(path, _)| path.length()))?;
         }
         if planned.findings.iter().any(|f| !f.allowed) { Err(planned.findings) } else { Ok(planned) }
@@ -298,6 +302,24 @@ impl Stage<'_> {
     }
 }
 
+/// The surroundings of each pass, and of the way home: with the `metal` before it.
+fn with_metal<'s, 'm>(
+    around: &'s Surroundings<'m>,
+    metal: &[Vec<Solid>],
+    passes: usize,
+) -> Result<Vec<Cow<'s, Surroundings<'m>>>, ClearanceError> {
+    let one = |i: usize| match metal.get(i).filter(|solids| !solids.is_empty()) {
+        Some(solids) => around.with_part(solids).map(Cow::Owned),
+        None => Ok(Cow::Borrowed(around)),
+    };
+    (0..=passes).map(one).collect()
+}
+
+fn no_metal(error: ClearanceError) -> Finding {
+    let cure = Message::new("motion-cure-clearance");
+    Finding::error("clearance", error.message(), 1, PathRange::at(0.0), cure)
+}
+
 /// Plans one pass; redundant axes avoid obstacles if necessary.
 fn one(
     machine: &Machine,
@@ -306,7 +328,7 @@ fn one(
 ) -> Result<(PassMotion, Option<PassClearance>), Vec<Finding>> {
     let number = request.number;
     let motion = PassMotion::of(machine, request)?;
-    let (clearance, mut findings) = pass_clearance(around, &motion.path, number);
+    let (clearance, mut findings) = pass_clearance(around, &motion.path, &request);
     if findings.is_empty() {
         return Ok((motion, clearance));
     }
@@ -317,7 +339,7 @@ fn one(
         };
         let clearance = Some(Clearance { distance: &room, wanted_mm: WANTED_MM });
         if let Ok(motion) = PassMotion::of(machine, Request { clearance, ..request }) {
-            let (clearance, findings) = pass_clearance(around, &motion.path, number);
+            let (clearance, findings) = pass_clearance(around, &motion.path, &request);
             if findings.is_empty() {
                 return Ok((motion, clearance));
             }

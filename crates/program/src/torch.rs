@@ -1,7 +1,7 @@
 use crate::path_range::PathRange;
 use glam::DVec3;
 use schemars::JsonSchema;
-use seamwright_document::Finite;
+use seamwright_document::{Finite, NonNegative};
 use seamwright_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +20,27 @@ pub struct Torch {
     /// Angles at several path lengths, instead of the constant ones.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub at: Vec<TorchAt>,
+    /// Search of angles for passes on which the torch comes too near to part or fixtures; no search if missing. A pass
+    /// that is clear keeps its angles. In the plan's program the angles found stand in `at`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub search: Option<TorchSearch>,
+}
+
+/// Limits of a search of torch angles. The windows of the procedure limit it too.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct TorchSearch {
+    /// Maximum change of the work angle in both senses, degrees.
+    pub max_work_deg: NonNegative,
+    /// Maximum change of the travel angle in both senses, degrees; the same all along a pass.
+    pub max_travel_deg: NonNegative,
+}
+
+impl Default for TorchSearch {
+    fn default() -> Self {
+        let degrees = |value| NonNegative::new(value).unwrap_or_default();
+        Self { max_work_deg: degrees(25.0), max_travel_deg: degrees(10.0) }
+    }
 }
 
 /// Torch angles at one path length.
@@ -95,6 +116,11 @@ pub trait TorchPath: Sync {
 
     /// The joint at path length `s`, if its faces are known; without them there are no work angles.
     fn groove(&self, _s: f64) -> Option<Groove> {
+        None
+    }
+
+    /// Root of the joint at path length `s`, in the work frame, if its cross-section is known.
+    fn root(&self, _s: f64) -> Option<DVec3> {
         None
     }
 

@@ -37,6 +37,7 @@ mod pulse_file;
 pub mod recording;
 pub mod run_rows;
 pub mod simulated_part;
+mod torch_angles;
 pub mod weld_events;
 pub mod work_offset;
 

@@ -6,9 +6,10 @@ use crate::file_scope::FileScope;
 use crate::files::{self, io_error};
 use crate::outside_data::Beside;
 use crate::planning::{Clocked, Planning};
+use crate::torch_angles::searched;
 use seamwright_document::{Document, closest};
 use seamwright_executive::Error;
-use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
+use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Solid, Surroundings, Word, shipped};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::{PassMotion, Terms, WeldMotion, redundancy};
 use seamwright_program::{Finding, Pass, TorchPath};
@@ -27,6 +28,8 @@ pub struct Loaded {
     pub clamped: Clamped,
     /// The machine file, if it is not one that ships.
     pub machine_file: Option<PathBuf>,
+    /// Findings against passes without torch angles that keep them clear, where the job asks to search them.
+    pub blocked: Vec<Finding>,
     /// STL files that job and machine file name: the name, and where the file is.
     pub stl_files: Vec<(String, PathBuf)>,
 }
@@ -91,7 +94,8 @@ fn load_within(name: &str, text: &str, within: &FileScope<'_>, own: Own) -> Resu
     check_held(&welding, &machine)?;
     check_registers(&welding, &machine)?;
     let clamped = welding.clamped(&|name| stl.read(within, name))?;
-    Ok(Loaded { welding, machine, machine_file, clamped, stl_files: stl.0.into_inner() })
+    let (welding, blocked) = searched(welding, &machine, &clamped)?;
+    Ok(Loaded { welding, machine, machine_file, clamped, blocked, stl_files: stl.0.into_inner() })
 }
 
 /// Refuses held axes that torch poses need, or outside their ranges.
@@ -341,6 +345,12 @@ impl Loaded {
         Surroundings::new(&self.machine, &self.clamped).map_err(|e| self.fault(e.message()))
     }
 
+    /// Weld metal in the work frame before each pass, and after the last one; empty if nothing is filled.
+    fn metal(&self) -> Result<Vec<Vec<Solid>>, Failure> {
+        let Some(metal) = self.welding.metal() else { return Ok(Vec::new()) };
+        metal.by_pass().map_err(|e| self.fault(e.message()))
+    }
+
     /// A fault of the job or program file.
     fn fault(&self, why: Message) -> Failure {
         let file = self.welding.program.file();
@@ -397,13 +407,15 @@ impl Loaded {
         let paths = self.paths();
         let passes = self.passes(&paths);
         let mut findings = self.welding.findings();
+        findings.extend(self.blocked.iter().cloned());
         if self.welding.seam.as_ref().is_some_and(SeamCurve::is_double) && machine.heads.len() < 2 {
             let path = "seam.t_joint.fillet";
             let message = Message::new("project-one-head").text("machine", &machine.name);
             return Err(self.welding.program.error_at(path, message, "left, right").into());
         }
         let clocked = Clocked::new(planning);
-        let terms = Terms { procedure: program.procedure.as_ref(), watch: Some(&clocked) };
+        let metal = self.metal()?;
+        let terms = Terms { procedure: program.procedure.as_ref(), watch: Some(&clocked), metal: &metal };
         let planned = WeldMotion::plan_under(machine, &around, &passes, program.air.retract_mm.get(), terms);
         if planned.is_err() && clocked.is_cancelled() {
             return Err(Failure::Cancelled);

@@ -1,4 +1,4 @@
-use crate::allowed::{more_than, on_weld, strictly_between};
+use crate::allowed::{between, more_than, on_weld, strictly_between};
 use crate::periodic_places::repeated;
 use crate::seam::{SeamCurve, SeamPoint};
 use glam::DVec3;
@@ -47,6 +47,13 @@ impl Attitude {
         } else if torch.work_angle_deg.get() != 0.0 || torch.travel_angle_deg.get() != 0.0 {
             let message = Message::new("weld-angles-twice");
             return Err(file.error_at(path, message, Message::new("weld-allowed-angles-once")));
+        }
+        if let Some(search) = torch.search {
+            let limits = [("max_work_deg", search.max_work_deg, 60.0), ("max_travel_deg", search.max_travel_deg, 45.0)];
+            if let Some((key, _, max)) = limits.into_iter().find(|(_, value, max)| value.get() > *max) {
+                let message = Message::new("weld-torch-search-too-wide");
+                return Err(file.error_at(&format!("{path}.search.{key}"), message, between(0.0, max, Unit::Deg)));
+            }
         }
         let curve_of = |value: fn(&(f64, f64, f64)) -> f64| {
             let points: Vec<_> = rows.iter().map(|r| (r.0, value(r).to_radians())).collect();

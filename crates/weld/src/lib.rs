@@ -76,6 +76,7 @@ pub use joint::{Groove, SeamJoint, Section};
 pub use nozzle::NozzleEdges;
 pub use order::{Cosmetic, Parts, Rows, Rule, ShortSequence, Tacks, Turns, WeldOrder};
 pub use outside_data::{NoFiles, Outside, Wrong};
+pub use part::Metal;
 pub use pass_keys::PassKeys;
 pub use pass_path::PassPath;
 pub use points::{MachineAxes, MachineAxis, PointPath};

@@ -1,5 +1,6 @@
 use crate::attitude::Attitude;
 use crate::bead_line::BeadLine;
+use crate::joint::SeamJoint;
 use crate::seam::{SeamCurve, SeamPoint};
 use crate::stretch::Stretch;
 use glam::{DAffine3, DVec3};
@@ -15,6 +16,8 @@ const HALF_MM: f64 = 1e-3;
 pub struct PassPath<'a> {
     /// The seam.
     pub seam: &'a SeamCurve,
+    /// Its joint, if the file has one.
+    pub joint: Option<&'a SeamJoint>,
     /// The part of it that the pass runs over, and which way.
     pub stretch: Stretch,
     /// Torch angles by the seam's path length.
@@ -101,6 +104,12 @@ impl TorchPath for PassPath<'_> {
         let (behind, ahead) = ((s - HALF_MM).max(0.0), (s + HALF_MM).min(self.length()));
         let tip = |s: f64| bead.tip(&self.seam_point(s));
         (tip(ahead) - tip(behind)).length() / (ahead - behind)
+    }
+
+    fn root(&self, s: f64) -> Option<DVec3> {
+        let p = self.seam_point(s);
+        let root = self.joint?.section(&p)?.root();
+        Some(self.placement.transform_point3(p.point + root.x * p.towards_first + root.y * p.bisector))
     }
 
     fn second(&self, s: f64) -> Option<Pose> {

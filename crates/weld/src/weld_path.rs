@@ -64,6 +64,10 @@ impl TorchPath for WeldPath<'_> {
         self.path().groove(s)
     }
 
+    fn root(&self, s: f64) -> Option<DVec3> {
+        self.path().root(s)
+    }
+
     fn second(&self, s: f64) -> Option<Pose> {
         self.path().second(s)
     }

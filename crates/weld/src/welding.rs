@@ -14,7 +14,7 @@ use crate::weld_path::WeldPath;
 use crate::{body, order, procedure};
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, PathRange, Program, Role, Seam, Weaving};
+use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, PathRange, Program, Role, Seam, Torch, Weaving};
 use std::sync::Arc;
 
 /// A weld read from a job or a program file: the program, the seam, and the torch angles along it.
@@ -155,12 +155,26 @@ impl Welding {
         Ok(Self { program, seam, lines, keys, joint, plan: None, plan_findings, cut })
     }
 
+    /// The same with other torch angles in pass `pass`, counted from 0.
+    ///
+    /// # Errors
+    /// With the key's address: angles out of range.
+    pub fn with_torch(mut self, pass: usize, torch: Torch) -> Result<Self, DocumentError> {
+        let (Some(seam), PassLine::Seam(line)) = (&self.seam, self.lines[pass].as_ref()) else { return Ok(self) };
+        let attitude = Attitude::new(&self.program, &self.keys[pass].of("torch"), &torch, seam)?;
+        let line = SeamLine { stretch: line.stretch, attitude, bead: line.bead.clone() };
+        self.lines[pass] = Arc::new(PassLine::Seam(Box::new(line)));
+        self.program.value.passes[pass].torch = torch;
+        Ok(self)
+    }
+
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
     pub fn path(&self, pass: usize) -> WeldPath<'_> {
         match (self.lines[pass].as_ref(), &self.seam) {
             (PassLine::Points(points), _) => WeldPath::Points(points),
             (PassLine::Seam(line), Some(seam)) => WeldPath::Seam(Box::new(PassPath {
                 seam,
+                joint: self.joint.as_ref(),
                 stretch: line.stretch,
                 attitude: line.attitude.clone(),
                 bead: line.bead.as_ref(),
@@ -182,6 +196,15 @@ impl Welding {
             PassLine::Points(_) => None,
         })?;
         Some(line.attitude.angles(s))
+    }
+
+    /// The part of the seam that each pass runs over; `None` for passes through points.
+    pub(crate) fn stretches(&self) -> Vec<Option<Stretch>> {
+        let stretch = |line: &Arc<PassLine>| match line.as_ref() {
+            PassLine::Seam(line) => Some(line.stretch),
+            PassLine::Points(_) => None,
+        };
+        self.lines.iter().map(stretch).collect()
     }
 
     /// Keys in the file of the values of pass `pass`, counted from 0.

@@ -50,7 +50,7 @@ impl PointToPoint {
         let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest };
         let profile = around.along(self, STATIONS, &limits)?;
         let stretches = profile.stretches.iter();
-        let too_near = stretches.map(|s| (s.from, s.to, too_near(around, s.watch, &s.nearest))).collect();
+        let too_near = stretches.map(|s| (s.from, s.to, too_near(around, s.watch, &s.nearest, None))).collect();
         Ok(MotionClearance { nearest: nearest(around, &profile), too_near, cutoff_mm: CUTOFF_MM })
     }
 }

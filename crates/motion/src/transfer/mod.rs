@@ -9,4 +9,4 @@ pub use leg::{Leg, TransferMove};
 pub use route::route;
 pub(crate) use route::{obstacle, route_within};
 pub use too_near::names_nearest;
-pub(crate) use too_near::{nearest, too_near};
+pub(crate) use too_near::{RootAt, nearest, too_near};

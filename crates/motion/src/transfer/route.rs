@@ -47,7 +47,7 @@ pub(crate) fn route_within(
     for (code, q) in [("motion-transfer-start", from), ("motion-transfer-end", to)] {
         if !around.is_clear(q) {
             let found = around.nearest(q, LIMITS.cutoff_mm);
-            let obstacle = found.map_or_else(Message::default, |(watch, e)| too_near(around, watch, &e));
+            let obstacle = found.map_or_else(Message::default, |(watch, e)| too_near(around, watch, &e, None));
             return Err(Message::new(code).message("obstacle", obstacle));
         }
     }
@@ -61,7 +61,7 @@ pub(crate) fn route_within(
 /// Describes the first obstacle of a leg, if any.
 pub(crate) fn obstacle(around: &Surroundings, leg: &Leg) -> Option<Message> {
     match around.along(leg, 1, &LIMITS) {
-        Ok(profile) => profile.stretches.first().map(|stretch| too_near(around, stretch.watch, &stretch.nearest)),
+        Ok(profile) => profile.stretches.first().map(|stretch| too_near(around, stretch.watch, &stretch.nearest, None)),
         // An unchecked leg counts as not clear.
         Err(e) => Some(e.message()),
     }

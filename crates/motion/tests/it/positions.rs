@@ -23,7 +23,7 @@ fn findings(job: &str, machine: &Machine, process: u32, positions: &str) -> Vec<
     let around = Surroundings::new(machine, &clamped).unwrap();
     let path = welding.path(0);
     let passes: [(&dyn TorchPath, &Pass); 1] = [(&path, &welding.program.value.passes[0])];
-    let terms = Terms { procedure: Some(&procedure), watch: None };
+    let terms = Terms { procedure: Some(&procedure), ..Terms::default() };
     let mut motion =
         WeldMotion::plan_under(machine, &around, &passes, 30.0, terms).unwrap_or_else(|f| panic!("{f:#?}"));
     motion.hold_to(&procedure, machine, &passes);

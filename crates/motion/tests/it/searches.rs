@@ -42,7 +42,7 @@ impl Watch for Counts {
 fn plan(job: &str, machine: &str, most: u64) -> (Result<WeldMotion, Vec<Finding>>, Machine) {
     let machine = read_machine(machine);
     let counts = Counts { most, last: Cell::default() };
-    let terms = Terms { procedure: None, watch: Some(&counts) };
+    let terms = Terms { watch: Some(&counts), ..Terms::default() };
     let planned = plan_weld_under(&machine, &read(job), &Clamped::default(), terms);
     (planned, machine)
 }
@@ -115,7 +115,7 @@ impl Watch for StopsIn {
 fn plan_on_shipped(job: &str, fixtures: Vec<Solid>, watch: &StopsIn) -> Result<WeldMotion, Vec<Finding>> {
     let welding = read(job);
     let clamped = Clamped { fixtures, least_mm: 2.0, ..Clamped::default() };
-    plan_weld_under(&machine_of(&welding), &welding, &clamped, Terms { procedure: None, watch: Some(watch) })
+    plan_weld_under(&machine_of(&welding), &welding, &clamped, Terms { watch: Some(watch), ..Terms::default() })
 }
 
 /// A ball on the torch's axis, where no torch angle clears it.

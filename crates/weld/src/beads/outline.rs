@@ -147,7 +147,7 @@ impl Section {
     }
 
     /// The point at a part of the width with `area` below it.
-    fn point(&self, part: f64, area: f64) -> DVec2 {
+    pub(crate) fn point(&self, part: f64, area: f64) -> DVec2 {
         let (low, high) = self.slices.heights();
         let height = self.slices.height_of(area);
         // Just below the top: there the edges are those of the toes.

@@ -26,7 +26,7 @@ use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Joint, JointStandard, is_beyond};
 pub(crate) use section::NoGroove;
-use section::Place;
+pub(crate) use section::Place;
 
 /// The joint of a seam.
 #[derive(Debug, Clone, PartialEq)]

@@ -252,6 +252,12 @@ impl Section {
         DVec2::from_angle(0.5 * (low + high)).perp()
     }
 
+    /// The middle of the groove's bottom.
+    pub fn root(&self) -> DVec2 {
+        let [first, second] = [&self.first, &self.second].map(|edge| edge.first().copied().unwrap_or_default());
+        first.midpoint(second)
+    }
+
     /// The toes on the first and the second part.
     pub fn toes(&self) -> [DVec2; 2] {
         [&self.first, &self.second].map(|edge| edge.last().copied().unwrap_or_default())

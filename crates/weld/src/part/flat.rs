@@ -65,8 +65,8 @@ impl Making<'_> {
         let sweep = curve.domain().1;
         let along = Middle { start, end: a.end_mm.get(), left, skin: normal, arc: Some((curve.clone(), sweep)) };
         let across = match a.wall_faces {
-            WallFaces::Right => Extent { low: 0.0, high: PLATE_MM },
-            WallFaces::Left => Extent { low: -PLATE_MM, high: 0.0 },
+            WallFaces::Right => Extent { low: 0.0, high: self.plate_mm() },
+            WallFaces::Left => Extent { low: -self.plate_mm(), high: 0.0 },
         };
         // Its foot is within the plate, so that no gap is between them.
         let wall = Section { left: across, out: Extent { low: -0.5 * PLATE_MM, high: self.nozzle_mm } };

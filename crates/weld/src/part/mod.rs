@@ -1,12 +1,15 @@
 //! The part as solids, made from its own seam: obstacles of the torch.
 
-mod bevelled;
 mod flat;
+mod groove;
 mod hollow;
+mod metal;
 mod plates;
 mod swept;
 mod tubes;
 mod vessel_heads;
+
+pub use metal::Metal;
 
 use crate::joint::SeamJoint;
 use crate::plane_seam;
@@ -14,6 +17,7 @@ use crate::seam::SeamCurve;
 use crate::t_joint::Middle;
 use crate::welding::Welding;
 use glam::{DAffine3, DMat3, DVec3};
+use groove::Groove;
 use seamwright_clearance::{Clamped, ClearanceError, Shape, Solid, SolidFile};
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_message::{Message, Unit};
@@ -21,7 +25,7 @@ use seamwright_program::{Part, Seam};
 
 /// Default length of nozzle, tube or web, mm.
 const NOZZLE_MM: f64 = 100.0;
-/// Thickness of plates, mm: their other side is never approached.
+/// Minimum thickness of plates, mm: their other side is never approached.
 const PLATE_MM: f64 = 10.0;
 
 /// Number of points along the seam that give its extent.
@@ -77,8 +81,8 @@ impl Welding {
     /// declare that these replace it. It is made of exact cylinders, spheres, cones and boxes. Elliptic tubes and
     /// curved T-joints are meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It is nowhere smaller
     /// than the true one, nor larger near the seam. The end of a slanting nozzle may stand out of the far side of its
-    /// body. Of the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are solid, because the
-    /// torch stays outside; only the surroundings of a root that is welded from inside are hollow.
+    /// body. The groove of a joint is cut out of both parts, within 0.02 mm; ellipsoids stay whole. Tubes are solid,
+    /// because the torch stays outside; only the surroundings of a root that is welded from inside are hollow.
     ///
     /// # Errors
     /// With the key's address: all faults of a solid or an STL file, a body that ends within the seam, a part that is
@@ -97,6 +101,15 @@ impl Welding {
             part.extend(self.made()?);
         }
         self.clamped_as(&part, fixtures)
+    }
+
+    /// Weld metal of the passes, an obstacle of those after them; `None` without a joint, or if the part is not watched
+    /// or not made from the seam.
+    pub fn metal(&self) -> Option<Metal<'_>> {
+        let program = &self.program.value;
+        let is_made = program.part.watched && !program.part.replace;
+        let (Some(seam), Some(joint)) = (&self.seam, self.joint.as_ref().filter(|_| is_made)) else { return None };
+        Some(Metal::new(program, seam, joint, self.stretches()))
     }
 
     /// The solids that are made from the seam; empty in a program without one.
@@ -150,6 +163,15 @@ impl Making<'_> {
             Seam::Line(line) => self.line(line),
             Seam::TJoint(joint) => self.t_joint(joint, &Middle::new(file, joint)?),
         };
+        let made = made.and_then(|parts| {
+            let mut solids = self.grooved(seam, parts)?;
+            if let Seam::Branch(branch) = seam
+                && let Some(other) = self.other_branch(file, branch)?
+            {
+                solids.insert(1, other);
+            }
+            Ok(solids)
+        });
         made.map_err(|e| match e {
             Impossible::Short(least) => {
                 let allowed = Message::new("document-more-than").quantity("min", least, Unit::Mm, 3);
@@ -161,6 +183,23 @@ impl Making<'_> {
                 file.error_at("seam", message, Message::new("weld-allowed-part-sizes").value("max", 1e7, Unit::Mm))
             }
         })
+    }
+
+    /// The parts without the groove of the joint, if there is one.
+    fn grooved(&self, seam: &Seam, solids: Vec<Solid>) -> Result<Vec<Solid>, Impossible> {
+        let Some(groove) = self.joint.and_then(|joint| Groove::new(self.seam, joint)) else { return Ok(solids) };
+        let last = solids.len().saturating_sub(1);
+        // A part that stands on a plate or skin is made after it.
+        let parts = match seam {
+            Seam::Nozzle(_) | Seam::Branch(_) | Seam::Line(_) => [0, last],
+            _ => [last, 0],
+        };
+        Ok(groove.cut(solids, parts)?)
+    }
+
+    /// Thickness of plates, mm: at least that of the joint.
+    fn plate_mm(&self) -> f64 {
+        self.joint.and_then(|joint| joint.joint().preparation.thickness_mm()).unwrap_or(0.0).max(PLATE_MM)
     }
 
     /// Minimum of `f` over the seam: the minimum at many stations, then at ever nearer ones around it.
@@ -201,8 +240,9 @@ impl Making<'_> {
     fn plate(&self, name: &str, centre: DVec3, normal: DVec3, side: f64) -> Result<Solid, ClearanceError> {
         let x = normal.any_orthonormal_vector();
         let axes = DMat3::from_cols(x, normal.cross(x), normal);
-        let shape = Shape::Box { size: DVec3::new(side, side, PLATE_MM) };
-        Solid::new(name, shape, DAffine3::from_mat3_translation(axes, centre - 0.5 * PLATE_MM * normal))
+        let thick = self.plate_mm();
+        let shape = Shape::Box { size: DVec3::new(side, side, thick) };
+        Solid::new(name, shape, DAffine3::from_mat3_translation(axes, centre - 0.5 * thick * normal))
     }
 }
 

@@ -117,13 +117,22 @@ fn short_of(range: Extent, outward: f64, room: f64) -> Extent {
 
 /// The closed mesh through cross-sections with as many corners each.
 pub(super) fn sweep_through(sections: &[Vec<DVec3>]) -> Result<Mesh, ClearanceError> {
+    close_ring(sections, false)
+}
+
+/// The same; in a `ring` the first cross-section follows the last.
+pub(super) fn close_ring(sections: &[Vec<DVec3>], ring: bool) -> Result<Mesh, ClearanceError> {
     let mut triangles = Vec::new();
-    for pair in sections.windows(2) {
-        for i in 0..pair[0].len() {
-            let j = (i + 1) % pair[0].len();
-            triangles.push([pair[0][i], pair[0][j], pair[1][j]]);
-            triangles.push([pair[0][i], pair[1][j], pair[1][i]]);
+    let next = sections.iter().skip(1).chain(sections.first().filter(|_| ring));
+    for (a, b) in sections.iter().zip(next) {
+        for i in 0..a.len() {
+            let j = (i + 1) % a.len();
+            triangles.push([a[i], a[j], b[j]]);
+            triangles.push([a[i], b[j], b[i]]);
         }
+    }
+    if ring {
+        return Mesh::new(&triangles);
     }
     for end in [sections.first(), sections.last()].into_iter().flatten() {
         triangles.extend((1..end.len() - 1).map(|i| [end[0], end[i], end[i + 1]]));

@@ -68,14 +68,11 @@ impl Making<'_> {
         let Extent { low, high } = self.heights(origin, along);
         let length = high - low + self.nozzle_mm;
         let foot = Foot { centre: origin + low * along, along, radius };
-        let tube = match self.joint.filter(|joint| joint.cuts_first()) {
-            Some(joint) => self.bevelled(nozzle, joint, low + length)?,
-            None => Solid::new("nozzle", Shape::Cylinder { radius, length }, standing(foot.centre, along))?,
-        };
+        let tube = Solid::new("nozzle", Shape::Cylinder { radius, length }, standing(foot.centre, along))?;
         Ok(vec![tube, self.nozzle_body(file, &nozzle.body, &foot)?])
     }
 
-    /// A branch's tube from the seam's lowest point on, the chord, and the other branch, if any.
+    /// A branch's tube from the seam's lowest point on, and the chord.
     pub(super) fn branch<T>(&self, file: &Document<T>, branch: &Branch) -> Result<Vec<Solid>, Impossible> {
         let Joint { tube, chord, other, .. } = Joint::new(file, branch)?;
         let (origin, along, radius) = (tube.origin(), tube.direction(), tube.radius());
@@ -85,10 +82,6 @@ impl Making<'_> {
         let mut solids = vec![Solid::new("branch", Shape::Cylinder { radius, length }, standing(foot.centre, along))?];
         let mut extent = foot.with(self.heights(DVec3::ZERO, DVec3::X), DVec3::ZERO, DVec3::X);
         if let Some(Leg { origin, direction, radius }) = other {
-            // Above the chord on all sides, and beyond the seam.
-            let out = (chord + radius * direction.x.abs()) / direction.z;
-            let length = self.heights(origin, direction).high.max(out) + self.nozzle_mm;
-            solids.push(Solid::new("other branch", Shape::Cylinder { radius, length }, standing(origin, direction))?);
             let beside = radius / direction.z + chord * (direction.x / direction.z).abs();
             extent = Extent { low: extent.low.min(origin.x - beside), high: extent.high.max(origin.x + beside) };
         }
@@ -96,6 +89,16 @@ impl Making<'_> {
         let start = 0.5 * (extent.low + extent.high - length) * DVec3::X;
         solids.push(Solid::new("chord", Shape::Cylinder { radius: chord, length }, standing(start, DVec3::X))?);
         Ok(solids)
+    }
+
+    /// The other branch of a K-joint.
+    pub(super) fn other_branch<T>(&self, file: &Document<T>, branch: &Branch) -> Result<Option<Solid>, Impossible> {
+        let Joint { chord, other, .. } = Joint::new(file, branch)?;
+        let Some(Leg { origin, direction, radius }) = other else { return Ok(None) };
+        // Above the chord on all sides, and beyond the seam.
+        let out = (chord + radius * direction.x.abs()) / direction.z;
+        let length = self.heights(origin, direction).high.max(out) + self.nozzle_mm;
+        Ok(Some(Solid::new("other branch", Shape::Cylinder { radius, length }, standing(origin, direction))?))
     }
 
     pub(super) fn nozzle_body<T>(&self, file: &Document<T>, body: &Body, foot: &Foot) -> Result<Solid, Impossible> {

@@ -6,6 +6,7 @@ mod branch;
 mod jobs;
 mod nozzle_wall;
 mod part;
+mod part_groove;
 mod part_random;
 mod pass;
 mod plane;

@@ -1,0 +1,191 @@
+//! Weld metal of earlier passes as solids: obstacles of the passes after them.
+//!
+//! Passes whose wire has the same height in the groove are a layer. The areas of the layers, from the root out, give the
+//! levels between them, and the beads of a layer share its width evenly. So the metal follows from the rows of the
+//! passes alone, in a job as in a program. Crowns are those of the drawn outlines (`beads/outline.rs`), or higher.
+
+use super::groove::{STATIONS, Station, stations};
+use super::swept::close_ring;
+use crate::joint::{SeamJoint, Section};
+use crate::seam::SeamCurve;
+use crate::stretch::Stretch;
+use glam::{DVec2, DVec3};
+use seamwright_clearance::{ClearanceError, Shape, Solid};
+use seamwright_program::{Bead, Program};
+use std::sync::Arc;
+
+/// Number of columns across the groove. Beads that end within a column fill it.
+const COLUMNS: usize = 24;
+/// Beads with wires nearer to each other than this are of one layer (in height) or the same bead (across), mm: far more
+/// than rows are rounded, far less than beads are apart.
+const SAME_MM: f64 = 0.05;
+/// Height of crowns over their layer's level as a part of the layer.
+const CROWN: f64 = 0.05;
+/// The same in a cap of several beads, as a multiple of its parabola.
+const CAP_CROWN: f64 = 1.15;
+/// Metal where there is none yet, as a part of the whole area: a film that keeps the solid closed.
+const FILM: f64 = 1e-3;
+
+/// Weld metal in the order of the passes.
+pub struct Metal<'a> {
+    program: &'a Program,
+    seam: &'a SeamCurve,
+    stations: Vec<Station>,
+    stretches: Vec<Option<Stretch>>,
+}
+
+/// A bead at a station.
+#[derive(Clone, Copy)]
+struct Deposit {
+    height: f64,
+    across: f64,
+    area: f64,
+    laid: bool,
+}
+
+impl<'a> Metal<'a> {
+    pub(crate) fn new(
+        program: &'a Program,
+        seam: &'a SeamCurve,
+        joint: &SeamJoint,
+        stretches: Vec<Option<Stretch>>,
+    ) -> Self {
+        let is_filled = program.passes.iter().any(|pass| pass.bead.is_some());
+        let stations = if is_filled { stations(seam, joint) } else { Vec::new() };
+        Self { program, seam, stations, stretches }
+    }
+
+    /// The metal in the work frame before each pass, and after the last one: a solid for each copy of the seam that has
+    /// metal.
+    ///
+    /// # Errors
+    /// Metal that has no closed surface.
+    pub fn by_pass(&self) -> Result<Vec<Vec<Solid>>, ClearanceError> {
+        let mut copies: Vec<Option<Solid>> = vec![None; self.program.copy_count()];
+        let mut all = vec![Vec::new()];
+        for (i, pass) in self.program.passes.iter().enumerate() {
+            if pass.bead.is_some() && !self.stations.is_empty() {
+                copies[pass.copy] = Some(self.of_copy(pass.copy, i + 1)?);
+            }
+            all.push(copies.iter().flatten().cloned().collect());
+        }
+        Ok(all)
+    }
+
+    /// The metal on a copy of the seam before pass `before`.
+    fn of_copy(&self, copy: usize, before: usize) -> Result<Solid, ClearanceError> {
+        let outlines: Vec<Vec<DVec3>> = self.stations.iter().map(|s| self.outline(s, copy, before)).collect();
+        let mesh = close_ring(&outlines, self.seam.all_round())?;
+        let of = self.program.copy_name(copy).map_or(String::new(), |name| format!(" of {name}"));
+        let shape = Shape::Mesh(Arc::new(mesh));
+        Solid::new(format!("weld metal{of}"), shape, self.program.copy_in_work(copy))
+    }
+
+    /// The metal's outline at a station: its top from the second part to the first, and both roots.
+    fn outline(&self, station: &Station, copy: usize, before: usize) -> Vec<DVec3> {
+        let section = &station.section;
+        let tops = tops(section, &mut self.deposits(station, copy, before));
+        let node = |i: usize| {
+            let beside = [i.checked_sub(1), Some(i).filter(|i| *i < COLUMNS)];
+            let column = |c: usize| tops[c].at(section, i as f64 / COLUMNS as f64);
+            let area = beside.into_iter().flatten().map(column).fold(FILM * section.total(), f64::max);
+            section.point(i as f64 / COLUMNS as f64, area)
+        };
+        let roots = [&section.first, &section.second].map(|edge| edge.first().copied().unwrap_or_default());
+        (0..=COLUMNS).map(node).chain(roots).map(|p| station.point(p)).collect()
+    }
+
+    /// All beads at a station, those of passes before `before` laid.
+    fn deposits(&self, station: &Station, copy: usize, before: usize) -> Vec<Deposit> {
+        let mut all: Vec<Deposit> = Vec::new();
+        let section = &station.section;
+        for (i, (pass, stretch)) in self.program.passes.iter().zip(&self.stretches).enumerate() {
+            let (Some(bead), Some(stretch)) = (&pass.bead, stretch) else { continue };
+            if pass.copy != copy || !self.covers(stretch, station.p.s) {
+                continue;
+            }
+            let [across, out, area] = at(bead, station.p.s, self.seam);
+            let tip = DVec2::new(across, out);
+            let (height, across) = (tip.dot(section.up), tip.dot(section.across()));
+            let laid = i < before;
+            // The parts of a bead that is welded in several passes overlap.
+            let is_same = |d: &Deposit| (d.height - height).abs() < SAME_MM && (d.across - across).abs() < SAME_MM;
+            match all.iter_mut().find(|d| is_same(d)) {
+                Some(same) => same.laid |= laid,
+                None if area > 0.0 => all.push(Deposit { height, across, area, laid }),
+                None => {}
+            }
+        }
+        all
+    }
+
+    /// True if a pass lays metal at path length `s` of the seam, or up to the next station from there.
+    fn covers(&self, stretch: &Stretch, s: f64) -> bool {
+        let more = self.seam.weld_length() / f64::from(STATIONS);
+        let own = stretch.own_s(s) + more;
+        let own = if self.seam.all_round() { own.rem_euclid(self.seam.length()) } else { own };
+        (0.0..=stretch.length + 2.0 * more).contains(&own)
+    }
+}
+
+/// The top of a column: its level, the layer below it, and if it is a cap.
+#[derive(Clone, Copy, Default)]
+struct Top {
+    level: f64,
+    layer: f64,
+    beads: usize,
+}
+
+impl Top {
+    /// Area below the surface at a part of the width.
+    fn at(&self, section: &Section, part: f64) -> f64 {
+        let groove = section.area();
+        let over = (self.level - groove).max(0.0);
+        if over > 0.0 {
+            let crown = if self.beads > 1 { CAP_CROWN } else { 1.0 };
+            return groove + crown * over * 6.0 * part * (1.0 - part);
+        }
+        (self.level + CROWN * self.layer).min(groove.max(self.level))
+    }
+}
+
+/// The tops of all columns.
+fn tops(section: &Section, deposits: &mut [Deposit]) -> [Top; COLUMNS] {
+    deposits.sort_by(|a, b| a.height.total_cmp(&b.height));
+    let mut tops = [Top::default(); COLUMNS];
+    let mut below = 0.0;
+    for layer in deposits.chunk_by_mut(|a, b| b.height - a.height < SAME_MM) {
+        layer.sort_by(|a, b| a.across.total_cmp(&b.across));
+        let area: f64 = layer.iter().map(|d| d.area).sum();
+        for (c, top) in tops.iter_mut().enumerate() {
+            let share = layer.len() as f64 / COLUMNS as f64;
+            let (from, to) = (c as f64 * share, (c + 1) as f64 * share);
+            let touched = from.floor() as usize..(to.ceil() as usize).min(layer.len());
+            if layer[touched].iter().any(|d| d.laid) {
+                *top = Top { level: (below + area).min(section.total()), layer: area, beads: layer.len() };
+            }
+        }
+        below += area;
+    }
+    tops
+}
+
+/// Distance across and out of a bead's wire, mm, and its area, mm^2, at a path length of the seam: between rows on a
+/// line.
+fn at(bead: &Bead, s: f64, seam: &SeamCurve) -> [f64; 3] {
+    let rows = bead.s_mm.len();
+    let row = |i: usize| [bead.across_mm[i].get(), bead.out_mm[i].get(), bead.area_mm2[i].get()];
+    let period = if seam.all_round() { seam.length() } else { f64::INFINITY };
+    let after = bead.s_mm.partition_point(|x| x.get() <= s);
+    let (before, next) = match (after.checked_sub(1), after < rows) {
+        (Some(before), true) => (before, after),
+        (None, _) if period.is_infinite() => (0, 0),
+        (Some(before), false) if period.is_infinite() => (before, before),
+        _ => (rows - 1, 0),
+    };
+    let distance = |from: f64, to: f64| if to < from { to - from + period } else { to - from };
+    let width = distance(bead.s_mm[before].get(), bead.s_mm[next].get());
+    let part = if width > 0.0 && width.is_finite() { distance(bead.s_mm[before].get(), s) / width } else { 0.0 };
+    let (a, b) = (row(before), row(next));
+    std::array::from_fn(|k| a[k] + part.clamp(0.0, 1.0) * (b[k] - a[k]))
+}
