@@ -20,6 +20,8 @@ cli-standard-input = Standardeingabe
 
 # Progress.
 cli-progress-planning = Planung
+cli-progress-rows = Zeilen
+cli-schedule-done = { $weldable } von { $rows } Zeilen können wie verlangt geschweißt werden; { $kept } wurden nicht neu geplant
 cli-progress-pass = Lage { $pass } von { $passes }: { $stage }
 cli-progress-simulating = Schweißen in der Simulation
 cli-progress-machine = Prüfung der Maschine

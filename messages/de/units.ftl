@@ -24,6 +24,7 @@ unit-mm-per-min = { $number } mm/min
 unit-m-per-min = { $number } m/min
 unit-l-per-min = { $number } l/min
 unit-s = { $number } s
+unit-h = { $number } h
 unit-ms = { $number } ms
 unit-us = { $number } µs
 unit-ns = { $number } ns

@@ -36,6 +36,8 @@ cli-standard-input = standard input
 
 # Progress.
 cli-progress-planning = planning
+cli-progress-rows = rows
+cli-schedule-done = { $weldable } of { $rows } rows can be welded as asked; { $kept } were not planned again
 cli-progress-pass = pass { $pass } of { $passes }: { $stage }
 cli-progress-simulating = welding in simulation
 cli-progress-machine = checking the machine

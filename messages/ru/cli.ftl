@@ -20,6 +20,8 @@ cli-standard-input = стандартный ввод
 
 # Progress.
 cli-progress-planning = планирование
+cli-progress-rows = строки
+cli-schedule-done = { $weldable } из { $rows } строк можно сварить как задано; { $kept } не планировались заново
 cli-progress-pass = проход { $pass } из { $passes }: { $stage }
 cli-progress-simulating = сварка в симуляции
 cli-progress-machine = проверка станка

@@ -24,6 +24,7 @@ unit-mm-per-min = { $number } мм/мин
 unit-m-per-min = { $number } м/мин
 unit-l-per-min = { $number } л/мин
 unit-s = { $number } с
+unit-h = { $number } ч
 unit-ms = { $number } мс
 unit-us = { $number } мкс
 unit-ns = { $number } нс

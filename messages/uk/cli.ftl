@@ -20,6 +20,8 @@ cli-standard-input = стандартний ввід
 
 # Progress.
 cli-progress-planning = планування
+cli-progress-rows = рядки
+cli-schedule-done = { $weldable } із { $rows } рядків можна зварити, як задано; { $kept } не плановано знову
 cli-progress-pass = прохід { $pass } з { $passes }: { $stage }
 cli-progress-simulating = зварювання в симуляції
 cli-progress-machine = перевірка верстата

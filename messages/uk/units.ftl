@@ -24,6 +24,7 @@ unit-mm-per-min = { $number } мм/хв
 unit-m-per-min = { $number } м/хв
 unit-l-per-min = { $number } л/хв
 unit-s = { $number } с
+unit-h = { $number } год
 unit-ms = { $number } мс
 unit-us = { $number } мкс
 unit-ns = { $number } нс

@@ -20,6 +20,8 @@ cli-standard-input = 标准输入
 
 # Progress.
 cli-progress-planning = 规划
+cli-progress-rows = 行
+cli-schedule-done = { $rows } 行中有 { $weldable } 行可按要求焊接；{ $kept } 行未重新规划
 cli-progress-pass = 焊道 { $pass }/{ $passes }：{ $stage }
 cli-progress-simulating = 仿真焊接
 cli-progress-machine = 检查机床

@@ -18,6 +18,7 @@ pub(crate) mod records;
 pub(crate) mod reduce;
 pub(crate) mod run;
 pub(crate) mod scan;
+pub(crate) mod schedule;
 pub(crate) mod serve;
 pub(crate) mod shell;
 mod simulate;
@@ -105,6 +106,8 @@ pub(crate) enum Verb {
     Plan(PlanArgs),
     /// Run the checks of a plan only; exit code 1 if the weld cannot be made as requested
     Check(CheckArgs),
+    /// Plan many seams from one table: results, part programs, load of the machines, report
+    Schedule(schedule::ScheduleArgs),
     /// Weld in simulation: drives, friction, encoders; trace and report
     Simulate(SimulateArgs),
     /// Run a job on a cell in real time, under orders from standard input

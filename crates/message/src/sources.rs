@@ -47,6 +47,7 @@ areas![
     "record",
     "post",
     "report",
+    "schedule",
     "project",
     "server",
     "panel",

@@ -45,6 +45,7 @@ units! {
     MPerMin = "m/min" "Metre per minute.",
     LPerMin = "l/min" "Litre per minute.",
     S = "s" "Second.",
+    H = "h" "Hour.",
     Ms = "ms" "Millisecond.",
     Us = "us" "Microsecond.",
     Ns = "ns" "Nanosecond.",

@@ -109,6 +109,8 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
     /// For each column whether it holds numbers, which are set to the right; false if missing.
     pub numeric: Vec<bool>,
+    /// True if a click on a heading sorts the rows by that column.
+    pub sortable: bool,
 }
 
 pub(crate) fn heading(code: &'static str, language: Language) -> Block {
@@ -294,7 +296,7 @@ impl Table {
         let class = |column| self.is_number(column).then_some("number");
         html! {
             div class="scroll" {
-                table {
+                table class=[self.sortable.then_some("sortable")] {
                     caption { (caption) }
                     thead {
                         tr { @for (i, text) in self.head.iter().enumerate() { th scope="col" class=[class(i)] { (text) } } }

@@ -17,7 +17,8 @@ pub struct Verdict {
     pub text: String,
 }
 
-/// A self-contained HTML page: without scripts or other files, for light and dark screens and A4 paper.
+/// A self-contained HTML page: without other files, and without scripts unless a table is sortable; for light and dark
+/// screens and A4 paper.
 ///
 /// All text is escaped; only the markup of figures is inserted unchanged.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -40,7 +41,15 @@ pub struct Page {
 const META: PreEscaped<&str> =
     PreEscaped("<meta charset=\"utf-8\"/><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
 
+/// Sorts the rows of a table by the column whose heading is clicked, or entered: numbers by value, the second time
+/// backwards.
+const SORTING: &str = include_str!("sorting.js");
+
 impl Page {
+    fn is_sortable(&self) -> bool {
+        self.blocks.iter().any(|block| matches!(block, Block::Table(table) if table.sortable))
+    }
+
     /// Returns the HTML text, UTF-8; well-formed as XML too.
     pub fn render(&self) -> String {
         let mut counters = Counters { language: self.language, ..Counters::default() };
@@ -62,6 +71,7 @@ impl Page {
                         }
                         @for block in &self.blocks { (block.render(&mut counters)) }
                     }
+                    @if self.is_sortable() { script { (PreEscaped(SORTING)) } }
                 }
             }
         };

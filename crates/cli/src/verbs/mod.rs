@@ -27,6 +27,7 @@ pub(crate) mod reduce;
 mod row_destination;
 pub(crate) mod run;
 pub(crate) mod scan;
+pub(crate) mod schedule;
 pub(crate) mod schema;
 pub(crate) mod seam;
 mod seam_positions;

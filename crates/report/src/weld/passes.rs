@@ -195,6 +195,7 @@ impl WeldReport {
             head: [front.to_vec(), table.head].concat(),
             numeric: [vec![false; 2], table.numeric].concat(),
             caption: table.caption,
+            sortable: table.sortable,
         }
     }
 }

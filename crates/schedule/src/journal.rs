@@ -1,0 +1,124 @@
+//! Results on disk as they come: a line each, so that a schedule that was killed goes on where it was.
+
+use crate::plan_row::RowResult;
+use seamwright_project::failure::Failure;
+use seamwright_project::files::not_writable;
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use std::fs::{File, OpenOptions};
+use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+/// A line of the file.
+#[derive(Debug, Serialize, Deserialize)]
+struct Line {
+    hash: String,
+    result: RowResult,
+}
+
+/// Results by the hash of what they depend on.
+#[derive(Debug)]
+pub(crate) struct Journal {
+    path: PathBuf,
+    inner: Mutex<Inner>,
+}
+
+#[derive(Debug)]
+struct Inner {
+    file: File,
+    /// Place of a result's line in the file.
+    places: HashMap<String, u64>,
+    end: u64,
+}
+
+impl Journal {
+    /// Opens the journal `path` or begins a new one. A last line that is not whole is cut off.
+    ///
+    /// # Errors
+    /// A file that cannot be read or written.
+    pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
+        let failed = |e: std::io::Error| not_writable(path, &e);
+        let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
+        let mut reader = BufReader::new(&file);
+        let (mut places, mut end, mut line) = (HashMap::new(), 0, String::new());
+        loop {
+            line.clear();
+            let read = reader.read_line(&mut line).map_err(failed)? as u64;
+            if read == 0 || !line.ends_with('\n') {
+                break;
+            }
+            // Lines of other versions are no results.
+            if let Ok(found) = serde_json::from_str::<Line>(&line) {
+                places.insert(found.hash, end);
+            }
+            end += read;
+        }
+        drop(reader);
+        file.set_len(end).map_err(failed)?;
+        Ok(Self { path: path.to_owned(), inner: Mutex::new(Inner { file, places, end }) })
+    }
+
+    pub(crate) fn has(&self, hash: &str) -> bool {
+        self.locked().places.contains_key(hash)
+    }
+
+    /// Adds a result; it is on disk when this returns.
+    pub(crate) fn add(&self, hash: &str, result: &RowResult) -> Result<(), Failure> {
+        let line = Line { hash: hash.to_owned(), result: result.clone() };
+        let mut text = serde_json::to_string(&line).map_err(|e| Failure::environment(e.to_string()))?;
+        text.push('\n');
+        let failed = |e: std::io::Error| not_writable(&self.path, &e);
+        let mut inner = self.locked();
+        let end = inner.end;
+        inner.file.seek(SeekFrom::Start(end)).map_err(failed)?;
+        inner.file.write_all(text.as_bytes()).map_err(failed)?;
+        inner.places.insert(line.hash, end);
+        inner.end = end + text.len() as u64;
+        Ok(())
+    }
+
+    /// The result with this hash, if it is there.
+    pub(crate) fn get(&self, hash: &str) -> Result<Option<RowResult>, Failure> {
+        let failed = |e: std::io::Error| not_writable(&self.path, &e);
+        let mut inner = self.locked();
+        let Some(place) = inner.places.get(hash).copied() else { return Ok(None) };
+        inner.file.seek(SeekFrom::Start(place)).map_err(failed)?;
+        let mut text = String::new();
+        BufReader::new(&mut inner.file).read_line(&mut text).map_err(failed)?;
+        Ok(serde_json::from_str::<Line>(&text).ok().map(|line| line.result))
+    }
+
+    fn locked(&self) -> std::sync::MutexGuard<'_, Inner> {
+        // Whoever panicked with the lock has at most left a line that is not counted.
+        self.inner.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan_row::Status;
+
+    #[test]
+    fn results_survive_a_line_that_is_not_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("rows.jsonl");
+        let result = |passes: usize| RowResult { passes, ..RowResult::without_plan(Status::Weldable, String::new()) };
+        let journal = Journal::open(&path).unwrap();
+        (0..20).for_each(|i| journal.add(&format!("h{i}"), &result(i)).unwrap());
+        drop(journal);
+        let whole = std::fs::read(&path).unwrap();
+        // Cut anywhere: all whole lines are there, and the journal goes on.
+        for cut in [0, 1, whole.len() / 2, whole.len() - 1, whole.len()] {
+            std::fs::write(&path, &whole[..cut]).unwrap();
+            let count = whole[..cut].iter().filter(|b| **b == b'\n').count();
+            let journal = Journal::open(&path).unwrap();
+            for i in 0..20 {
+                assert_eq!(journal.get(&format!("h{i}")).unwrap(), (i < count).then(|| result(i)), "cut at {cut}");
+            }
+            journal.add("new", &result(99)).unwrap();
+            assert_eq!(Journal::open(&path).unwrap().get("new").unwrap(), Some(result(99)));
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! Plans of many seams from one table.
+//!
+//! A [`Table`] has one row a seam: a template job, values that replace those of the template by their keys, and the
+//! machines that may weld it. [`Schedule`] plans every row on every machine, keeps what is done in a journal, and writes
+//! results, programs and a report. Rows that have not changed are not planned again.
+//!
+//! - `table`: rows of CSV and TOML tables, and their faults by row and column.
+//! - `job_text`: the job of a row.
+//! - `plan_row`: one row planned, with its figures.
+//! - `journal`: results on disk as they come.
+//! - `run`: all rows by several threads.
+//! - `machine_load`: who welds what when.
+//! - `output`: result files and report.
+
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
+mod job_text;
+mod journal;
+mod machine_load;
+mod output;
+mod plan_row;
+mod run;
+mod table;
+
+pub use machine_load::{MachineLoad, Occupation, Task, machine_load};
+pub use plan_row::{RowResult, Status};
+pub use run::{Progress, Schedule, Summary};
+pub use table::{Row, Setting, Table};

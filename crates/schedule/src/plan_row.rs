@@ -1,0 +1,213 @@
+//! One row, planned on each of its machines.
+
+use crate::job_text::{JobText, in_row};
+use crate::table::{Row, Table};
+use seamwright_message::Language;
+use seamwright_motion::WeldMotion;
+use seamwright_post::{Control, Dialect, Feed, Options};
+use seamwright_program::Finding;
+use seamwright_project::failure::Failure;
+use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::planning::Planning;
+use seamwright_project::posting::{self, Unproven};
+use seamwright_report::WeldReport;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+/// What became of a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// It can be welded as asked.
+    Weldable,
+    /// It cannot; the findings say why.
+    NotWeldable,
+    /// Its searches took longer than allowed.
+    OutOfTime,
+    /// Its job is invalid; `error` says why.
+    Invalid,
+    /// Its part program deviates when it is read back, or the planner failed.
+    Failed,
+}
+
+impl Status {
+    /// The word in result files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Weldable => "weldable",
+            Self::NotWeldable => "not_weldable",
+            Self::OutOfTime => "out_of_time",
+            Self::Invalid => "invalid",
+            Self::Failed => "failed",
+        }
+    }
+}
+
+/// Result of a row, of one part.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RowResult {
+    /// What became of it.
+    pub status: Status,
+    /// The machine of these figures: of those that can weld it the fastest, otherwise the one with the fewest findings.
+    pub machine: String,
+    /// Time of one part on each machine that can weld it, s.
+    pub times: BTreeMap<String, f64>,
+    /// Number of passes.
+    pub passes: usize,
+    /// Length of all passes, mm.
+    pub length_mm: f64,
+    /// Time from home to home, s.
+    pub total_s: f64,
+    /// Time with the arc or beam on, s.
+    pub arc_s: f64,
+    /// Wire, kg; none if unknown.
+    pub wire_kg: Option<f64>,
+    /// Shielding gas, l; none if unknown.
+    pub gas_l: Option<f64>,
+    /// Arc energy, kJ; none if unknown.
+    pub energy_kj: Option<f64>,
+    /// Cost by the job's rates.
+    pub cost: Option<f64>,
+    /// Minimum distance of everything watched, mm; none if nothing is near.
+    pub clearance_mm: Option<f64>,
+    /// Number of findings by code.
+    pub findings: BTreeMap<String, usize>,
+    /// Number of findings that prevent the weld.
+    pub blocking: usize,
+    /// The fault of an invalid or failed row, in the language of the process.
+    pub error: Option<String>,
+}
+
+/// Limits of a row and what is written of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RowTerms {
+    /// Time limit of the searches of each plan.
+    pub(crate) limit: Duration,
+    /// Control to write part programs for.
+    pub(crate) dialect: Option<Dialect>,
+}
+
+/// Plans a row on all of its machines. Returns the result, and the proven part program of the machine chosen.
+pub(crate) fn plan_row(table: &Table, row: &Row, jobs: &[JobText], terms: RowTerms) -> (RowResult, Option<String>) {
+    let mut best: Option<(RowResult, Option<String>)> = None;
+    let mut times = BTreeMap::new();
+    for job in jobs {
+        let (result, program) = plan_job(table, row, job, terms);
+        if result.status == Status::Weldable {
+            times.insert(result.machine.clone(), result.total_s);
+        }
+        let key = |r: &RowResult| (r.status != Status::Weldable, r.blocking, r.error.is_some());
+        let is_better = best.as_ref().is_none_or(|(old, _)| {
+            key(&result) < key(old) || (key(&result) == key(old) && result.total_s < old.total_s && old.total_s > 0.0)
+        });
+        if is_better {
+            best = Some((result, program));
+        }
+    }
+    let (mut result, program) = best.unwrap_or_else(|| (RowResult::without_plan(Status::Invalid, String::new()), None));
+    result.times = times;
+    (result, program)
+}
+
+fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> (RowResult, Option<String>) {
+    let refused = |failure: Failure| {
+        let failure = match failure {
+            Failure::Document(error) => in_row(table, row, *error),
+            other => other,
+        };
+        (RowResult::without_plan(Status::Invalid, failure.text()), None)
+    };
+    let name = format!("{}: {}", row.name, row.template);
+    let loaded = match load_text(&name, &job.text, &job.folder) {
+        Ok(loaded) => loaded,
+        Err(failure) => return refused(failure),
+    };
+    let planning = Planning { limit: Some(terms.limit), ..Planning::default() };
+    let machine = loaded.welding.program.value.machine.clone();
+    match loaded.try_plan_under(&loaded.machine, &planning) {
+        Err(failure) => refused(failure),
+        Ok(Err(findings)) => (RowResult::blocked(machine, &findings), None),
+        Ok(Ok(motion)) => {
+            let mut result = RowResult::of(machine, &loaded, &motion);
+            let program = terms.dialect.filter(|_| result.status == Status::Weldable);
+            match program.map(|dialect| program_of(&loaded, &motion, dialect)).transpose() {
+                Ok(program) => (result, program),
+                Err(why) => {
+                    result.status = Status::Failed;
+                    result.error = Some(why.message().to_string());
+                    (result, None)
+                }
+            }
+        }
+    }
+}
+
+/// The proven part program of a planned weld.
+fn program_of(loaded: &Loaded, motion: &WeldMotion, dialect: Dialect) -> Result<String, Unproven> {
+    let control = Control::new(&loaded.machine, dialect).map_err(|e| Unproven::Failure(Failure::input(&e)))?;
+    posting::proven(loaded, motion, &control, &Options::default(), Feed::InverseTime).map(|(text, _)| text)
+}
+
+impl RowResult {
+    /// A row without a plan.
+    pub(crate) fn without_plan(status: Status, error: String) -> Self {
+        Self {
+            status,
+            machine: String::new(),
+            times: BTreeMap::new(),
+            passes: 0,
+            length_mm: 0.0,
+            total_s: 0.0,
+            arc_s: 0.0,
+            wire_kg: None,
+            gas_l: None,
+            energy_kj: None,
+            cost: None,
+            clearance_mm: None,
+            findings: BTreeMap::new(),
+            blocking: 0,
+            error: Some(error).filter(|text| !text.is_empty()),
+        }
+    }
+
+    fn blocked(machine: String, findings: &[Finding]) -> Self {
+        let is_search = findings.iter().any(|f| f.kind == "search" && !f.allowed);
+        let status = if is_search { Status::OutOfTime } else { Status::NotWeldable };
+        let mut result = Self { machine, ..Self::without_plan(status, String::new()) };
+        result.count(findings);
+        result
+    }
+
+    fn of(machine: String, loaded: &Loaded, motion: &WeldMotion) -> Self {
+        let (report, _) = WeldReport::new(&loaded.machine, &loaded.welding, motion, None, Language::English);
+        let totals = report.totals;
+        let nearest = motion.clearance.iter().flatten().filter_map(|pass| pass.nearest.as_ref().map(|n| n.0));
+        let clearance = nearest.fold(f64::INFINITY, f64::min);
+        let mut result = Self {
+            machine,
+            passes: totals.passes,
+            length_mm: totals.length_mm,
+            total_s: totals.total_s,
+            arc_s: totals.arc_on_s,
+            wire_kg: totals.wire_kg,
+            gas_l: totals.gas_l,
+            energy_kj: totals.arc_energy_kj,
+            cost: totals.cost.map(|cost| cost.total),
+            clearance_mm: Some(clearance).filter(|mm| mm.is_finite()),
+            ..Self::without_plan(Status::Weldable, String::new())
+        };
+        result.count(&motion.findings);
+        if result.blocking > 0 {
+            result.status = Status::NotWeldable;
+        }
+        result
+    }
+
+    fn count(&mut self, findings: &[Finding]) {
+        self.blocking = findings.iter().filter(|finding| !finding.allowed).count();
+        for finding in findings {
+            *self.findings.entry(finding.message.code.to_string()).or_default() += 1;
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! All rows of a table, by several threads.
+
+use crate::job_text::{JobText, Templates};
+use crate::journal::Journal;
+use crate::output;
+use crate::plan_row::{RowResult, RowTerms, Status, plan_row};
+use crate::table::{Row, Table};
+use seamwright_message::Message;
+use seamwright_post::Dialect;
+use seamwright_project::failure::Failure;
+use seamwright_project::files;
+use std::collections::HashSet;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, sync_channel};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// Rows that wait for a thread, for each thread.
+const WAITING: usize = 4;
+
+/// A table to be planned.
+#[derive(Debug)]
+pub struct Schedule<'a> {
+    /// The table.
+    pub table: &'a Table,
+    /// Folder for results.
+    pub output: &'a Path,
+    /// Number of threads.
+    pub threads: usize,
+    /// Time limit of the searches of a row on one machine.
+    pub limit: Duration,
+    /// Control to write part programs for.
+    pub dialect: Option<Dialect>,
+}
+
+/// How far it has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Number of rows done, also by an earlier run.
+    pub done: u64,
+    /// Those among them that an earlier run had done.
+    pub kept: u64,
+}
+
+/// What became of all rows.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Summary {
+    /// Number of rows.
+    pub rows: u64,
+    /// Rows that can be welded.
+    pub weldable: u64,
+    /// Rows that were not planned again.
+    pub kept: u64,
+    /// Files that were written.
+    pub files: Vec<PathBuf>,
+}
+
+/// A row to be planned.
+struct Work {
+    row: Row,
+    jobs: Vec<JobText>,
+    hash: String,
+}
+
+impl Schedule<'_> {
+    /// Plans all rows that have no result yet, and writes the results of all.
+    ///
+    /// # Errors
+    /// Faults of the table, and files that cannot be written. A row that fails is a result.
+    pub fn run(&self, progress: &(dyn Fn(Progress) + Sync)) -> Result<Summary, Failure> {
+        std::fs::create_dir_all(self.programs()).map_err(|e| files::not_writable(self.output, &e))?;
+        let journal = Journal::open(&self.output.join("rows.jsonl"))?;
+        let kept = self.plan(&journal, progress)?;
+        let mut summary = output::write(self, &|row, templates| self.result(row, templates, &journal))?;
+        summary.kept = kept;
+        Ok(summary)
+    }
+
+    /// Everything besides the job that a result depends on.
+    fn options(&self) -> String {
+        format!("{:?} {:?}", self.dialect, self.limit)
+    }
+
+    pub(crate) fn programs(&self) -> PathBuf {
+        self.output.join("programs")
+    }
+
+    /// Name of the part program of a row.
+    pub(crate) fn program(&self, row: &Row) -> Option<String> {
+        let end = match self.dialect? {
+            Dialect::Sinumerik => "mpf",
+            Dialect::Linuxcnc => "ngc",
+            Dialect::Grblhal => "nc",
+            Dialect::Pmac => "pmc",
+        };
+        Some(format!("{}.{end}", row.name))
+    }
+
+    /// Plans the rows without a result. Returns the number of those that had one.
+    fn plan(&self, journal: &Journal, progress: &(dyn Fn(Progress) + Sync)) -> Result<u64, Failure> {
+        let counts = Mutex::new(Progress { done: 0, kept: 0 });
+        let count = |kept: bool| {
+            let mut counts = locked(&counts);
+            counts.done += 1;
+            counts.kept += u64::from(kept);
+            progress(*counts);
+        };
+        let threads = self.threads.max(1);
+        let (send, receive) = sync_channel::<Work>(WAITING * threads);
+        let receive = Mutex::new(receive);
+        let fault: Mutex<Option<Failure>> = Mutex::new(None);
+        std::thread::scope(|scope| {
+            for _ in 0..threads {
+                scope.spawn(|| {
+                    // After a fault what waits is thrown away, so that nobody waits for room.
+                    while let Some(work) = next(&receive) {
+                        if locked(&fault).is_some() {
+                            continue;
+                        }
+                        match self.plan_one(&work, journal) {
+                            Ok(()) => count(false),
+                            Err(failure) => drop(locked(&fault).get_or_insert(failure)),
+                        }
+                    }
+                });
+            }
+            let (mut templates, mut begun) = (Templates::default(), HashSet::new());
+            let read = self.table.each(&mut |row| {
+                if locked(&fault).is_some() {
+                    return Ok(false);
+                }
+                match templates.jobs(self.table, &row) {
+                    Ok(jobs) => {
+                        let hash = self.hash(&row, &jobs, &mut templates);
+                        if journal.has(&hash) && self.has_program(&row, journal, &hash) {
+                            count(true);
+                        } else if begun.insert(hash.clone()) {
+                            return Ok(send.send(Work { row, jobs, hash }).is_ok());
+                        }
+                    }
+                    // It is a result of the row, made when results are written.
+                    Err(_) => count(false),
+                }
+                Ok(true)
+            });
+            drop(send);
+            read
+        })?;
+        let fault = locked(&fault).take();
+        fault.map_or_else(|| Ok(locked(&counts).kept), Err)
+    }
+
+    /// The name is part of it where a part program is written, whose file has that name.
+    fn hash(&self, row: &Row, jobs: &[JobText], templates: &mut Templates) -> String {
+        let name = if self.dialect.is_some() { row.name.as_str() } else { "" };
+        templates.hash(jobs, &format!("{} {name}", self.options()))
+    }
+
+    /// False if the part program of a row that can be welded is not there.
+    fn has_program(&self, row: &Row, journal: &Journal, hash: &str) -> bool {
+        let Some(file) = self.program(row) else { return true };
+        let is_weldable = journal.get(hash).ok().flatten().is_some_and(|r| r.status == Status::Weldable);
+        !is_weldable || self.programs().join(file).is_file()
+    }
+
+    fn plan_one(&self, work: &Work, journal: &Journal) -> Result<(), Failure> {
+        let terms = RowTerms { limit: self.limit, dialect: self.dialect };
+        let planned = catch_unwind(AssertUnwindSafe(|| plan_row(self.table, &work.row, &work.jobs, terms)));
+        let (result, program) = planned.unwrap_or_else(|_| {
+            let error = Message::new("schedule-planner-failed").to_string();
+            (RowResult::without_plan(Status::Failed, error), None)
+        });
+        // The program first: a result in the journal has one.
+        if let (Some(text), Some(file)) = (program, self.program(&work.row)) {
+            files::write(&self.programs().join(file), &text)?;
+        }
+        journal.add(&work.hash, &result)
+    }
+
+    /// The result of a row that was planned; of one without a job, why.
+    fn result(&self, row: &Row, templates: &mut Templates, journal: &Journal) -> Result<RowResult, Failure> {
+        match templates.jobs(self.table, row) {
+            Ok(jobs) => {
+                let hash = self.hash(row, &jobs, templates);
+                let missing =
+                    || RowResult::without_plan(Status::Failed, Message::new("schedule-planner-failed").to_string());
+                Ok(journal.get(&hash)?.unwrap_or_else(missing))
+            }
+            Err(failure) => Ok(RowResult::without_plan(Status::Invalid, failure.text())),
+        }
+    }
+}
+
+/// The next row, or none when there are no more.
+fn next(receive: &Mutex<Receiver<Work>>) -> Option<Work> {
+    locked(receive).recv().ok()
+}
+
+/// The value of a lock. A thread that panicked with it has left a whole value.
+fn locked<T>(lock: &Mutex<T>) -> MutexGuard<'_, T> {
+    lock.lock().unwrap_or_else(PoisonError::into_inner)
+}
