@@ -931,3 +931,10 @@ cli-data-of-running-cell = the data folder of a running panel
 cli-stop-unanswered = the stop is not acknowledged: { $why }
     .cause = The cycle stands, or the process of the cell does not answer.
     .cure = Use the emergency stop of the machine, then check that arc, gas and drives are off.
+
+# Machine files of arms.
+cli-arm-note = note: { $note }
+cli-arm-next = check it: seamwright machine check { $file }
+cli-arm-home = the home position of axis `{ $axis }` is outside its range
+    .cause = Every axis starts and ends at its home position, so that it must be reachable.
+    .cure = Give a position inside the range.

@@ -632,3 +632,8 @@ cli-stopped = остановлено в цикле { $cycle }
 cli-no-cell-runs = там ячейка не работает
 cli-data-of-running-cell = папка данных работающей панели
 cli-stop-unanswered = остановка не подтверждена: { $why }
+
+# Machine files of arms.
+cli-arm-note = замечание: { $note }
+cli-arm-next = проверить: seamwright machine check { $file }
+cli-arm-home = исходное положение оси `{ $axis }` вне её диапазона

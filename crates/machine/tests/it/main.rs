@@ -7,6 +7,7 @@ mod common;
 mod devices;
 mod files;
 mod heads;
+mod import;
 mod kinematics;
 mod linuxcnc;
 mod pitch_error;

@@ -1,6 +1,8 @@
 //! Verbs about the machine and the work in it.
 
+mod arm_file;
 mod check;
+mod import;
 mod place;
 mod placement_report;
 mod touched_points;
@@ -20,6 +22,7 @@ pub(crate) fn run(args: &MachineArgs) -> Result<(), Failure> {
         MachineVerb::Move(a) => move_to::run(a),
         MachineVerb::Io(a) => io::run(a),
         MachineVerb::Latency(a) => latency::run(a),
+        MachineVerb::Import(a) => import::run(a),
         MachineVerb::Place(a) => place::run(a),
         MachineVerb::Check(a) => check::run(a),
         MachineVerb::Tune(a) => tune::run(a),
