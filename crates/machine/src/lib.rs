@@ -65,7 +65,7 @@ pub use file::{
     ControlFile, ControlsFile, DeflectionFile, DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile,
     PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
 };
-pub use import::{FoundMesh, ImportOptions, ImportedArm, ImportedAxis, ImportedShape};
+pub use import::{DhConvention, DhRow, FoundMesh, ImportOptions, ImportedArm, ImportedAxis, ImportedShape, OpwArm};
 pub use inverse::{
     ArmConfiguration, ArmMargins, Branches, Elbow, MAX_BRANCHES, PairFault, Shoulder, Solution, Unreachable, WristSide,
 };

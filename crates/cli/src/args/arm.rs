@@ -1,7 +1,8 @@
 //! Arguments of `seamwright machine import` and `machine new`.
 
-use clap::Args;
+use clap::{Args, Subcommand};
 use glam::{DAffine3, DMat3, DVec3};
+use seamwright_machine::DhRow;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -26,6 +27,52 @@ pub(crate) struct ImportArgs {
     /// Leave out shapes for collision checks
     #[arg(long)]
     pub(crate) no_shapes: bool,
+    #[command(flatten)]
+    pub(crate) arm: ArmArgs,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright machine new arm --opw 150,-115,0,445,700,795,85 -o arm.toml")]
+pub(crate) struct NewArgs {
+    #[command(subcommand)]
+    pub(crate) kind: NewKind,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum NewKind {
+    /// Write the machine file of an arm from its parameters
+    Arm(NewArmArgs),
+}
+
+#[derive(Debug, Args)]
+#[command(group(clap::ArgGroup::new("parameters").required(true).args(["dh", "opw"])),
+    after_help = "Examples:
+  seamwright machine new arm --opw 150,-115,0,445,700,795,85 --offsets-deg 0,0,-90,0,0,0 -o arm.toml
+  seamwright machine new arm --dh '0,90,180.7,0; -612.7,0,0,0; -571.55,0,0,0; 0,90,174.15,0; 0,-90,119.85,0; 0,0,116.55,0'
+Ranges of ±180 degrees (±1000 mm) and speeds of 180 deg/s (500 mm/s) are assumed where none are given.")]
+pub(crate) struct NewArmArgs {
+    /// Rows of Denavit and Hartenberg: a, alpha, d, theta in mm and degrees, a row for each axis; `linear` as fifth value
+    /// for a linear axis
+    #[arg(long, value_name = "A,ALPHA,D,THETA;..", value_delimiter = ';', value_parser = dh_row, allow_hyphen_values = true)]
+    pub(crate) dh: Vec<DhRow>,
+    /// The rows are Craig's: about and along x before about and along z
+    #[arg(long, requires = "dh")]
+    pub(crate) modified: bool,
+    /// Lengths of an ortho-parallel arm with a spherical wrist, mm
+    #[arg(long, value_name = "A1,A2,B,C1,C2,C3,C4", value_parser = seven, allow_hyphen_values = true)]
+    pub(crate) opw: Option<[f64; 7]>,
+    /// Offsets of its axes: the model's angle is the sign times the position, less the offset
+    #[arg(long, value_name = "O1,..,O6", value_parser = six, allow_hyphen_values = true, requires = "opw")]
+    pub(crate) offsets_deg: Option<[f64; 6]>,
+    /// Signs of its axes, 1 or -1
+    #[arg(long, value_name = "S1,..,S6", value_parser = signs, allow_hyphen_values = true, requires = "opw")]
+    pub(crate) signs: Option<[f64; 6]>,
+    /// Range of every axis, degrees or mm
+    #[arg(long, value_name = "LOW,HIGH;..", value_delimiter = ';', value_parser = pair, allow_hyphen_values = true)]
+    pub(crate) ranges: Vec<[f64; 2]>,
+    /// Highest speed of every axis, degrees/s or mm/s
+    #[arg(long, value_name = "V,V,..", value_delimiter = ',')]
+    pub(crate) speeds: Vec<f64>,
     #[command(flatten)]
     pub(crate) arm: ArmArgs,
 }
@@ -65,7 +112,7 @@ fn package(text: &str) -> Result<Package, String> {
     Ok(Package { name: name.to_owned(), folder: PathBuf::from(folder) })
 }
 
-pub(crate) fn numbers(text: &str) -> Option<Vec<f64>> {
+fn numbers(text: &str) -> Option<Vec<f64>> {
     let finite = |n: &str| n.trim().parse().ok().filter(|n: &f64| n.is_finite());
     text.split(',').map(finite).collect()
 }
@@ -86,4 +133,36 @@ fn direction(text: &str) -> Result<DVec3, String> {
     let given = numbers(text).and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
     let unit = given.and_then(|v| DVec3::from_array(v).try_normalize());
     unit.ok_or_else(|| "three finite numbers X,Y,Z, not all 0".to_owned())
+}
+
+fn array<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    let given = numbers(text).and_then(|numbers| <[f64; N]>::try_from(numbers).ok());
+    given.ok_or_else(|| format!("finite numbers with commas between them; count: {N}"))
+}
+
+fn seven(text: &str) -> Result<[f64; 7], String> {
+    array(text)
+}
+
+fn six(text: &str) -> Result<[f64; 6], String> {
+    array(text)
+}
+
+fn signs(text: &str) -> Result<[f64; 6], String> {
+    let signs: [f64; 6] = array(text)?;
+    if signs.iter().all(|sign| sign.abs() == 1.0) { Ok(signs) } else { Err("six numbers 1 or -1".to_owned()) }
+}
+
+fn pair(text: &str) -> Result<[f64; 2], String> {
+    let [low, high] = array(text)?;
+    if low < high { Ok([low, high]) } else { Err("LOW,HIGH with LOW below HIGH".to_owned()) }
+}
+
+fn dh_row(text: &str) -> Result<DhRow, String> {
+    let (row, is_linear) = match text.trim().strip_suffix(",linear") {
+        Some(row) => (row, true),
+        None => (text, false),
+    };
+    let [a, alpha, d, theta] = array(row).map_err(|_| "A,ALPHA,D,THETA in mm and degrees".to_owned())?;
+    Ok(DhRow { a, alpha: alpha.to_radians(), d, theta: theta.to_radians(), is_linear })
 }

@@ -1,6 +1,6 @@
 //! Arguments of `seamwright machine`.
 
-use super::arm::ImportArgs;
+use super::arm::{ImportArgs, NewArgs};
 use super::io::IoArgs;
 use super::move_to::MoveArgs;
 use super::planning::KinematicsArgs;
@@ -23,6 +23,8 @@ pub(crate) enum MachineVerb {
     Show(ShowArgs),
     /// Write the machine file of an arm from its URDF description
     Import(ImportArgs),
+    /// Write a new machine file
+    New(NewArgs),
     /// Find the work offset from touched points: the position of the part in the machine
     Place(PlaceArgs),
     /// Test a machine file: inverse, Jacobian, units, singular configurations, reach; draw its axes

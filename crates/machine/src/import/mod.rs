@@ -6,6 +6,7 @@
 
 mod angle;
 mod axis_names;
+mod dh;
 mod home;
 mod parts;
 mod serial;
@@ -13,6 +14,7 @@ mod text;
 mod urdf;
 mod xml;
 
+pub use dh::{DhConvention, DhRow, OpwArm};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::SolidFile;
 use seamwright_document::DocumentError;

@@ -3,7 +3,9 @@
 use crate::common::random_joints;
 use glam::{DMat4, DVec3, dvec3};
 use seamwright_machine::check::{Check, CheckOptions};
-use seamwright_machine::{FoundMesh, ImportOptions, ImportedArm, Machine, MachineFile};
+use seamwright_machine::{
+    DhConvention, DhRow, FoundMesh, ImportOptions, ImportedArm, Machine, MachineFile, OpwArm, shipped,
+};
 use seamwright_testkit::{Random, cases};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -335,3 +337,111 @@ facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 90 0 0\nvertex 0 0 90\nend
 facet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 90\nvertex 0 90 0\nendloop\nendfacet
 facet normal 1 1 1\nouter loop\nvertex 90 0 0\nvertex 0 90 0\nvertex 0 0 90\nendloop\nendfacet
 endsolid t\n";
+
+fn row(a: f64, alpha_deg: f64, d: f64, theta_deg: f64) -> DhRow {
+    DhRow { a, alpha: alpha_deg.to_radians(), d, theta: theta_deg.to_radians(), is_linear: false }
+}
+
+/// The end of rows of Denavit and Hartenberg by the matrices of textbooks.
+fn of_rows(rows: &[DhRow], q: &[f64], convention: DhConvention) -> DMat4 {
+    rows.iter().zip(q).fold(DMat4::IDENTITY, |frame, (row, q)| {
+        let (st, ct) = (row.theta + if row.is_linear { 0.0 } else { *q }).sin_cos();
+        let d = row.d + if row.is_linear { *q } else { 0.0 };
+        let ((sa, ca), a) = (row.alpha.sin_cos(), row.a);
+        let rows = match convention {
+            DhConvention::Standard => [
+                [ct, -st * ca, st * sa, a * ct],
+                [st, ct * ca, -ct * sa, a * st],
+                [0.0, sa, ca, d],
+                [0.0, 0.0, 0.0, 1.0],
+            ],
+            DhConvention::Modified => [
+                [ct, -st, 0.0, a],
+                [st * ca, ct * ca, -sa, -sa * d],
+                [st * sa, ct * sa, ca, ca * d],
+                [0.0, 0.0, 0.0, 1.0],
+            ],
+        };
+        frame * DMat4::from_cols_array_2d(&rows).transpose()
+    })
+}
+
+#[test]
+fn rows_of_denavit_and_hartenberg_become_the_same_arm() {
+    let ur10e = [
+        row(0.0, 90.0, 180.7, 0.0),
+        row(-612.7, 0.0, 0.0, 0.0),
+        row(-571.55, 0.0, 0.0, 0.0),
+        row(0.0, 90.0, 174.15, 0.0),
+        row(0.0, -90.0, 119.85, 0.0),
+        row(0.0, 0.0, 116.55, 0.0),
+    ];
+    let mut odd = vec![row(10.0, 20.0, 30.0, 40.0), row(-150.0, 75.0, 0.0, -10.0), row(80.0, -33.0, 12.0, 90.0)];
+    odd.push(DhRow { is_linear: true, ..row(5.0, 90.0, 100.0, 15.0) });
+    let mut random = Random::new(3);
+    for rows in [&ur10e[..], &odd] {
+        for convention in [DhConvention::Standard, DhConvention::Modified] {
+            let machine = machine(&ImportedArm::from_dh(rows, convention));
+            for _ in 0..cases(1000) {
+                let q = random_joints(&machine, &mut random);
+                let (end, pose) = (of_rows(rows, &q, convention), machine.forward(&q));
+                assert!((pose.point - end.w_axis.truncate()).length() < 1e-9, "{convention:?}");
+                assert!((pose.direction - end.z_axis.truncate()).length() < 1e-12, "{convention:?}");
+                assert!((machine.across(&q) - end.x_axis.truncate()).length() < 1e-12, "{convention:?}");
+            }
+        }
+    }
+    // The supplied file of the UR10e, but for its torch.
+    let supplied = shipped("ur10e").unwrap();
+    let supplied = Machine::read(supplied.name, supplied.text).unwrap();
+    let new = machine(&ImportedArm::from_dh(&ur10e, DhConvention::Standard));
+    for (a, b) in new.axes.iter().zip(&supplied.axes) {
+        assert_eq!(a.kind, b.kind);
+    }
+}
+
+/// The flange of an ortho-parallel arm: equations 5 to 10 of Brandstötter, Angerer and Hofbaur.
+fn of_lengths(opw: &OpwArm, q: &[f64]) -> (DVec3, DVec3, DVec3) {
+    let [a1, a2, b, c1, c2, c3, c4] = opw.lengths;
+    let t: [f64; 6] = std::array::from_fn(|i| opw.signs[i] * q[i] - opw.offsets[i]);
+    let (psi, k) = (a2.atan2(c3), a2.hypot(c3));
+    let x = c2 * t[1].sin() + k * (t[1] + t[2] + psi).sin() + a1;
+    let z = c2 * t[1].cos() + k * (t[1] + t[2] + psi).cos() + c1;
+    let centre = dvec3(x * t[0].cos() - b * t[0].sin(), x * t[0].sin() + b * t[0].cos(), z);
+    let turn = |axis, angle| glam::DMat3::from_axis_angle(axis, angle);
+    let rotation = turn(DVec3::Z, t[0])
+        * turn(DVec3::Y, t[1] + t[2])
+        * turn(DVec3::Z, t[3])
+        * turn(DVec3::Y, t[4])
+        * turn(DVec3::Z, t[5]);
+    (centre + c4 * rotation.z_axis, rotation.z_axis, rotation.x_axis)
+}
+
+#[test]
+fn lengths_of_an_ortho_parallel_arm_become_the_same_arm() {
+    let mut random = Random::new(4);
+    let degrees = |offsets: [f64; 6]| offsets.map(f64::to_radians);
+    for opw in [
+        // ABB IRB 2600-12/1.65.
+        OpwArm {
+            lengths: [150.0, -115.0, 0.0, 445.0, 700.0, 795.0, 85.0],
+            offsets: degrees([0.0, 0.0, -90.0, 0.0, 0.0, 0.0]),
+            signs: [1.0; 6],
+        },
+        OpwArm {
+            lengths: [260.0, 35.0, 17.0, 675.0, 680.0, 670.0, 158.0],
+            offsets: degrees([12.0, -90.0, 7.0, 180.0, 3.0, 5.0]),
+            signs: [-1.0, 1.0, 1.0, -1.0, 1.0, -1.0],
+        },
+    ] {
+        let arm = ImportedArm::from_opw(&opw);
+        let machine = machine(&arm);
+        assert!(machine.has_free_roll() && machine.arm_margins(&machine.home()).is_some());
+        for _ in 0..cases(2000) {
+            let q = random_joints(&machine, &mut random);
+            let ((point, direction, across), pose) = (of_lengths(&opw, &q), machine.forward(&q));
+            assert!((pose.point - point).length() < 1e-9);
+            assert!((pose.direction - direction).length() < 1e-12 && (machine.across(&q) - across).length() < 1e-12);
+        }
+    }
+}
