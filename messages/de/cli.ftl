@@ -607,3 +607,5 @@ cli-stop-unanswered = der Stopp ist nicht bestätigt: { $why }
 cli-arm-note = Hinweis: { $note }
 cli-arm-next = prüfen: seamwright machine check { $file }
 cli-arm-home = die Grundstellung von Achse `{ $axis }` liegt außerhalb ihres Bereichs
+cli-no-configurations = die Maschine ist kein Arm, dessen Konfigurationen Namen haben
+cli-no-arm-angle = die Maschine ist kein Arm mit sieben Achsen

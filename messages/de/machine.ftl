@@ -224,6 +224,7 @@ machine-method-in-plane = geschlossene Form, in einer Ebene
 machine-method-numeric = numerisch (Newton-Verfahren)
 machine-method-spherical-wrist = geschlossene Form eines Arms mit Zentralhand
 machine-method-three-parallel = geschlossene Form eines Arms mit drei parallelen Achsen
+machine-method-spherical-shoulder = geschlossene Form eines Arms mit sphärischer Schulter und Zentralhand
 machine-free-roll = Drehung um den Brenner
 machine-linear-axes = { $n } linear ({ $axes })
 machine-rotary-axes = { $n } rotatorisch ({ $axes })

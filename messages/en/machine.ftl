@@ -452,6 +452,7 @@ machine-method-in-plane = closed form, in a plane
 machine-method-numeric = numeric (Newton's method)
 machine-method-spherical-wrist = closed form of an arm with spherical wrist
 machine-method-three-parallel = closed form of an arm with three parallel axes
+machine-method-spherical-shoulder = closed form of an arm with spherical shoulder and wrist
 machine-free-roll = rotation about the torch
 machine-linear-axes = { $n } linear ({ $axes })
 machine-rotary-axes = { $n } rotary ({ $axes })

@@ -637,3 +637,5 @@ cli-stop-unanswered = остановка не подтверждена: { $why }
 cli-arm-note = замечание: { $note }
 cli-arm-next = проверить: seamwright machine check { $file }
 cli-arm-home = исходное положение оси `{ $axis }` вне её диапазона
+cli-no-configurations = станок не является рукой, у конфигураций которой есть имена
+cli-no-arm-angle = станок не является рукой с семью осями

@@ -228,6 +228,7 @@ machine-method-in-plane = в замкнутой форме, в плоскост�
 machine-method-numeric = численно (метод Ньютона)
 machine-method-spherical-wrist = в замкнутой форме, рука со сферическим запястьем
 machine-method-three-parallel = в замкнутой форме, рука с тремя параллельными осями
+machine-method-spherical-shoulder = в замкнутой форме, рука со сферическими плечом и запястьем
 machine-free-roll = поворот вокруг горелки
 machine-linear-axes = линейные: { $n } ({ $axes })
 machine-rotary-axes = поворотные: { $n } ({ $axes })

@@ -637,3 +637,5 @@ cli-stop-unanswered = зупинку не підтверджено: { $why }
 cli-arm-note = примітка: { $note }
 cli-arm-next = перевірити: seamwright machine check { $file }
 cli-arm-home = вихідне положення осі `{ $axis }` поза її діапазоном
+cli-no-configurations = верстат не є рукою, конфігурації якої мають імена
+cli-no-arm-angle = верстат не є рукою із сімома осями

@@ -228,6 +228,7 @@ machine-method-in-plane = у замкненій формі, у площині
 machine-method-numeric = чисельно (метод Ньютона)
 machine-method-spherical-wrist = у замкненій формі, рука зі сферичним зап’ястям
 machine-method-three-parallel = у замкненій формі, рука з трьома паралельними осями
+machine-method-spherical-shoulder = у замкненій формі, рука зі сферичними плечем і зап’ястям
 machine-free-roll = поворот навколо пальника
 machine-linear-axes = лінійні: { $n } ({ $axes })
 machine-rotary-axes = поворотні: { $n } ({ $axes })

@@ -517,3 +517,5 @@ cli-stop-unanswered = 停止未得到确认：{ $why }
 cli-arm-note = 注意：{ $note }
 cli-arm-next = 检查：seamwright machine check { $file }
 cli-arm-home = 轴 `{ $axis }` 的原位超出其范围
+cli-no-configurations = 该机床不是具有命名构型的机械臂
+cli-no-arm-angle = 该机床不是七轴机械臂

@@ -212,6 +212,7 @@ machine-method-in-plane = 解析解，平面内
 machine-method-numeric = 数值解（牛顿法）
 machine-method-spherical-wrist = 解析解，球形手腕机械臂
 machine-method-three-parallel = 解析解，三轴平行机械臂
+machine-method-spherical-shoulder = 解析解，球形肩部和球形手腕机械臂
 machine-free-roll = 绕焊枪的旋转
 machine-linear-axes = { $n } 个直线轴（{ $axes }）
 machine-rotary-axes = { $n } 个旋转轴（{ $axes }）

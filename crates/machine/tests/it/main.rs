@@ -13,6 +13,7 @@ mod linuxcnc;
 mod pitch_error;
 mod random_chains;
 mod round_trip;
+mod seven_axes;
 mod steps;
 mod surroundings;
 mod tip_motion;
