@@ -99,7 +99,7 @@ pub(crate) struct ArmArgs {
     /// Home position of every axis, mm or degrees; away from singularities and collisions if missing
     #[arg(long, value_name = "A,B,..", value_delimiter = ',', allow_hyphen_values = true)]
     pub(crate) home: Vec<f64>,
-    /// Name of the machine; that of the source if missing
+    /// Name and title of the machine; those of the source if missing
     #[arg(long)]
     pub(crate) name: Option<String>,
     /// Machine file; standard output if missing

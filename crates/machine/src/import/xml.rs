@@ -6,8 +6,8 @@ use seamwright_document::DocumentError;
 use seamwright_message::Message;
 use std::ops::Range;
 
-/// Maximum number of elements, attributes and texts of a file: the largest descriptions of robots have some thousands.
-const MAX_NODES: u32 = 1_000_000;
+/// Maximum number of elements and texts of a file: the largest descriptions of robots have some thousands.
+const MAX_NODES: u32 = 100_000;
 
 /// Position of an element or attribute, for errors.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 use crate::common::{random_joints, same, shipped_machine};
 use glam::{DVec3, dvec3};
 use seamwright_geometry::Pose;
-use seamwright_machine::{Joints, Machine, Target, Unreachable};
+use seamwright_machine::{Elbow, Joints, Machine, Shoulder, Target, Unreachable, WristSide};
 use seamwright_testkit::{Random, cases};
 use std::f64::consts::PI;
 
@@ -76,6 +76,8 @@ fn every_branch_reaches_its_frame_with_the_third_axis_or_the_arm_angle_as_asked(
 fn branches_have_different_configurations() {
     let machine = shipped_machine("iiwa-14");
     let home = machine.home();
+    let named = machine.arm_configuration(&home).unwrap();
+    assert_eq!((named.shoulder, named.elbow, named.wrist), (Shoulder::Front, Elbow::Up, WristSide::NoFlip));
     let all = machine.inverse(framed(&machine, &home), &home).unwrap();
     let mut numbers: Vec<u8> = all.iter().map(|s| machine.arm_configuration(&s.joints).unwrap().branch()).collect();
     numbers.sort_unstable();

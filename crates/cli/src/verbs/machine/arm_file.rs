@@ -25,6 +25,7 @@ pub(super) fn write_arm(
     arm.work = args.work.unwrap_or(arm.work);
     if let Some(name) = &args.name {
         arm.name.clone_from(name);
+        arm.title.clone_from(name);
     }
     arm.choose_home(load)?;
     if !args.home.is_empty() {

@@ -35,6 +35,8 @@ pub(crate) struct SevenAxisArm {
     /// From the shoulder to the point of the elbow's axis next to it, and from there to the wrist.
     upper: DVec3,
     fore: DVec3,
+    /// 1 or -1: sign of the elbow's angle that puts the elbow above, with the third axis at zero and the wrist in front.
+    up: f64,
     shoulder: Wrist,
     wrist: Wrist,
 }
@@ -74,7 +76,8 @@ impl SevenAxisArm {
         let [a, b, c, _, e, f, g] = directions;
         let (shoulder, wrist) = (Wrist::new([a, b, c])?, Wrist::new([e, f, g])?);
         let axes = s.each_ref().map(|s| s.axis);
-        Some(Self { first, axes, directions, shoulder_at, wrist_at, upper, fore, shoulder, wrist })
+        let up = elbow.direction.cross(fore).dot(b.cross(a)).signum();
+        Some(Self { first, axes, directions, shoulder_at, wrist_at, upper, fore, up, shoulder, wrist })
     }
 
     /// The axes that a frame decides: all but the third.
@@ -238,7 +241,7 @@ impl SevenAxisArm {
         let axis = self.directions[3];
         let in_line = Turn::along(self.upper.dot(axis.cross(self.fore)), self.upper.dot(self.fore));
         let elbow = Turn::by(q[self.axes[3]]).and(in_line.back());
-        [d1.cross(second).dot(line), elbow.sin(), self.wrist.bend(q[self.axes[5]]).sin()]
+        [second.cross(d1).dot(line), self.up * elbow.sin(), self.wrist.bend(q[self.axes[5]]).sin()]
     }
 
     /// Configuration at positions `q`; the turns are those of all axes but the third.

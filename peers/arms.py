@@ -1,6 +1,6 @@
 """Compares arms with Pinocchio: forward and inverse kinematics on the same URDF, 10,000 random positions each.
 
-Usage: pinocchio.py SEAMWRIGHT [POSITIONS]. Needs the packages `pin` and `numpy`.
+Usage: arms.py SEAMWRIGHT [POSITIONS]. Needs the packages `pin` and `numpy`.
 
 Descriptions of the supplied arms are written here from their machine files, read without Seamwright; those in tests/data of
 the crate `machine` are used as they are. Each is imported by `seamwright machine import`, so that both programs read the
@@ -98,6 +98,11 @@ def compare(seamwright, name, description, tip, folder, count):
     _, rows = run(seamwright, file, ["--forward", "--frame"], ",".join(names), joints * units)
     poses = np.array(rows, float)
     forward = deviations(model, frame, joints, poses)
+    if not all(kinds):
+        # A rail stays at home in the inverse, so that most of these poses are out of reach.
+        good = forward[0] <= LIMIT_MM and forward[1] <= LIMIT_DEG
+        print(f"  {name:16} forward {forward[0]:.1e} mm {forward[1]:.1e} deg   {'ok' if good else 'FAILED'}")
+        return good
     header = "x_mm,y_mm,z_mm,ax,ay,az,ux,uy,uz"
     columns, rows = run(seamwright, file, ["--inverse", "--frame", "--branches"], header, poses)
     error = columns.index("error")
