@@ -118,7 +118,7 @@ fn arm(start: DAffine3, joints: &[Joint]) -> ImportedArm {
             max_speed: USUAL_SPEED[kind],
             effort: None,
         });
-        frame = frame * *next;
+        frame *= *next;
     }
     ImportedArm {
         name: "arm".to_owned(),

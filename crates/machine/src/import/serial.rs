@@ -40,7 +40,7 @@ pub(super) fn arm(robot: &Robot<'_>, options: &ImportOptions<'_>) -> Result<Impo
     let scale = MM * options.scale;
     let (mut axes, mut frame) = (Vec::new(), DAffine3::IDENTITY);
     for joint in chain.iter().map(|&j| &robot.joints[j]) {
-        frame = frame * in_mm(joint.origin, scale);
+        frame *= in_mm(joint.origin, scale);
         if joint.kind != "fixed" {
             axes.push(axis(joint, names[axes.len()].clone(), &frame, scale)?);
         }

@@ -160,7 +160,7 @@ fn line(text: &mut String, line: &str) {
     let _ = writeln!(text, "{line}");
 }
 
-/// A displacement as an inline table; none if it is none.
+/// A displacement as an inline table; none if a number is not finite.
 fn fixed(motion: &DAffine3) -> Option<String> {
     let transform = Transform::from_affine(motion)?;
     let angle = rounded(transform.angle_deg.get(), ANGLE);

@@ -103,7 +103,7 @@ impl SevenAxisArm {
             };
             match shoulders {
                 Ok(shoulders) => {
-                    shoulders.iter().for_each(|s| self.add_wrists(s, &elbow, &goal.matrix3, near, branches))
+                    shoulders.iter().for_each(|s| self.add_wrists(s, &elbow, &goal.matrix3, near, branches));
                 }
                 Err(by) => missed = Some(Unreachable::Point { by }),
             }
