@@ -41,7 +41,7 @@ pub(crate) struct NewArgs {
 #[derive(Debug, Subcommand)]
 pub(crate) enum NewKind {
     /// Write the machine file of an arm from its parameters
-    Arm(NewArmArgs),
+    Arm(Box<NewArmArgs>),
 }
 
 #[derive(Debug, Args)]
@@ -150,7 +150,11 @@ fn six(text: &str) -> Result<[f64; 6], String> {
 
 fn signs(text: &str) -> Result<[f64; 6], String> {
     let signs: [f64; 6] = array(text)?;
-    if signs.iter().all(|sign| sign.abs() == 1.0) { Ok(signs) } else { Err("six numbers 1 or -1".to_owned()) }
+    if signs.iter().all(|sign| (sign.abs() - 1.0).abs() < f64::EPSILON) {
+        Ok(signs)
+    } else {
+        Err("six numbers 1 or -1".to_owned())
+    }
 }
 
 fn pair(text: &str) -> Result<[f64; 2], String> {

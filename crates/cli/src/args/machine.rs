@@ -22,7 +22,7 @@ pub(crate) enum MachineVerb {
     /// Print the file of a shipped machine
     Show(ShowArgs),
     /// Write the machine file of an arm from its URDF description
-    Import(ImportArgs),
+    Import(Box<ImportArgs>),
     /// Write a new machine file
     New(NewArgs),
     /// Find the work offset from touched points: the position of the part in the machine
