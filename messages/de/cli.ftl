@@ -604,3 +604,10 @@ cli-stopped = gestoppt in Zyklus { $cycle }
 cli-no-cell-runs = dort läuft keine Zelle
 cli-data-of-running-cell = der Datenordner eines laufenden Panels
 cli-stop-unanswered = der Stopp ist nicht bestätigt: { $why }
+
+# Machine files of arms.
+cli-arm-note = Hinweis: { $note }
+cli-arm-next = prüfen: seamwright machine check { $file }
+cli-arm-home = die Grundstellung von Achse `{ $axis }` liegt außerhalb ihres Bereichs
+cli-no-configurations = die Maschine ist kein Arm, dessen Konfigurationen Namen haben
+cli-no-arm-angle = die Maschine ist kein Arm mit sieben Achsen

@@ -224,6 +224,7 @@ machine-method-in-plane = geschlossene Form, in einer Ebene
 machine-method-numeric = numerisch (Newton-Verfahren)
 machine-method-spherical-wrist = geschlossene Form eines Arms mit Zentralhand
 machine-method-three-parallel = geschlossene Form eines Arms mit drei parallelen Achsen
+machine-method-spherical-shoulder = geschlossene Form eines Arms mit sphärischer Schulter und Zentralhand
 machine-free-roll = Drehung um den Brenner
 machine-linear-axes = { $n } linear ({ $axes })
 machine-rotary-axes = { $n } rotatorisch ({ $axes })
@@ -309,3 +310,64 @@ machine-cure-velocity-loop = die Bandbreite in Hz angeben oder servo_period_ms v
 machine-remark-pitch = die Achse { $axis } läge um bis zu { $error } daneben
 machine-cure-linear-pitch = die Fehler in mm angeben
 machine-cure-rotary-pitch = die Fehler in Grad angeben
+
+# Import of arms.
+machine-urdf-not-xml = die Datei ist kein XML: { $why }
+machine-urdf-cure-xml = Korrigieren Sie das XML hier, oder exportieren Sie die Datei neu.
+machine-urdf-attribute-missing = dem Element fehlt das Attribut `{ $name }`
+machine-urdf-cure-attribute = Ergänzen Sie `{ $name }="…"` im Element.
+machine-urdf-element-missing = dem Element fehlt `<{ $name }>`
+machine-urdf-cure-element = Ergänzen Sie `<{ $name } link="…"/>` im Gelenk.
+machine-urdf-not-numbers = ungültige Zahlen
+machine-urdf-cure-numbers = Hier nötige Zahlen: { $n }, durch Leerzeichen getrennt, etwa `0.1 0 0.25`.
+machine-urdf-root = das Wurzelelement ist `{ $name }`, nicht `robot`
+machine-urdf-empty = die Datei hat keine Glieder
+machine-urdf-cure-root = Geben Sie eine URDF-Datei an: ihre Wurzel ist `<robot>`, darin `<link>` und `<joint>`.
+machine-urdf-xacro = die Datei enthält xacro-Makros
+machine-urdf-cure-xacro = Lösen Sie zuerst die Makros auf: `xacro robot.urdf.xacro > robot.urdf`.
+machine-urdf-two-parents = Glied `{ $link }` hängt schon an Gelenk `{ $joint }`
+machine-urdf-loop = Glied `{ $link }` gehört zu einer geschlossenen Schleife
+machine-urdf-cure-tree = Entfernen Sie eines der Gelenke: jedes Glied wird von einem Gelenk getragen.
+machine-urdf-name-taken = der Name `{ $name }` kommt zweimal vor
+machine-urdf-cure-name = Benennen Sie eines der beiden um.
+machine-urdf-link-unknown = es gibt kein Glied `{ $link }`
+machine-urdf-cure-link = Geben Sie eines der Glieder der Datei an.
+machine-urdf-axis-zero = die Achse hat keine Richtung
+machine-urdf-cure-axis = Geben Sie eine Richtung an, etwa `xyz="0 0 1"`.
+machine-urdf-size = die Größe ist nicht größer als 0
+machine-urdf-cure-size = Geben Sie Größen in Metern an, größer als 0.
+machine-urdf-roots = die Datei hat mehrere Basisglieder: { $links }
+machine-urdf-cure-roots = Wählen Sie die Basis: `--base LINK`.
+machine-urdf-tips = der Baum hat { $n } von Achsen bewegte Enden: { $links }
+machine-urdf-cure-tips = Wählen Sie das Glied, das den Brenner trägt: `--tip LINK`.
+machine-urdf-no-axes = keine Achse bewegt ein von `{ $link }` getragenes Glied
+machine-urdf-cure-no-axes = Wählen Sie mit `--base LINK` eine andere Basis, oder machen Sie Gelenke zu `revolute` oder `prismatic`.
+machine-urdf-not-carried = die Basis `{ $base }` trägt das Glied `{ $tip }` nicht
+machine-urdf-cure-not-carried = Wählen Sie `--base` oder `--tip` anders.
+machine-urdf-axes = Zahl der Achsen bis Glied `{ $link }`: { $n }
+machine-urdf-cure-axes = Wählen Sie `--base` und `--tip` mit 1 bis { $max } Achsen dazwischen.
+machine-urdf-too-long = die Kette von Basis bis Ende ist { $length } lang: kein Arm in Metern
+machine-urdf-too-short = die Kette von der Basis bis zum Ende ist nur { $length } lang: kein Arm in Metern
+machine-urdf-cure-scale = URDF ist in Metern. Importieren Sie mit `--scale { $factor }`, oder exportieren Sie in Metern.
+machine-urdf-degrees = die Winkel von Gelenk `{ $joint }` sind keine Winkel in rad
+machine-urdf-cure-degrees = Schreiben Sie Grenzen in rad und rad/s: Grad geteilt durch 57.29578.
+machine-urdf-joint-type = der Typ von Gelenk `{ $joint }` ist keine Achse
+machine-urdf-cure-joint-type = Zwischen Basis und Ende erlaubt: `revolute`, `continuous`, `prismatic`, `fixed`.
+machine-urdf-mimic = Gelenk `{ $joint }` folgt Gelenk `{ $other }`
+machine-urdf-cure-mimic = Wählen Sie `--tip` vor diesem Gelenk, oder machen Sie es `fixed`, oder entfernen Sie `<mimic>`, wenn es einen eigenen Antrieb hat.
+machine-urdf-limit-missing = Gelenk `{ $joint }` hat keine Grenzen
+machine-urdf-limit-empty = der Bereich von Gelenk `{ $joint }` ist leer
+machine-urdf-cure-limit = Schreiben Sie `<limit lower="…" upper="…" velocity="…" effort="…"/>` in rad, rad/s und N m oder in m, m/s und N, wie im Datenblatt.
+machine-urdf-velocity = Gelenk `{ $joint }` hat keine Höchstgeschwindigkeit
+machine-urdf-cure-velocity = Geben Sie `velocity` des Datenblatts an, in rad/s oder m/s.
+machine-urdf-mesh-missing = es gibt kein Netz `{ $mesh }`
+machine-urdf-mesh-tried = eine Datei an einer dieser Stellen: { $files }
+machine-urdf-cure-mesh = Geben Sie den Ordner seines Pakets an, `--package NAME=DIR`, oder importieren Sie ohne Körper, `--no-shapes`.
+machine-import-rounded-angles = { $n } Winkel der Quelle sind gerundete Vielfache von 15 Grad, wie 1.5708; sie wurden als genaue gelesen
+machine-import-flange = von mehreren Enden ({ $links }) wurde der Flansch `tool0` gewählt; `--tip` wählt ein anderes
+machine-import-held = Gelenke neben der Kette bleiben auf null: { $joints }
+machine-import-no-shapes = es gibt keine Körper: Abstände werden nicht geprüft
+machine-import-shape-kind = ein Körper von Glied { $link } wurde weggelassen: `{ $kind }` ist weder Quader, Zylinder, Kugel noch Netz
+machine-import-mesh-format = das Netz { $file } von Glied { $link } wurde weggelassen: wandeln Sie es in STL um
+machine-import-mesh-unusable = das Netz { $file } von Glied { $link } wurde weggelassen: { $why }
+machine-import-mesh-stretched = sein Maßstab ist entlang x, y und z verschieden

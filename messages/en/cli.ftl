@@ -933,3 +933,16 @@ cli-data-of-running-cell = the data folder of a running panel
 cli-stop-unanswered = the stop is not acknowledged: { $why }
     .cause = The cycle stands, or the process of the cell does not answer.
     .cure = Use the emergency stop of the machine, then check that arc, gas and drives are off.
+
+# Machine files of arms.
+cli-arm-note = note: { $note }
+cli-arm-next = check it: seamwright machine check { $file }
+cli-arm-home = the home position of axis `{ $axis }` is outside its range
+    .cause = Every axis starts and ends at its home position, so that it must be reachable.
+    .cure = Give a position inside the range.
+cli-no-configurations = the machine is not an arm whose configurations have names
+    .cause = Configurations have names on arms with six or seven axes and a closed form of the inverse.
+    .cure = Leave out the option; `seamwright machine check` names the form of the inverse.
+cli-no-arm-angle = the machine is not a seven-axis arm
+    .cause = Only arms with spherical shoulder and wrist and seven axes have an arm angle.
+    .cure = Leave out the option.

@@ -634,3 +634,10 @@ cli-stopped = остановлено в цикле { $cycle }
 cli-no-cell-runs = там ячейка не работает
 cli-data-of-running-cell = папка данных работающей панели
 cli-stop-unanswered = остановка не подтверждена: { $why }
+
+# Machine files of arms.
+cli-arm-note = замечание: { $note }
+cli-arm-next = проверить: seamwright machine check { $file }
+cli-arm-home = исходное положение оси `{ $axis }` вне её диапазона
+cli-no-configurations = станок не является рукой, у конфигураций которой есть имена
+cli-no-arm-angle = станок не является рукой с семью осями

@@ -228,6 +228,7 @@ machine-method-in-plane = в замкнутой форме, в плоскост�
 machine-method-numeric = численно (метод Ньютона)
 machine-method-spherical-wrist = в замкнутой форме, рука со сферическим запястьем
 machine-method-three-parallel = в замкнутой форме, рука с тремя параллельными осями
+machine-method-spherical-shoulder = в замкнутой форме, рука со сферическими плечом и запястьем
 machine-free-roll = поворот вокруг горелки
 machine-linear-axes = линейные: { $n } ({ $axes })
 machine-rotary-axes = поворотные: { $n } ({ $axes })
@@ -313,3 +314,64 @@ machine-cure-velocity-loop = задайте полосу в Гц или боле
 machine-remark-pitch = погрешность оси { $axis } была бы до { $error }
 machine-cure-linear-pitch = задайте погрешности в мм
 machine-cure-rotary-pitch = задайте погрешности в градусах
+
+# Import of arms.
+machine-urdf-not-xml = файл не является XML: { $why }
+machine-urdf-cure-xml = Исправьте XML здесь или экспортируйте файл заново.
+machine-urdf-attribute-missing = у элемента нет атрибута `{ $name }`
+machine-urdf-cure-attribute = Добавьте в элемент `{ $name }="…"`.
+machine-urdf-element-missing = в элементе нет `<{ $name }>`
+machine-urdf-cure-element = Добавьте в сочленение `<{ $name } link="…"/>`.
+machine-urdf-not-numbers = недопустимые числа
+machine-urdf-cure-numbers = Количество чисел здесь: { $n }, через пробел, например `0.1 0 0.25`.
+machine-urdf-root = корневой элемент — `{ $name }`, а не `robot`
+machine-urdf-empty = в файле нет звеньев
+machine-urdf-cure-root = Укажите файл URDF: его корень — `<robot>`, внутри — `<link>` и `<joint>`.
+machine-urdf-xacro = в файле есть макросы xacro
+machine-urdf-cure-xacro = Сначала раскройте макросы: `xacro robot.urdf.xacro > robot.urdf`.
+machine-urdf-two-parents = звено `{ $link }` уже закреплено на сочленении `{ $joint }`
+machine-urdf-loop = звено `{ $link }` входит в замкнутый контур
+machine-urdf-cure-tree = Удалите одно из сочленений: каждое звено несёт одно сочленение.
+machine-urdf-name-taken = имя `{ $name }` встречается дважды
+machine-urdf-cure-name = Переименуйте одно из двух.
+machine-urdf-link-unknown = звена `{ $link }` нет
+machine-urdf-cure-link = Укажите одно из звеньев файла.
+machine-urdf-axis-zero = у оси нет направления
+machine-urdf-cure-axis = Укажите направление, например `xyz="0 0 1"`.
+machine-urdf-size = размер не больше 0
+machine-urdf-cure-size = Укажите размеры в метрах, больше 0.
+machine-urdf-roots = в файле несколько звеньев основания: { $links }
+machine-urdf-cure-roots = Выберите основание: `--base LINK`.
+machine-urdf-tips = число концов дерева, которые движутся осями: { $n } ({ $links })
+machine-urdf-cure-tips = Выберите звено, несущее горелку: `--tip LINK`.
+machine-urdf-no-axes = ни одна ось не движет звено, закреплённое на `{ $link }`
+machine-urdf-cure-no-axes = Выберите другое основание (`--base LINK`) или сделайте сочленения `revolute` или `prismatic`.
+machine-urdf-not-carried = основание `{ $base }` не несёт звено `{ $tip }`
+machine-urdf-cure-not-carried = Выберите другие `--base` или `--tip`.
+machine-urdf-axes = число осей до звена `{ $link }`: { $n }
+machine-urdf-cure-axes = Выберите `--base` и `--tip` так, чтобы между ними было от 1 до { $max } осей.
+machine-urdf-too-long = длина цепи от основания до конца — { $length }: для манипулятора в метрах слишком много
+machine-urdf-too-short = длина цепи от основания до конца — { $length }: для манипулятора в метрах слишком мало
+machine-urdf-cure-scale = URDF задают в метрах. Импортируйте с `--scale { $factor }` или экспортируйте файл в метрах.
+machine-urdf-degrees = углы сочленения `{ $joint }` заданы не в радианах
+machine-urdf-cure-degrees = Запишите пределы в рад и рад/с: градусы, делённые на 57.29578.
+machine-urdf-joint-type = тип сочленения `{ $joint }` не является осью
+machine-urdf-cure-joint-type = Между основанием и концом допустимы: `revolute`, `continuous`, `prismatic`, `fixed`.
+machine-urdf-mimic = сочленение `{ $joint }` следует за сочленением `{ $other }`
+machine-urdf-cure-mimic = Выберите `--tip` перед этим сочленением, сделайте его `fixed` или удалите `<mimic>`, если у него свой привод.
+machine-urdf-limit-missing = у сочленения `{ $joint }` нет пределов
+machine-urdf-limit-empty = диапазон сочленения `{ $joint }` пуст
+machine-urdf-cure-limit = Напишите `<limit lower="…" upper="…" velocity="…" effort="…"/>` в рад, рад/с и Н·м или в м, м/с и Н, как в паспорте.
+machine-urdf-velocity = у сочленения `{ $joint }` нет наибольшей скорости
+machine-urdf-cure-velocity = Укажите `velocity` из паспорта, в рад/с или м/с.
+machine-urdf-mesh-missing = сетки `{ $mesh }` нет
+machine-urdf-mesh-tried = файл в одном из мест: { $files }
+machine-urdf-cure-mesh = Укажите папку её пакета, `--package NAME=DIR`, или импортируйте без тел, `--no-shapes`.
+machine-import-rounded-angles = углы источника ({ $n }) — округлённые кратные 15 градусов, как 1.5708; они прочитаны как точные
+machine-import-flange = из нескольких концов ({ $links }) выбран фланец `tool0`; `--tip` выбирает другой
+machine-import-held = сочленения вне цепи остаются в нуле: { $joints }
+machine-import-no-shapes = тел нет: зазоры не проверяются
+machine-import-shape-kind = тело звена { $link } пропущено: `{ $kind }` — не параллелепипед, цилиндр, шар или сетка
+machine-import-mesh-format = сетка { $file } звена { $link } пропущена: преобразуйте её в STL
+machine-import-mesh-unusable = сетка { $file } звена { $link } пропущена: { $why }
+machine-import-mesh-stretched = её масштаб вдоль x, y и z различен

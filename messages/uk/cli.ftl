@@ -634,3 +634,10 @@ cli-stopped = зупинено в циклі { $cycle }
 cli-no-cell-runs = там комірка не працює
 cli-data-of-running-cell = папка даних працюючої панелі
 cli-stop-unanswered = зупинку не підтверджено: { $why }
+
+# Machine files of arms.
+cli-arm-note = примітка: { $note }
+cli-arm-next = перевірити: seamwright machine check { $file }
+cli-arm-home = вихідне положення осі `{ $axis }` поза її діапазоном
+cli-no-configurations = верстат не є рукою, конфігурації якої мають імена
+cli-no-arm-angle = верстат не є рукою із сімома осями

@@ -228,6 +228,7 @@ machine-method-in-plane = у замкненій формі, у площині
 machine-method-numeric = чисельно (метод Ньютона)
 machine-method-spherical-wrist = у замкненій формі, рука зі сферичним зап’ястям
 machine-method-three-parallel = у замкненій формі, рука з трьома паралельними осями
+machine-method-spherical-shoulder = у замкненій формі, рука зі сферичними плечем і зап’ястям
 machine-free-roll = поворот навколо пальника
 machine-linear-axes = лінійні: { $n } ({ $axes })
 machine-rotary-axes = поворотні: { $n } ({ $axes })
@@ -313,3 +314,64 @@ machine-cure-velocity-loop = задайте смугу в Гц або корот
 machine-remark-pitch = вісь { $axis } мала б похибку до { $error }
 machine-cure-linear-pitch = задайте похибки в мм
 machine-cure-rotary-pitch = задайте похибки в градусах
+
+# Import of arms.
+machine-urdf-not-xml = файл не є XML: { $why }
+machine-urdf-cure-xml = Виправте XML тут або експортуйте файл знову.
+machine-urdf-attribute-missing = елементу бракує атрибута `{ $name }`
+machine-urdf-cure-attribute = Додайте до елемента `{ $name }="…"`.
+machine-urdf-element-missing = в елементі немає `<{ $name }>`
+machine-urdf-cure-element = Додайте до з’єднання `<{ $name } link="…"/>`.
+machine-urdf-not-numbers = неприпустимі числа
+machine-urdf-cure-numbers = Кількість чисел тут: { $n }, через пробіл, наприклад `0.1 0 0.25`.
+machine-urdf-root = кореневий елемент — `{ $name }`, а не `robot`
+machine-urdf-empty = у файлі немає ланок
+machine-urdf-cure-root = Укажіть файл URDF: його корінь — `<robot>`, усередині — `<link>` і `<joint>`.
+machine-urdf-xacro = у файлі є макроси xacro
+machine-urdf-cure-xacro = Спочатку розкрийте макроси: `xacro robot.urdf.xacro > robot.urdf`.
+machine-urdf-two-parents = ланка `{ $link }` уже закріплена на з’єднанні `{ $joint }`
+machine-urdf-loop = ланка `{ $link }` входить до замкненого контуру
+machine-urdf-cure-tree = Вилучіть одне зі з’єднань: кожну ланку несе одне з’єднання.
+machine-urdf-name-taken = ім’я `{ $name }` трапляється двічі
+machine-urdf-cure-name = Перейменуйте одне з двох.
+machine-urdf-link-unknown = ланки `{ $link }` немає
+machine-urdf-cure-link = Укажіть одну з ланок файлу.
+machine-urdf-axis-zero = вісь не має напрямку
+machine-urdf-cure-axis = Укажіть напрямок, наприклад `xyz="0 0 1"`.
+machine-urdf-size = розмір не більший за 0
+machine-urdf-cure-size = Укажіть розміри в метрах, більші за 0.
+machine-urdf-roots = у файлі кілька ланок основи: { $links }
+machine-urdf-cure-roots = Виберіть основу: `--base LINK`.
+machine-urdf-tips = кількість кінців дерева, які рухають осі: { $n } ({ $links })
+machine-urdf-cure-tips = Виберіть ланку, що несе пальник: `--tip LINK`.
+machine-urdf-no-axes = жодна вісь не рухає ланку, закріплену на `{ $link }`
+machine-urdf-cure-no-axes = Виберіть іншу основу (`--base LINK`) або зробіть з’єднання `revolute` чи `prismatic`.
+machine-urdf-not-carried = основа `{ $base }` не несе ланку `{ $tip }`
+machine-urdf-cure-not-carried = Виберіть інші `--base` або `--tip`.
+machine-urdf-axes = кількість осей до ланки `{ $link }`: { $n }
+machine-urdf-cure-axes = Виберіть `--base` і `--tip` так, щоб між ними було від 1 до { $max } осей.
+machine-urdf-too-long = довжина ланцюга від основи до кінця — { $length }: для маніпулятора в метрах забагато
+machine-urdf-too-short = довжина ланцюга від основи до кінця — { $length }: для маніпулятора в метрах замало
+machine-urdf-cure-scale = URDF задають у метрах. Імпортуйте з `--scale { $factor }` або експортуйте файл у метрах.
+machine-urdf-degrees = кути з’єднання `{ $joint }` задано не в радіанах
+machine-urdf-cure-degrees = Запишіть межі в рад і рад/с: градуси, поділені на 57.29578.
+machine-urdf-joint-type = тип з’єднання `{ $joint }` не є віссю
+machine-urdf-cure-joint-type = Між основою та кінцем дозволено: `revolute`, `continuous`, `prismatic`, `fixed`.
+machine-urdf-mimic = з’єднання `{ $joint }` повторює з’єднання `{ $other }`
+machine-urdf-cure-mimic = Виберіть `--tip` перед цим з’єднанням, зробіть його `fixed` або вилучіть `<mimic>`, якщо воно має власний привод.
+machine-urdf-limit-missing = з’єднання `{ $joint }` не має меж
+machine-urdf-limit-empty = діапазон з’єднання `{ $joint }` порожній
+machine-urdf-cure-limit = Напишіть `<limit lower="…" upper="…" velocity="…" effort="…"/>` у рад, рад/с і Н·м або в м, м/с і Н, як у паспорті.
+machine-urdf-velocity = з’єднання `{ $joint }` не має найбільшої швидкості
+machine-urdf-cure-velocity = Укажіть `velocity` з паспорта, у рад/с або м/с.
+machine-urdf-mesh-missing = сітки `{ $mesh }` немає
+machine-urdf-mesh-tried = файл в одному з місць: { $files }
+machine-urdf-cure-mesh = Укажіть теку її пакета, `--package NAME=DIR`, або імпортуйте без тіл, `--no-shapes`.
+machine-import-rounded-angles = кути джерела ({ $n }) — заокруглені кратні 15 градусів, як 1.5708; їх прочитано як точні
+machine-import-flange = з кількох кінців ({ $links }) вибрано фланець `tool0`; `--tip` вибирає інший
+machine-import-held = з’єднання поза ланцюгом лишаються в нулі: { $joints }
+machine-import-no-shapes = тіл немає: зазори не перевіряються
+machine-import-shape-kind = тіло ланки { $link } пропущено: `{ $kind }` — не паралелепіпед, циліндр, куля чи сітка
+machine-import-mesh-format = сітку { $file } ланки { $link } пропущено: перетворіть її на STL
+machine-import-mesh-unusable = сітку { $file } ланки { $link } пропущено: { $why }
+machine-import-mesh-stretched = її масштаб уздовж x, y і z різний

@@ -514,3 +514,10 @@ cli-stopped = 已在循环 { $cycle } 中停止
 cli-no-cell-runs = 该处没有运行的单元
 cli-data-of-running-cell = 正在运行的面板的数据文件夹
 cli-stop-unanswered = 停止未得到确认：{ $why }
+
+# Machine files of arms.
+cli-arm-note = 注意：{ $note }
+cli-arm-next = 检查：seamwright machine check { $file }
+cli-arm-home = 轴 `{ $axis }` 的原位超出其范围
+cli-no-configurations = 该机床不是具有命名构型的机械臂
+cli-no-arm-angle = 该机床不是七轴机械臂

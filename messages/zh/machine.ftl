@@ -212,6 +212,7 @@ machine-method-in-plane = 解析解，平面内
 machine-method-numeric = 数值解（牛顿法）
 machine-method-spherical-wrist = 解析解，球形手腕机械臂
 machine-method-three-parallel = 解析解，三轴平行机械臂
+machine-method-spherical-shoulder = 解析解，球形肩部和球形手腕机械臂
 machine-free-roll = 绕焊枪的旋转
 machine-linear-axes = { $n } 个直线轴（{ $axes }）
 machine-rotary-axes = { $n } 个旋转轴（{ $axes }）
@@ -297,3 +298,64 @@ machine-cure-velocity-loop = 带宽以 Hz 给出，或减小 servo_period_ms
 machine-remark-pitch = 轴 { $axis } 的偏差将达 { $error }
 machine-cure-linear-pitch = 误差以 mm 给出
 machine-cure-rotary-pitch = 误差以度给出
+
+# Import of arms.
+machine-urdf-not-xml = 该文件不是 XML：{ $why }
+machine-urdf-cure-xml = 请更正此处的 XML，或重新导出文件。
+machine-urdf-attribute-missing = 元素缺少属性 `{ $name }`
+machine-urdf-cure-attribute = 请在元素中添加 `{ $name }="…"`。
+machine-urdf-element-missing = 元素缺少 `<{ $name }>`
+machine-urdf-cure-element = 请在关节中添加 `<{ $name } link="…"/>`。
+machine-urdf-not-numbers = 数字无效
+machine-urdf-cure-numbers = 此处需要的数字个数：{ $n }，以空格分隔，例如 `0.1 0 0.25`。
+machine-urdf-root = 根元素是 `{ $name }`，而不是 `robot`
+machine-urdf-empty = 文件中没有连杆
+machine-urdf-cure-root = 请给出 URDF 文件：其根为 `<robot>`，内含 `<link>` 和 `<joint>`。
+machine-urdf-xacro = 文件中有 xacro 宏
+machine-urdf-cure-xacro = 请先展开宏：`xacro robot.urdf.xacro > robot.urdf`。
+machine-urdf-two-parents = 连杆 `{ $link }` 已由关节 `{ $joint }` 承载
+machine-urdf-loop = 连杆 `{ $link }` 属于一个闭环
+machine-urdf-cure-tree = 请删除其中一个关节：每个连杆只由一个关节承载。
+machine-urdf-name-taken = 名称 `{ $name }` 使用了两次
+machine-urdf-cure-name = 请重命名其中之一。
+machine-urdf-link-unknown = 没有连杆 `{ $link }`
+machine-urdf-cure-link = 请给出文件中的一个连杆。
+machine-urdf-axis-zero = 该轴没有方向
+machine-urdf-cure-axis = 请给出方向，例如 `xyz="0 0 1"`。
+machine-urdf-size = 尺寸不大于 0
+machine-urdf-cure-size = 请以米给出大于 0 的尺寸。
+machine-urdf-roots = 文件有多个基座连杆：{ $links }
+machine-urdf-cure-roots = 请选择基座：`--base LINK`。
+machine-urdf-tips = 该树有 { $n } 个由轴带动的末端：{ $links }
+machine-urdf-cure-tips = 请选择承载焊枪的连杆：`--tip LINK`。
+machine-urdf-no-axes = 没有轴带动由 `{ $link }` 承载的连杆
+machine-urdf-cure-no-axes = 请用 `--base LINK` 选择另一个基座，或将关节改为 `revolute` 或 `prismatic`。
+machine-urdf-not-carried = 基座 `{ $base }` 不承载连杆 `{ $tip }`
+machine-urdf-cure-not-carried = 请另选 `--base` 或 `--tip`。
+machine-urdf-axes = 到连杆 `{ $link }` 的轴数：{ $n }
+machine-urdf-cure-axes = 请选择 `--base` 和 `--tip`，使其间有 1 到 { $max } 个轴。
+machine-urdf-too-long = 从基座到末端的链长 { $length }：以米计的机械臂没有这么长
+machine-urdf-too-short = 从基座到末端的链长 { $length }：以米计的机械臂没有这么短
+machine-urdf-cure-scale = URDF 以米为单位。请用 `--scale { $factor }` 导入，或以米导出文件。
+machine-urdf-degrees = 关节 `{ $joint }` 的角度不是弧度
+machine-urdf-cure-degrees = 请以 rad 和 rad/s 写出限值：度数除以 57.29578。
+machine-urdf-joint-type = 关节 `{ $joint }` 的类型不是轴
+machine-urdf-cure-joint-type = 基座与末端之间允许：`revolute`、`continuous`、`prismatic`、`fixed`。
+machine-urdf-mimic = 关节 `{ $joint }` 跟随关节 `{ $other }`
+machine-urdf-cure-mimic = 请选择此关节之前的 `--tip`，或将其改为 `fixed`；若它有自己的驱动，请删除 `<mimic>`。
+machine-urdf-limit-missing = 关节 `{ $joint }` 没有限值
+machine-urdf-limit-empty = 关节 `{ $joint }` 的范围为空
+machine-urdf-cure-limit = 请按数据表写出 `<limit lower="…" upper="…" velocity="…" effort="…"/>`，单位为 rad、rad/s 和 N m，或 m、m/s 和 N。
+machine-urdf-velocity = 关节 `{ $joint }` 没有最大速度
+machine-urdf-cure-velocity = 请给出数据表中的 `velocity`，单位为 rad/s 或 m/s。
+machine-urdf-mesh-missing = 没有网格 `{ $mesh }`
+machine-urdf-mesh-tried = 以下位置之一的文件：{ $files }
+machine-urdf-cure-mesh = 请用 `--package NAME=DIR` 给出其软件包的文件夹，或用 `--no-shapes` 不导入形体。
+machine-import-rounded-angles = 来源中有 { $n } 个角度是 15 度的舍入倍数（如 1.5708），已按精确值读取
+machine-import-flange = 在多个末端（{ $links }）中选择了法兰 `tool0`；可用 `--tip` 另选
+machine-import-held = 链外的关节保持在零位：{ $joints }
+machine-import-no-shapes = 没有形体：不检查间隙
+machine-import-shape-kind = 连杆 { $link } 的一个形体已略去：`{ $kind }` 不是长方体、圆柱、球或网格
+machine-import-mesh-format = 连杆 { $link } 的网格 { $file } 已略去：请转换为 STL
+machine-import-mesh-unusable = 连杆 { $link } 的网格 { $file } 已略去：{ $why }
+machine-import-mesh-stretched = 其沿 x、y、z 的比例不同

@@ -1,5 +1,6 @@
 //! The command line, as in the contract of `docs/reference/cli.md`.
 
+pub(crate) mod arm;
 pub(crate) mod bench;
 pub(crate) mod edit;
 pub(crate) mod find_joint;

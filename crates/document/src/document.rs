@@ -99,7 +99,7 @@ pub(crate) fn error_at_span(
     DocumentError { message, allowed: Some(allowed), ..build(file, text, span, String::new()) }
 }
 
-fn build(file: &str, text: &str, span: &Range<usize>, key: String) -> DocumentError {
+pub(crate) fn build(file: &str, text: &str, span: &Range<usize>, key: String) -> DocumentError {
     let (line, column, source_line, marked) = place(text, span);
     let value = text.get(span.clone()).unwrap_or_default();
     let quotable = value.chars().count() <= QUOTED && !value.contains('\n') && !value.starts_with('[');

@@ -1,3 +1,4 @@
+use crate::document::build;
 use seamwright_message::Message;
 use std::fmt;
 use std::ops::Range;
@@ -34,6 +35,11 @@ impl DocumentError {
     /// A fault at the key `key` of a file as a whole.
     pub fn at_key(file: &str, key: impl Into<String>, message: Message) -> Self {
         Self { file: file.to_owned(), column: 1, key: key.into(), message, ..Self::default() }
+    }
+
+    /// A fault at a range of bytes of `text`, a file in another format; `key` is its address in the form of that format.
+    pub fn in_text(file: &str, text: &str, span: &Range<usize>, key: impl Into<String>, message: Message) -> Self {
+        Self { message, ..build(file, text, span, key.into()) }
     }
 
     /// Returns the whole error as one message, with a line for each part.

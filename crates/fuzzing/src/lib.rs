@@ -43,13 +43,14 @@ pub use part_programs::{GRBLHAL, LINUXCNC, PMAC, SINUMERIK};
 pub use pictures::{FRAME_LIST, FRAME_STREAM, JPEG, PICTURE_SEARCH, PNG, PNM};
 pub use tables::{POINT_TABLE, STL, STRIPE_PROFILE};
 pub use target::Target;
-pub use texts::{DISTORTION, JOB, MACHINE, PROCEDURE, PROGRAM};
+pub use texts::{DISTORTION, JOB, MACHINE, PROCEDURE, PROGRAM, URDF};
 
 /// All inputs of the program, each with its reader.
 pub const TARGETS: &[&Target] = &[
     // Files of users.
     &JOB,
     &MACHINE,
+    &URDF,
     &PROGRAM,
     &PROCEDURE,
     &DISTORTION,

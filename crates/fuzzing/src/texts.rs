@@ -4,7 +4,7 @@ use crate::corpora::files;
 use crate::scratch::empty_folder;
 use crate::target::{Target, USUAL};
 use crate::words;
-use seamwright_machine::MachineFile;
+use seamwright_machine::{ImportOptions, ImportedArm, Machine, MachineFile};
 use seamwright_post::{Control, Dialect};
 use seamwright_program::{Procedure, Program};
 use seamwright_project::load::machine_foreign;
@@ -32,6 +32,31 @@ pub const MACHINE: Target = Target {
     max_memory: 256 << 20,
     ..USUAL
 };
+
+/// Descriptions of robots, and the machine files that come of them.
+pub const URDF: Target = Target {
+    name: "urdf",
+    read: |bytes| with_text(bytes, urdf),
+    seeds: || files("crates/machine/tests/data", "urdf"),
+    words: || URDF_WORDS.split(' ').map(str::to_owned).collect(),
+    max_length: 8192,
+    ..USUAL
+};
+
+/// Elements, attributes and types of URDF.
+const URDF_WORDS: &str = "robot link joint origin axis limit mimic parent child collision geometry box cylinder sphere \
+                          mesh name type xyz rpy lower upper velocity effort radius length size filename scale \
+                          revolute continuous prismatic fixed floating tool0 base_link 1.5708 1e308 -0 nan &amp; <!--";
+
+fn urdf(text: &str) {
+    let find_mesh = &|name: &str| Err(vec![name.to_owned()]);
+    let options = ImportOptions { base: None, tip: None, scale: 1.0, with_shapes: true, find_mesh };
+    match ImportedArm::from_urdf("robot.urdf", text, &options) {
+        // Sizes beyond those of machine files have an error of their own.
+        Ok(arm) => describe(Machine::read("machine.toml", &arm.to_toml())),
+        error => describe(error),
+    }
+}
 
 /// Program files.
 pub const PROGRAM: Target = Target {

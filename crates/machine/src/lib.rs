@@ -36,6 +36,7 @@ mod collision_monitor;
 mod devices;
 mod file;
 mod head_pair;
+mod import;
 mod inverse;
 mod lever;
 mod links;
@@ -64,6 +65,7 @@ pub use file::{
     ControlFile, ControlsFile, DeflectionFile, DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile,
     PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
 };
+pub use import::{DhConvention, DhRow, FoundMesh, ImportOptions, ImportedArm, ImportedAxis, ImportedShape, OpwArm};
 pub use inverse::{
     ArmConfiguration, ArmMargins, Branches, Elbow, MAX_BRANCHES, PairFault, Shoulder, Solution, Unreachable, WristSide,
 };

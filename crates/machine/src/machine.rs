@@ -84,12 +84,14 @@ pub struct Target {
     /// Direction across the first head's torch (see [`Machine::across`]), on a six-axis arm; if missing, the rotation
     /// about the torch stays as near as possible to the current one.
     pub across: Option<DVec3>,
+    /// Arm angle of a seven-axis arm (see [`Machine::arm_angle`]), rad; if missing, its third axis keeps its position.
+    pub arm_angle: Option<f64>,
 }
 
 impl Target {
     /// Target of the first head's torch, and of the second one's if both weld.
     pub fn new(first: Pose, second: Option<Pose>) -> Self {
-        Self { first, second, across: None }
+        Self { first, second, across: None, arm_angle: None }
     }
 }
 
@@ -228,9 +230,9 @@ impl Machine {
         self.heads[0].chain.frame(&self.true_positions(q)).1
     }
 
-    /// True if the rotation about the first head's torch is free: a six-axis arm with a closed form carries it.
+    /// True if the rotation about the first head's torch is free: an arm with a closed form carries it.
     pub fn has_free_roll(&self) -> bool {
-        self.heads[0].inverse.arm().is_some()
+        self.heads[0].inverse.has_free_roll()
     }
 
     /// True if the pose of the first head's torch leaves axes or the rotation about the torch free.
@@ -238,14 +240,20 @@ impl Machine {
         self.has_free_roll() || !self.free().is_empty()
     }
 
-    /// Configuration of the six-axis arm at positions `q`; none for other machines.
+    /// Configuration of the six- or seven-axis arm at positions `q`; none for other machines.
     pub fn arm_configuration(&self, q: &Joints) -> Option<ArmConfiguration> {
-        self.heads[0].inverse.arm().map(|arm| arm.configuration(&self.true_positions(q)))
+        self.heads[0].inverse.configuration(&self.true_positions(q))
     }
 
-    /// Distances of the six-axis arm from its singularities at positions `q`; none for other machines.
+    /// Distances of the six- or seven-axis arm from its singularities at positions `q`; none for other machines.
     pub fn arm_margins(&self, q: &Joints) -> Option<ArmMargins> {
-        self.heads[0].inverse.arm().map(|arm| arm.margins(&self.true_positions(q)))
+        self.heads[0].inverse.margins(&self.true_positions(q))
+    }
+
+    /// Arm angle (rad) of a seven-axis arm at positions `q`: the angle of its elbow about the line from shoulder to wrist,
+    /// from the half plane to which the first axis points. None for other machines.
+    pub fn arm_angle(&self, q: &Joints) -> Option<f64> {
+        self.heads[0].inverse.arm_angle(&self.true_positions(q))
     }
 
     /// Columns of the first head's Jacobian at indicated positions `q`: change of tip (mm) and direction per mm or rad.
@@ -369,7 +377,8 @@ impl Machine {
             pair.solve(&self.heads, [&target.first, second], near, branches)?;
         } else {
             let Head { chain, inverse, .. } = &self.heads[0];
-            inverse.solve(Query { chain, pose: &target.first, across: target.across, near, which }, branches)?;
+            let Target { first: pose, across, arm_angle, .. } = target;
+            inverse.solve(Query { chain, pose, across: *across, arm_angle: *arm_angle, near, which }, branches)?;
             // Axes that do not carry the first head keep their positions.
             let idle = (0..self.axes.len()).filter(|&axis| !chain.axes().has(axis));
             idle.for_each(|axis| branches.iter_mut().for_each(|s| s.joints[axis] = near[axis]));

@@ -27,7 +27,8 @@ pub const SHIPPED: &[Shipped] = ship![
     "arc-mate-120id",
     "ar1440",
     "ur10e-positioner",
-    "irb-2600-rail"
+    "irb-2600-rail",
+    "iiwa-14"
 ];
 
 /// The shipped machine file called `name`.

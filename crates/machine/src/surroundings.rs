@@ -198,6 +198,20 @@ impl<'a> Surroundings<'a> {
         })
     }
 
+    /// Pairs of links, by their indices, that are nearer than their minimum distance at positions `q`.
+    pub(crate) fn touching(&self, q: &Joints) -> Vec<(usize, usize)> {
+        let frames = self.frames(q);
+        let too_near = |&watch: &usize| {
+            let least = self.scene.watches()[watch].least_mm();
+            self.scene.evaluate(watch, &frames, least + 1.0).distance < least
+        };
+        let links = |watch: usize| {
+            let (a, b) = self.scene.watches()[watch].groups();
+            (self.links[a], self.links[b])
+        };
+        (0..self.scene.watches().len()).filter(too_near).map(links).collect()
+    }
+
     /// Distances along a whole course, conservative between samples: see [`Scene::along`].
     ///
     /// # Errors

@@ -47,7 +47,8 @@ impl Head {
             }
             (linear, rotary) => linear.or(rotary).unwrap_or_default(),
         };
-        let roll = self.inverse.arm().map(|_| Argument::Message(Box::new(Message::new("machine-free-roll"))));
+        let has_roll = self.inverse.has_free_roll();
+        let roll = has_roll.then(|| Argument::Message(Box::new(Message::new("machine-free-roll"))));
         let free: Vec<Argument> = named(self.free()).into_iter().chain(roll).collect();
         let structure = match free.is_empty() {
             true => Message::new("machine-structure"),

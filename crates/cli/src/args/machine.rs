@@ -1,5 +1,6 @@
 //! Arguments of `seamwright machine`.
 
+use super::arm::{ImportArgs, NewArgs};
 use super::io::IoArgs;
 use super::move_to::MoveArgs;
 use super::planning::KinematicsArgs;
@@ -20,6 +21,10 @@ pub(crate) enum MachineVerb {
     List(ListMachinesArgs),
     /// Print the file of a shipped machine
     Show(ShowArgs),
+    /// Write the machine file of an arm from its URDF description
+    Import(Box<ImportArgs>),
+    /// Write a new machine file
+    New(NewArgs),
     /// Find the work offset from touched points: the position of the part in the machine
     Place(PlaceArgs),
     /// Test a machine file: inverse, Jacobian, units, singular configurations, reach; draw its axes

@@ -47,6 +47,18 @@ pub(crate) struct KinematicsArgs {
     /// With --inverse: the rows are one path; solve each row near the previous one, counting turns
     #[arg(long, requires = "inverse")]
     pub(crate) continuous: bool,
+    /// With --inverse: every branch of every row, with the number of its row
+    #[arg(long, requires = "inverse", conflicts_with = "continuous")]
+    pub(crate) branches: bool,
+    /// The direction across the torch too (ux, uy, uz), so that a row is a whole frame
+    #[arg(long)]
+    pub(crate) frame: bool,
+    /// Configuration of an arm: shoulder, elbow, wrist, whole turns of its axes, and the arm angle of seven axes
+    #[arg(long)]
+    pub(crate) configuration: bool,
+    /// With --inverse: arm angle of a seven-axis arm; its third axis stays at home if missing
+    #[arg(long, requires = "inverse", value_name = "A", allow_negative_numbers = true)]
+    pub(crate) arm_angle_deg: Option<f64>,
     /// JSON instead of CSV
     #[arg(long)]
     pub(crate) json: bool,

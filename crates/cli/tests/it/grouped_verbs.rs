@@ -24,7 +24,8 @@ fn the_verbs_are_grouped() {
     ];
     assert_eq!(top, expected);
     let machine = verbs(&good(&["machine", "--help"]));
-    let expected = ["list", "show", "place", "check", "tune", "kinematics", "move", "io", "latency", "help"];
+    let expected =
+        ["list", "show", "import", "new", "place", "check", "tune", "kinematics", "move", "io", "latency", "help"];
     assert_eq!(machine, expected);
     assert_eq!(verbs(&good(&["vision", "--help"])), ["joint", "stripe", "scan", "help"]);
 }

@@ -17,6 +17,7 @@ mod killed;
 mod languages;
 mod licences;
 mod machine_check;
+mod machine_import;
 mod machine_tune;
 mod mistakes;
 #[path = "../../../executive/tests/support/modbus_server.rs"]

@@ -38,6 +38,8 @@ pub(crate) struct Query<'a> {
     pub(crate) pose: &'a Pose,
     /// Wanted direction across the torch: only arms that leave the rotation about the torch free regard it.
     pub(crate) across: Option<DVec3>,
+    /// Wanted arm angle, rad: only seven-axis arms regard it; without it their third axis keeps its position.
+    pub(crate) arm_angle: Option<f64>,
     pub(crate) near: &'a Joints,
     pub(crate) which: Which<'a>,
 }

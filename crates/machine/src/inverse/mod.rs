@@ -6,6 +6,7 @@
 //! - **Closed form, saddle welder** (SADDLE-2020): one rotary axis next to the work and a plane of two linear axes. The
 //!   point gives the rotary axis; the direction is met as closely as possible.
 //! - **Closed form, six-axis arms** (`arm`): spherical wrist, or three parallel axes.
+//! - **Closed form, seven-axis arms** (`arm/seven.rs`): spherical shoulder and wrist.
 //! - **Newton's method** (`numeric.rs`) for all other arrangements, with Levenberg and Marquardt's damping.
 
 mod arm;
@@ -20,8 +21,8 @@ mod two_linear;
 mod vectors;
 
 use crate::axis::{Axis, AxisKind};
-use crate::chain::{AxisSet, Chain, MAX_AXES};
-pub(crate) use arm::Arm;
+use crate::chain::{AxisSet, Chain, Joints, MAX_AXES};
+use arm::{Arm, SevenAxisArm};
 pub use arm::{ArmConfiguration, ArmMargins, Elbow, Shoulder, WristSide};
 pub use branches::{Branches, MAX_BRANCHES, PairFault, Solution, Unreachable};
 pub(crate) use branches::{Query, Which};
@@ -44,6 +45,7 @@ pub(crate) struct Inverse {
 #[derive(Debug, Clone, PartialEq)]
 enum Form {
     Arm(Box<Arm>),
+    SevenAxisArm(Box<SevenAxisArm>),
     ThreeLinear(ThreeLinear),
     PlaneOnRotary(PlaneOnRotary),
     TwoLinear(TwoLinear),
@@ -76,10 +78,33 @@ impl Inverse {
         matches!(self.form, Form::Numeric(_))
     }
 
-    /// The six-axis arm whose rotation about the torch is free, if it is one.
-    pub(crate) fn arm(&self) -> Option<&Arm> {
+    /// True for an arm whose rotation about the torch is free.
+    pub(crate) fn has_free_roll(&self) -> bool {
+        matches!(self.form, Form::Arm(_) | Form::SevenAxisArm(_))
+    }
+
+    /// Configuration of the arm at positions `q`; none for other machines.
+    pub(crate) fn configuration(&self, q: &Joints) -> Option<ArmConfiguration> {
         match &self.form {
-            Form::Arm(arm) => Some(arm),
+            Form::Arm(arm) => Some(arm.configuration(q)),
+            Form::SevenAxisArm(arm) => Some(arm.configuration(q)),
+            _ => None,
+        }
+    }
+
+    /// Distances of the arm from its singularities at positions `q`; none for other machines.
+    pub(crate) fn margins(&self, q: &Joints) -> Option<ArmMargins> {
+        match &self.form {
+            Form::Arm(arm) => Some(arm.margins(q)),
+            Form::SevenAxisArm(arm) => Some(arm.margins(q)),
+            _ => None,
+        }
+    }
+
+    /// Arm angle (rad) of a seven-axis arm at positions `q`; none for other machines.
+    pub(crate) fn arm_angle(&self, q: &Joints) -> Option<f64> {
+        match &self.form {
+            Form::SevenAxisArm(arm) => Some(arm.arm_angle(q)),
             _ => None,
         }
     }
@@ -88,6 +113,7 @@ impl Inverse {
     pub(crate) fn method(&self) -> &'static str {
         match &self.form {
             Form::Arm(arm) => arm.method(),
+            Form::SevenAxisArm(_) => "machine-method-spherical-shoulder",
             Form::ThreeLinear(_) => "machine-method-closed",
             Form::PlaneOnRotary(_) => "machine-method-plane-on-rotary",
             Form::TwoLinear(_) => "machine-method-in-plane",
@@ -100,28 +126,37 @@ impl Inverse {
         if self.held.is_empty() {
             return self.form.solve(query, branches);
         }
-        if let Form::Arm(arm) = &self.form {
-            // Its axes do not depend on the others: these only move its base.
-            arm.solve(query, branches)?;
-        } else {
-            let chain = query.chain.holding(self.held, query.near);
-            self.form.solve(Query { chain: &chain, ..query }, branches)?;
+        let mut kept = self.held;
+        match &self.form {
+            // Their axes do not depend on the others: these only move the arm's base.
+            Form::Arm(arm) => arm.solve(query, branches)?,
+            Form::SevenAxisArm(arm) => {
+                arm.solve(query, branches)?;
+                kept = kept.different([arm.third()].into_iter().collect());
+            }
+            form => {
+                let chain = query.chain.holding(self.held, query.near);
+                form.solve(Query { chain: &chain, ..query }, branches)?;
+            }
         }
         for solution in branches.iter_mut() {
-            self.held.iter().for_each(|axis| solution.joints[axis] = query.near[axis]);
+            kept.iter().for_each(|axis| solution.joints[axis] = query.near[axis]);
         }
         Ok(())
     }
 }
 
-/// A six-axis arm at the torch's end of `chain`, with all other axes held; none if the arm has no closed form, or if
-/// three linear axes carry the torch through space.
+/// An arm at the torch's end of `chain`, with all other axes and a seventh of its own held; none if it has no closed form,
+/// or if three linear axes carry the torch through space.
 fn arm(chain: &Chain, axes: &[Axis]) -> Option<Inverse> {
-    let arm = Arm::new(chain)?;
-    let held = chain.axes().different(arm.axes());
+    let (decided, form) = match Arm::new(chain) {
+        Some(arm) => (arm.axes(), Form::Arm(Box::new(arm))),
+        None => SevenAxisArm::new(chain).map(|arm| (arm.decided(), Form::SevenAxisArm(Box::new(arm))))?,
+    };
+    let held = chain.axes().different(decided);
     let strokes = held.iter().filter(|&axis| axes[axis].kind == AxisKind::Linear).count();
     // One entry of the positions stays free for the rotation about the torch.
-    (strokes < 3 && axes.len() < MAX_AXES).then_some(Inverse { held, form: Form::Arm(Box::new(arm)) })
+    (strokes < 3 && axes.len() < MAX_AXES).then_some(Inverse { held, form })
 }
 
 impl Form {
@@ -144,6 +179,7 @@ impl Form {
     fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
         match self {
             Self::Arm(form) => form.solve(query, branches),
+            Self::SevenAxisArm(form) => form.solve(query, branches),
             Self::ThreeLinear(form) => form.solve(query, branches),
             Self::PlaneOnRotary(form) => form.solve(query, branches),
             Self::TwoLinear(form) => form.solve(query, branches),

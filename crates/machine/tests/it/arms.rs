@@ -379,7 +379,7 @@ fn the_shipped_arms_come_back() {
             assert!(!regular || branches.iter().any(|b| same(&machine, &b.joints, &q, 1e-8)), "{}", machine.name);
         }
     }
-    assert_eq!(count, 7);
+    assert_eq!(count, 8);
 }
 
 /// Lines in the base frame, against Denavit and Hartenberg's parameters.

@@ -1,6 +1,9 @@
 //! Verbs about the machine and the work in it.
 
+mod arm_file;
 mod check;
+mod import;
+mod new_arm;
 mod place;
 mod placement_report;
 mod touched_points;
@@ -9,6 +12,7 @@ mod tuning_report;
 
 use super::{io, kinematics, latency, lists, move_to};
 use crate::args::ListArgs;
+use crate::args::arm::{NewArgs, NewKind};
 use crate::args::machine::{MachineArgs, MachineVerb};
 use seamwright_project::failure::Failure;
 
@@ -20,6 +24,8 @@ pub(crate) fn run(args: &MachineArgs) -> Result<(), Failure> {
         MachineVerb::Move(a) => move_to::run(a),
         MachineVerb::Io(a) => io::run(a),
         MachineVerb::Latency(a) => latency::run(a),
+        MachineVerb::Import(a) => import::run(a),
+        MachineVerb::New(NewArgs { kind: NewKind::Arm(a) }) => new_arm::run(a),
         MachineVerb::Place(a) => place::run(a),
         MachineVerb::Check(a) => check::run(a),
         MachineVerb::Tune(a) => tune::run(a),

@@ -33,16 +33,17 @@ pub enum WristSide {
     Flip,
 }
 
-/// Configuration of a six-axis arm: together with the torch's frame it determines all positions.
+/// Configuration of an arm: together with the torch's frame, and the arm angle of a seven-axis arm, it determines all
+/// positions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 pub struct ArmConfiguration {
-    /// Side of the wrist.
+    /// Side of the wrist; of a seven-axis arm the side on which the second axis passes the line to the wrist.
     pub shoulder: Shoulder,
     /// Side of the elbow.
     pub elbow: Elbow,
     /// Side of the fifth axis.
     pub wrist: WristSide,
-    /// Whole turns of each axis from its position within (-180, 180] degrees.
+    /// Whole turns of each axis from its position within (-180, 180] degrees, without the redundant axis.
     pub turns: [i32; 6],
 }
 
@@ -85,12 +86,11 @@ impl Arm {
     /// Configuration at positions `q`.
     pub(crate) fn configuration(&self, q: &Joints) -> ArmConfiguration {
         let signed = self.signed(q);
-        let turns = self.axes.map(|axis| ((q[axis] - 1e-12) / TAU).round() as i32);
         ArmConfiguration {
             shoulder: if signed.forward_mm >= 0.0 { Shoulder::Front } else { Shoulder::Back },
             elbow: if signed.elbow >= 0.0 { Elbow::Up } else { Elbow::Down },
             wrist: if signed.wrist >= 0.0 { WristSide::NoFlip } else { WristSide::Flip },
-            turns,
+            turns: self.axes.map(|axis| turns(q[axis])),
         }
     }
 
@@ -120,4 +120,9 @@ impl Arm {
             wrist: bend.sin(),
         }
     }
+}
+
+/// Whole turns of a position from the one within (-180, 180] degrees.
+pub(super) fn turns(position: f64) -> i32 {
+    ((position - 1e-12) / TAU).round() as i32
 }

@@ -1,4 +1,4 @@
-//! Six-axis arms in closed form, recognised from the lines of their axes.
+//! Six- and seven-axis arms in closed form, recognised from the lines of their axes.
 //!
 //! Two structures, both with a second axis parallel to the third:
 //!
@@ -8,6 +8,8 @@
 //! - **Three parallel axes**: axis 4 is parallel to 2 and 3, axes 5 and 6 meet at right angles (arms of Universal Robots).
 //!   The point where they meet decides axis 1, the direction of the last axis 5 and 6, and a plane problem the rest.
 //!
+//! Seven-axis arms with spherical shoulder and wrist have a redundant axis more: see `seven`.
+//!
 //! An arm reaches a whole frame, a torch's pose is a point with a direction: the rotation about the torch is free. A
 //! [`Target`](crate::Target) gives it, or it stays as near as possible to that of the current positions. External axes
 //! between work and arm (rail, positioner) keep their positions.
@@ -16,6 +18,7 @@
 //! iteration. Other arms are solved by Newton's method.
 
 mod configuration;
+mod seven;
 mod two_links;
 mod wrist;
 
@@ -25,8 +28,10 @@ use crate::axis::AxisKind;
 use crate::chain::{AxisSet, Chain, Joints, Screw, Turn};
 use crate::roll::carried;
 use arrayvec::ArrayVec;
+use configuration::turns;
 pub use configuration::{ArmConfiguration, ArmMargins, Elbow, Shoulder, WristSide};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
+pub(crate) use seven::SevenAxisArm;
 use two_links::{LinkTurns, TwoLinks};
 use wrist::{ALIGNED, Wrist};
 
@@ -142,7 +147,7 @@ impl Arm {
     /// Adds all branches; the axes of the chain before the arm are as in `near`.
     pub(crate) fn solve(&self, query: Query, branches: &mut Branches) -> Result<(), Unreachable> {
         let near = query.near;
-        let goal = self.goal(query);
+        let goal = goal(self.first, query);
         let mut nearest = None;
         let mut miss = |reason: Unreachable| {
             if nearest.as_ref().is_none_or(|n: &Unreachable| reason.by() < n.by()) {
@@ -163,27 +168,6 @@ impl Arm {
             }
         }
         branches.any(nearest)
-    }
-
-    /// Displacement of the flange from zero that reaches the target, with the axes before the arm undone.
-    fn goal(&self, Query { chain, pose, near, across, .. }: Query) -> DAffine3 {
-        let zero = &chain.zero;
-        let across = across.unwrap_or_else(|| {
-            let (here, across) = chain.frame(near);
-            carried(here.direction, pose.direction, across)
-        });
-        let across = (across - across.dot(pose.direction) * pose.direction).normalize();
-        let from = frame(zero.direction, chain.across);
-        let matrix3 = frame(pose.direction, across) * from.transpose();
-        let goal = DAffine3 { matrix3, translation: pose.point - matrix3 * zero.point };
-        if self.first == 0 {
-            return goal;
-        }
-        let carried = chain.screws[..self.first]
-            .iter()
-            .fold(DAffine3::IDENTITY, |moved, screw| moved * screw.displacement(near[screw.axis]));
-        let back = carried.matrix3.transpose();
-        DAffine3 { matrix3: back * goal.matrix3, translation: back * (goal.translation - carried.translation) }
     }
 
     /// Turns of the first axis that bring the centre to the distance from the plane of the links that these keep, or
@@ -318,6 +302,28 @@ impl ParallelTail {
     fn straight(&self, normal: DVec3) -> Turn {
         Turn::along(normal.dot(self.fifth.cross(self.sixth)), normal.dot(self.sixth))
     }
+}
+
+/// Displacement of the flange from zero that reaches the target, with the `first` axes before the arm
+/// undone.
+fn goal(first: usize, Query { chain, pose, near, across, .. }: Query) -> DAffine3 {
+    let zero = &chain.zero;
+    let across = across.unwrap_or_else(|| {
+        let (here, across) = chain.frame(near);
+        carried(here.direction, pose.direction, across)
+    });
+    let across = (across - across.dot(pose.direction) * pose.direction).normalize();
+    let from = frame(zero.direction, chain.across);
+    let matrix3 = frame(pose.direction, across) * from.transpose();
+    let goal = DAffine3 { matrix3, translation: pose.point - matrix3 * zero.point };
+    if first == 0 {
+        return goal;
+    }
+    let carried = chain.screws[..first]
+        .iter()
+        .fold(DAffine3::IDENTITY, |moved, screw| moved * screw.displacement(near[screw.axis]));
+    let back = carried.matrix3.transpose();
+    DAffine3 { matrix3: back * goal.matrix3, translation: back * (goal.translation - carried.translation) }
 }
 
 /// The point where two axes meet; none if they are parallel or pass each other.
