@@ -602,3 +602,7 @@ cli-stopped = gestoppt in Zyklus { $cycle }
 cli-no-cell-runs = dort läuft keine Zelle
 cli-data-of-running-cell = der Datenordner eines laufenden Panels
 cli-stop-unanswered = der Stopp ist nicht bestätigt: { $why }
+
+# Roboterprogramme.
+cli-not-for-robots = nicht für Roboter
+cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm

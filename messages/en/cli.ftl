@@ -931,3 +931,9 @@ cli-data-of-running-cell = the data folder of a running panel
 cli-stop-unanswered = the stop is not acknowledged: { $why }
     .cause = The cycle stands, or the process of the cell does not answer.
     .cure = Use the emergency stop of the machine, then check that arc, gas and drives are off.
+
+# Programs of robots.
+cli-not-for-robots = not for robots
+    .cause = Robot languages give poses of the tool and its speed. They have no levels, feed words or block types.
+    .cure = Leave the option out.
+cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm

@@ -632,3 +632,7 @@ cli-stopped = остановлено в цикле { $cycle }
 cli-no-cell-runs = там ячейка не работает
 cli-data-of-running-cell = папка данных работающей панели
 cli-stop-unanswered = остановка не подтверждена: { $why }
+
+# Программы роботов.
+cli-not-for-robots = не для роботов
+cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm

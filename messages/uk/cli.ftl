@@ -632,3 +632,7 @@ cli-stopped = зупинено в циклі { $cycle }
 cli-no-cell-runs = там комірка не працює
 cli-data-of-running-cell = папка даних працюючої панелі
 cli-stop-unanswered = зупинку не підтверджено: { $why }
+
+# Програми роботів.
+cli-not-for-robots = не для роботів
+cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm

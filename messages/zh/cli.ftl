@@ -512,3 +512,7 @@ cli-stopped = 已在循环 { $cycle } 中停止
 cli-no-cell-runs = 该处没有运行的单元
 cli-data-of-running-cell = 正在运行的面板的数据文件夹
 cli-stop-unanswered = 停止未得到确认：{ $why }
+
+# 机器人程序。
+cli-not-for-robots = 不适用于机器人
+cli-options-of-robots = --tolerance-mm、--speed-percent、--retract-mm

@@ -39,6 +39,7 @@ mod play;
 mod points;
 mod polynomial;
 mod read;
+pub mod robot;
 mod verify;
 mod write;
 
