@@ -27,8 +27,14 @@ pub(crate) enum PostTargetArg {
     Pmac,
     /// ABB RAPID with RobotWare Arc
     Rapid,
+    /// KUKA KRL
+    Krl,
+    /// FANUC teach pendant program as text
+    FanucLs,
     /// Universal Robots URScript
     Urscript,
+    /// Yaskawa INFORM job
+    Inform,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

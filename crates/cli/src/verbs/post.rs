@@ -176,6 +176,9 @@ impl From<PostTargetArg> for PostTarget {
             PostTargetArg::Grblhal => Self::Machine(Dialect::Grblhal),
             PostTargetArg::Pmac => Self::Machine(Dialect::Pmac),
             PostTargetArg::Rapid => Self::Robot(RobotLanguage::Rapid),
+            PostTargetArg::Krl => Self::Robot(RobotLanguage::Krl),
+            PostTargetArg::FanucLs => Self::Robot(RobotLanguage::FanucLs),
+            PostTargetArg::Inform => Self::Robot(RobotLanguage::Inform),
             PostTargetArg::Urscript => Self::Robot(RobotLanguage::Urscript),
         }
     }

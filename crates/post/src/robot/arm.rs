@@ -79,7 +79,8 @@ impl RobotArm {
                 External { axis, name: of.name.clone(), kind: of.kind, carries_work }
             })
             .collect();
-        if externals.len() > language.max_externals() {
+        let carries_work = externals.iter().any(|external| external.carries_work);
+        if externals.len() > language.max_externals() || (carries_work && !language.takes_positioner()) {
             let axes = externals.into_iter().map(|external| external.name).collect();
             return Err(Error::ExternalAxes { machine: machine.name.clone(), language, axes });
         }

@@ -38,6 +38,8 @@ pub(super) struct Planned {
     pub(super) s: f64,
     pub(super) q: Joints,
     pub(super) station: Station,
+    /// True if the tip stops there inside the pass.
+    pub(super) stops: bool,
 }
 
 /// The motion of a pass by time.
@@ -64,7 +66,8 @@ impl<'a> Course<'a> {
         let s = self.motion.profile.at(time, &mut 0).s;
         let q = self.motion.path.at(s);
         let externals = self.arm.external_positions(self.machine, &q);
-        Planned { time, s, q, station: Station { pose: RobotArm::pose(self.machine, &q), externals } }
+        let station = Station { pose: RobotArm::pose(self.machine, &q), externals };
+        Planned { time, s, q, station, stops: false }
     }
 
     /// True if a range of times meets an acceleration or deceleration phase.
@@ -76,6 +79,14 @@ impl<'a> Course<'a> {
     pub(super) fn stops(&self) -> Vec<f64> {
         let legs = self.motion.profile.legs();
         legs.iter().skip(1).map(|leg| self.motion.profile.time(leg.from)).collect()
+    }
+
+    /// Marks the stations at which the tip stops inside the pass.
+    pub(super) fn mark_stops(&self, ends: &mut [Planned]) {
+        let stops = self.stops();
+        for end in ends {
+            end.stops = stops.iter().any(|time| (time - end.time).abs() < 1e-9);
+        }
     }
 
     /// The ends of lines, the start of the pass first. Lines end at all `breaks`.
@@ -126,8 +137,8 @@ impl<'a> Course<'a> {
         if *step < BRIEFEST_S {
             return Err(Error::BriefBlocks { s: here.s, time_s: *step, min_s: BRIEFEST_S });
         }
-        // The rest up to the limit must not become too brief for a line.
-        if limit - good.time < BRIEFEST_S {
+        // A short rest is shared with this line.
+        if limit - good.time < 0.7 * *step {
             return Ok(self.at(0.5 * (here.time + limit)));
         }
         Ok(good)

@@ -2,15 +2,18 @@
 
 use super::arm::RobotArm;
 use super::cutter::{Bounds, Course, Planned};
+use super::language::CNT_S;
 use super::language::RobotLanguage;
-use super::program::{ArcEnd, ArcStart, JointTarget, LineMove, RobotFrames, RobotProgram, RobotStep};
+use super::play::{BlendShape, shortening};
+use super::program::{ArcEnd, ArcStart, JointTarget, LineMove, RobotProgram, RobotStep};
 use super::speeds::{Timed, speeds};
 use super::weld_values::WeldValues;
 use crate::error::Error;
 use crate::plan::ramps::{ramp_breaks, weave_breaks};
+use glam::DVec3;
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::WeldMotion;
-use seamwright_motion::transfer::{Leg, TransferMove};
+use seamwright_motion::transfer::TransferMove;
 use seamwright_program::{Pass, Program, TorchPath};
 
 /// Speed of lines to the start of a weld and back from its end, mm/s.
@@ -86,7 +89,7 @@ pub fn robot_program(
     if let Some(home) = motion.transfers.last() {
         target.transfer(home, &mut steps);
     }
-    let frames = Some(RobotFrames { tool: arm.tool, work: arm.work });
+    let frames = Some(language.frames(arm));
     Ok(RobotProgram { title: program.title.clone(), frames, steps })
 }
 
@@ -103,6 +106,9 @@ fn check(pass: &Pass) -> Result<(), Error> {
 
 impl Target<'_> {
     fn joints(&self, q: &Joints) -> RobotStep {
+        if !self.language.has_joint_targets() {
+            return RobotStep::JointsTo(self.line_to(q));
+        }
         RobotStep::Joints(JointTarget {
             arm: self.arm.arm_deg(q),
             externals: self.arm.external_positions(self.machine, q),
@@ -110,13 +116,18 @@ impl Target<'_> {
     }
 
     fn line(&self, q: &Joints, speed_mm_s: f64, zone_mm: f64) -> RobotStep {
-        RobotStep::Line(LineMove {
+        RobotStep::Line(LineMove { speed_mm_s, zone_mm, ..self.line_to(q) })
+    }
+
+    /// A move to the pose at `q`, without speed and zone.
+    fn line_to(&self, q: &Joints) -> LineMove {
+        LineMove {
             to: RobotArm::pose(self.machine, q),
             externals: self.arm.external_positions(self.machine, q),
             configuration: self.language.configuration(self.machine, self.arm, q),
-            speed_mm_s,
-            zone_mm,
-        })
+            speed_mm_s: 0.0,
+            zone_mm: 0.0,
+        }
     }
 
     /// The legs between the retract and the approach, as planned.
@@ -124,7 +135,7 @@ impl Target<'_> {
         let count = transfer.legs.len().saturating_sub(usize::from(transfer.approaches));
         for leg in transfer.legs.iter().take(count).skip(usize::from(transfer.retracts)) {
             steps.push(match leg.is_rest() {
-                true => RobotStep::Wait(Leg::duration(leg)),
+                true => RobotStep::Wait(self.language.time_s(leg.duration())),
                 false => self.joints(leg.end()),
             });
         }
@@ -141,50 +152,84 @@ impl Target<'_> {
         let tolerance_mm = USED * (options.tolerance_mm - 2.0 * self.language.rounding_mm());
         let is_woven = course.motion.path.is_woven();
         let speed = if is_woven { f64::INFINITY } else { 0.01 * options.speed_percent };
-        let ends = course.cut(&breaks(pass, course), &Bounds { tolerance_mm, speed })?;
+        let mut ends = course.cut(&breaks(pass, course), &Bounds { tolerance_mm, speed })?;
+        course.mark_stops(&mut ends);
         let lengths: Vec<f64> =
             ends.windows(2).map(|w| w[0].station.pose.point.distance(w[1].station.pose.point)).collect();
+        let means: Vec<f64> = ends.windows(2).zip(&lengths).map(|(w, l)| l / (w[1].time - w[0].time)).collect();
+        let ways = self.ways(&ends, &lengths, &self.zones(&ends, &means, tolerance_mm));
         let timed: Vec<Timed> =
-            lengths.iter().zip(&ends[1..]).map(|(l, end)| Timed { length_mm: *l, end_s: end.time }).collect();
+            ways.iter().zip(&ends[1..]).map(|(way, end)| Timed { length_mm: *way, end_s: end.time }).collect();
         let speeds = speeds(&timed, self.language.speed_step_mm_s(), 0.3 * speed.min(0.05));
-        let zones = self.zones(&ends, &course.stops(), tolerance_mm);
-        let mut values = WeldValues::of(pass, 0.5 * ends[1].s);
+        let zones = self.zones(&ends, &speeds, tolerance_mm);
+        let values_at = |s: f64| self.language.values(WeldValues::of(pass, s));
+        let mut values = values_at(0.5 * ends[1].s);
         let sequence = &pass.sequence;
+        let gas = |time_s: f64| if self.language.has_gas_and_wire() { self.language.time_s(time_s) } else { 0.0 };
         if pass.has_arc() {
-            let (preflow_s, delay_s) = (sequence.preflow_s.get(), sequence.travel_delay_s.get());
+            let preflow_s = gas(sequence.preflow_s.get());
+            let delay_s = self.language.time_s(sequence.travel_delay_s.get());
             steps.push(RobotStep::ArcOn(ArcStart { preflow_s, delay_s, values }));
         }
         for (k, end) in ends.iter().enumerate().skip(1) {
-            let now = WeldValues::of(pass, 0.5 * (ends[k - 1].s + end.s));
+            let now = values_at(0.5 * (ends[k - 1].s + end.s));
             if pass.has_arc() && now != std::mem::replace(&mut values, now) {
                 steps.push(RobotStep::Values(now));
             }
             steps.push(self.line(&end.q, speeds[k - 1], zones[k - 1]));
         }
         if pass.has_arc() {
-            let (crater_s, postflow_s) = (sequence.crater_s.get(), sequence.postflow_s.get());
+            let crater_s = self.language.time_s(sequence.crater_s.get());
+            let postflow_s = gas(sequence.postflow_s.get());
             steps.push(RobotStep::ArcOff(ArcEnd { crater_s, postflow_s }));
         }
         Ok(())
     }
 
     /// The zone at the end of each line.
-    fn zones(&self, ends: &[Planned], stops: &[f64], tolerance_mm: f64) -> Vec<f64> {
+    fn zones(&self, ends: &[Planned], speeds: &[f64], tolerance_mm: f64) -> Vec<f64> {
         let mut zones: Vec<f64> = ends
             .windows(3)
-            .map(|w| {
-                if stops.iter().any(|t| (t - w[1].time).abs() < 1e-9) {
+            .zip(speeds)
+            .map(|(w, speed)| {
+                if w[1].stops {
                     return 0.0;
                 }
-                let [a, b] = [[0, 1], [1, 2]].map(|[i, j]| w[j].station.pose.point - w[i].station.pose.point);
-                let angle = a.cross(b).length().atan2(a.dot(b));
+                let [a, b] = sides(w);
+                let angle = a.angle_between(b);
                 let radius = 2.0 * tolerance_mm / (0.5 * angle).sin().max(1e-9);
-                self.language.zone_mm(a.length().min(b.length()), radius)
+                match self.language {
+                    // A whole part of a hundred.
+                    RobotLanguage::FanucLs => {
+                        let full = CNT_S * speed;
+                        0.01 * (100.0 * radius / full).floor().min(100.0) * full
+                    }
+                    _ => self.language.zone_mm(a.length().min(b.length()), radius),
+                }
             })
             .collect();
         zones.push(0.0);
         zones
     }
+
+    /// The way of the tip on each line and its halves of the corners.
+    fn ways(&self, ends: &[Planned], lengths: &[f64], zones: &[f64]) -> Vec<f64> {
+        let mut ways = lengths.to_vec();
+        if self.language.blend_shape() == BlendShape::Circle {
+            for (k, w) in ends.windows(3).enumerate() {
+                let [a, b] = sides(w);
+                let shorter = zones[k] * shortening(a.angle_between(b));
+                ways[k] -= shorter;
+                ways[k + 1] -= shorter;
+            }
+        }
+        ways
+    }
+}
+
+/// The lines before and behind the middle one of three stations.
+fn sides(ends: &[Planned]) -> [DVec3; 2] {
+    [[0, 1], [1, 2]].map(|[i, j]| ends[j].station.pose.point - ends[i].station.pose.point)
 }
 
 impl RobotLanguage {
@@ -194,10 +239,11 @@ impl RobotLanguage {
             let step = if length_mm < 1.0 { 0.1 * ZONE_STEP_MM } else { ZONE_STEP_MM };
             return ((ZONE_PART * length_mm).min(max_mm).min(10.0) / step + 1e-9).floor() * step;
         };
-        // The control takes half of the line where a zone is larger.
-        let fits =
-            |zone: &&f64| zone.min(0.5 * length_mm) <= max_mm && (**zone <= 0.5 * length_mm || **zone == zones[0]);
-        zones.iter().rev().find(fits).copied().unwrap_or(0.0)
+        // Where a zone is larger than half of the line the control takes that half.
+        let half = 0.5 * length_mm;
+        let largest = zones.iter().rev().find(|zone| **zone <= half).or(zones.first()).copied().unwrap_or(0.0);
+        let fitting = zones.iter().rev().find(|zone| **zone <= largest && zone.min(half) <= max_mm);
+        fitting.copied().unwrap_or(0.0)
     }
 }
 

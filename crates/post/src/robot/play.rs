@@ -131,13 +131,17 @@ fn bend(line: &Line, next: &Line) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
+/// Part by which an arc round a corner is shorter than the two parts of the lines that it replaces.
+pub(super) fn shortening(angle: f64) -> f64 {
+    if angle > STRAIGHT { 1.0 - 0.5 * angle / (0.5 * angle).tan() } else { 0.0 }
+}
+
 fn corner_seconds(line: &Line, next: &Line, shape: BlendShape) -> f64 {
     let radius = line.radii[1];
     let along_lines = radius / line.speed + radius / next.speed;
-    let angle = bend(line, next);
     match shape {
-        BlendShape::Circle if angle > STRAIGHT => along_lines * 0.5 * angle / (0.5 * angle).tan(),
-        _ => along_lines,
+        BlendShape::Circle => along_lines * (1.0 - shortening(bend(line, next))),
+        BlendShape::Parabola => along_lines,
     }
 }
 

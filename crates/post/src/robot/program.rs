@@ -28,6 +28,8 @@ pub enum RobotStep {
     Pass(String),
     /// All axes go straight in axis space to a stop.
     Joints(JointTarget),
+    /// All axes go straight in axis space to a pose and stop there, in languages without targets of axes.
+    JointsTo(LineMove),
     /// The tool centre point goes straight in the work frame.
     Line(LineMove),
     /// The arc is switched on at rest.

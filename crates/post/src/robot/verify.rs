@@ -60,7 +60,10 @@ pub fn verify_robot(
         let judge = Judge::new(planned, &arm, pass, motion);
         let checked = judge.check(steps);
         wrong.extend(checked.complaints(&planned, i + 1));
-        moves += steps.iter().filter(|step| matches!(step, RobotStep::Line(_) | RobotStep::Joints(_))).count();
+        moves += steps
+            .iter()
+            .filter(|step| matches!(step, RobotStep::Line(_) | RobotStep::Joints(_) | RobotStep::JointsTo(_)))
+            .count();
         passes.push(checked.proof);
     }
     if passes.len() != planned.program.passes.len() {
@@ -120,7 +123,7 @@ fn same_step(a: &RobotStep, t: &RobotStep) -> Option<f64> {
         (RobotStep::Joints(a), RobotStep::Joints(t)) => {
             Some(most(&a.arm, &t.arm)?.max(most(&a.externals, &t.externals)?))
         }
-        (RobotStep::Line(a), RobotStep::Line(t)) => {
+        (RobotStep::Line(a), RobotStep::Line(t)) | (RobotStep::JointsTo(a), RobotStep::JointsTo(t)) => {
             let values = [(a.speed_mm_s, t.speed_mm_s), (a.zone_mm, t.zone_mm)];
             let known = t.configuration == a.configuration && values.iter().all(|(a, t)| (a - t).abs() < OTHER);
             let off = same_pose(&a.to, &t.to)?.max(most(&a.externals, &t.externals)?);
@@ -288,7 +291,10 @@ impl<'a> Judge<'a> {
             let span = &mut spans[piece.line];
             *span = [span[0].min(piece.begin_s), span[1].max(piece.begin_s + piece.seconds)];
         }
-        let is_ramp: Vec<bool> = spans.iter().map(|[from, to]| self.course.meets_ramp(*from, *to)).collect();
+        // Times of the text are off by its permitted deviation.
+        let margin = 1e-3 * play.seconds;
+        let meets = |[from, to]: &[f64; 2]| self.course.meets_ramp(from - margin, to + margin);
+        let is_ramp: Vec<bool> = spans.iter().map(meets).collect();
         for piece in &play.pieces {
             let next = is_ramp.get(piece.line + 1).copied().unwrap_or(true);
             if is_ramp[piece.line] || next || piece.seconds < 1e-3 {
@@ -322,7 +328,8 @@ impl<'a> Judge<'a> {
             let time = (piece.begin_s + 0.5 * piece.seconds).min(self.motion.profile.duration());
             let s = self.motion.profile.at(time, &mut 0).s;
             let asked = WeldValues::of(self.pass, s).all();
-            for ((name, told), asked) in NAMES.iter().zip(values[piece.line].all()).zip(asked) {
+            let count = if self.planned.language.has_gas_and_wire() { 3 } else { 2 };
+            for ((name, told), asked) in NAMES.iter().zip(values[piece.line].all()).zip(asked).take(count) {
                 let greatest = self.pass.process_range(name).map_or(0.0, |range| range.1);
                 let percent = if greatest > 0.0 { 100.0 * (told - asked).abs() / greatest } else { 0.0 };
                 if greatest > 0.0 && self.proof.process.as_ref().is_none_or(|(most, _)| percent > *most) {
@@ -332,8 +339,14 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// Deviation of a current that the decimals of the language make, percent of the maximum.
+    fn rounding_percent(&self) -> f64 {
+        let greatest = self.pass.process_range(NAMES[0]).map_or(0.0, |range| range.1);
+        if greatest > 0.0 { 50.0 * self.planned.language.current_step_a() / greatest } else { 0.0 }
+    }
+
     fn complaints(&self, planned: &PlannedRobot, number: usize) -> Vec<Message> {
-        let mut wrong = self.proof.complaints_within(planned.tolerance_mm, number);
+        let mut wrong = self.proof.complaints_within(planned.tolerance_mm, self.rounding_percent(), number);
         // Speeds are programmed in steps.
         let step = 50.0 * planned.language.speed_step_mm_s() / self.fastest;
         let max = planned.speed_percent + step;

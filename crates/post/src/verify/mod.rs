@@ -121,7 +121,7 @@ pub fn verify(
 impl PassVerification {
     fn complaints(&self, planned: Planned, number: usize) -> Vec<Message> {
         let Planned { tolerance_mm, speed_percent, .. } = planned;
-        let mut wrong = self.complaints_within(tolerance_mm, number);
+        let mut wrong = self.complaints_within(tolerance_mm, 0.0, number);
         if self.speed_bounded_percent > speed_percent {
             let fault = percent("post-speed-off", self.speed_bounded_percent, 2, speed_percent);
             wrong.push(in_pass(number, &self.name, fault));
@@ -129,8 +129,8 @@ impl PassVerification {
         wrong
     }
 
-    /// Faults of tip, time and process values.
-    pub(crate) fn complaints_within(&self, tolerance_mm: f64, number: usize) -> Vec<Message> {
+    /// Faults of tip, time and process values; these may differ by `rounding_percent` more.
+    pub(crate) fn complaints_within(&self, tolerance_mm: f64, rounding_percent: f64, number: usize) -> Vec<Message> {
         let mut wrong = Vec::new();
         let mut complain = |fault: Message| wrong.push(in_pass(number, &self.name, fault));
         if self.tip_mm > tolerance_mm + ROUNDING {
@@ -140,8 +140,8 @@ impl PassVerification {
         if self.time_percent.is_nan() || self.time_percent.abs() > TIME_PERCENT {
             complain(percent("post-time-off", self.time_percent, 3, TIME_PERCENT));
         }
-        if let Some((off, name)) = self.process.as_ref().filter(|(off, _)| *off > PROCESS_PERCENT) {
-            complain(percent("post-process-off", *off, 2, PROCESS_PERCENT).text("name", name));
+        if let Some((off, name)) = self.process.as_ref().filter(|(off, _)| *off > PROCESS_PERCENT + rounding_percent) {
+            complain(percent("post-process-off", *off, 2, PROCESS_PERCENT + rounding_percent).text("name", name));
         }
         wrong
     }

@@ -86,6 +86,149 @@ fn urscript_is_the_plan() {
     proven(&on("ur10e"), RobotLanguage::Urscript);
 }
 
+#[test]
+fn krl_is_the_plan() {
+    proven(&on("kr-16"), RobotLanguage::Krl);
+}
+
+#[test]
+fn fanuc_ls_is_the_plan() {
+    proven(&on("arc-mate-120id"), RobotLanguage::FanucLs);
+}
+
+#[test]
+fn inform_is_the_plan() {
+    proven(&on("ar1440"), RobotLanguage::Inform);
+}
+
+/// The rail is an external axis.
+#[test]
+fn a_rail_goes_with_the_arm() {
+    let planned = on("irb-2600-rail");
+    for language in [RobotLanguage::Rapid, RobotLanguage::Krl, RobotLanguage::FanucLs] {
+        proven(&planned, language);
+    }
+}
+
+/// A positioner carries the work: lines are straight on it.
+#[test]
+fn a_positioner_is_coordinated() {
+    let axes = r#"[[work]]
+fixed = { move_mm = [900, 0, 300] }
+[[work]]
+axis = "tilt"
+turn = [0, 1, 0]
+range_deg = [-90, 90]
+max_speed_deg_s = 30
+max_acceleration_deg_s2 = 60
+max_jerk_deg_s3 = 600
+[[work]]
+fixed = { move_mm = [0, 0, 100] }
+[[work]]
+axis = "turn"
+turn = [0, 0, 1]
+range_deg = [-720, 720]
+max_speed_deg_s = 60
+max_acceleration_deg_s2 = 120
+max_jerk_deg_s3 = 1200
+"#;
+    let fixed = "[[work]]\nfixed = { move_mm = [900, 0, 0] }\n";
+    let planned = Planned::on(&NOZZLE.replace("MACHINE", "irb-2600"), |file| {
+        assert!(file.contains(fixed));
+        file.replace(fixed, axes)
+    });
+    for language in [RobotLanguage::Rapid, RobotLanguage::Krl] {
+        proven(&planned, language);
+    }
+    let refused = RobotArm::new(&planned.machine, RobotLanguage::FanucLs).unwrap_err();
+    assert!(matches!(refused, Error::ExternalAxes { .. }));
+}
+
+/// Examples that robots can weld, and the height of their work above the table, mm.
+const EXAMPLES: [(&str, f64); 11] = [
+    ("ellipse", 200.0),
+    ("half-ring", 200.0),
+    ("head-nozzle", 0.0),
+    ("knuckle-nozzle", 40.0),
+    ("radiator", 200.0),
+    ("set-in-nozzle", 300.0),
+    ("spline", 200.0),
+    ("trunnion-saddle", 150.0),
+    ("tube-plate", 200.0),
+    ("weave", 200.0),
+    ("y-branch", 120.0),
+];
+
+/// The text of an example with its work on the table of a robot.
+fn placed(example: &str, height_mm: f64, machine: &str) -> String {
+    let path = format!("{}/../../examples/{example}.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    let mut lines: Vec<String> = Vec::new();
+    let mut has_placement = false;
+    for line in text.lines() {
+        if line.starts_with("machine = ") {
+            lines.push(format!("machine = \"{machine}\""));
+        } else if line.starts_with("move_mm = ") && lines.iter().any(|l| l.starts_with("[placement]")) && !has_placement
+        {
+            has_placement = true;
+            lines.push(format!("move_mm = [0, 0, {height_mm}]"));
+        } else {
+            lines.push(line.to_owned());
+        }
+    }
+    if !has_placement {
+        lines.push(format!("[placement]\nmove_mm = [0, 0, {height_mm}]"));
+    }
+    lines.join("\n")
+}
+
+/// Every example on an arm of every language: what the arm can weld is proven, unless the language refuses it.
+fn examples_on(machine: &str, language: RobotLanguage, min: usize) {
+    let mut proven_count = 0;
+    for (example, height) in EXAMPLES {
+        let began = std::time::Instant::now();
+        let Ok(planned) = Planned::attempt(&placed(example, height, machine), str::to_owned) else {
+            println!("{machine} {example}: cannot be welded here, {:.1?}", began.elapsed());
+            continue;
+        };
+        match program(&planned, language) {
+            Ok(_) => {
+                let proof = proven(&planned, language);
+                assert!(proof.passes.iter().all(|pass| pass.tip_mm <= 0.05 + 1e-5 && pass.time_percent.abs() <= 0.1));
+                proven_count += 1;
+                println!("{example}: {:.1?}", began.elapsed());
+            }
+            Err(e) => println!("{machine} {example}: {e}"),
+        }
+    }
+    assert!(proven_count >= min, "{proven_count}");
+}
+
+#[test]
+fn examples_are_proven_in_rapid() {
+    examples_on("irb-2600", RobotLanguage::Rapid, 10);
+}
+
+#[test]
+fn examples_are_proven_in_urscript() {
+    examples_on("ur10e", RobotLanguage::Urscript, 8);
+}
+
+#[test]
+fn examples_are_proven_in_krl() {
+    examples_on("kr-16", RobotLanguage::Krl, 10);
+}
+
+#[test]
+fn examples_are_proven_in_fanuc_ls() {
+    examples_on("arc-mate-120id", RobotLanguage::FanucLs, 10);
+}
+
+#[test]
+fn examples_are_proven_in_inform() {
+    examples_on("ar1440", RobotLanguage::Inform, 10);
+}
+
 /// A text that is cut anywhere, or has other bytes, is refused or differs; nothing panics.
 fn damaged(planned: &Planned, language: RobotLanguage) {
     let asked = program(planned, language).unwrap();
@@ -115,6 +258,9 @@ fn damaged(planned: &Planned, language: RobotLanguage) {
 fn damaged_programs_are_refused() {
     damaged(&on("irb-2600"), RobotLanguage::Rapid);
     damaged(&on("ur10e"), RobotLanguage::Urscript);
+    damaged(&on("kr-16"), RobotLanguage::Krl);
+    damaged(&on("arc-mate-120id"), RobotLanguage::FanucLs);
+    damaged(&on("ar1440"), RobotLanguage::Inform);
 }
 
 /// Changes beyond the digits are found: a point, a speed, the zone, the configuration, the frames, a missing line.

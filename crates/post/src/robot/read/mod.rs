@@ -1,5 +1,8 @@
 //! Readers of robot programs. They know the languages, not the writers.
 
+mod fanuc;
+mod inform;
+mod krl;
 mod rapid;
 mod scan;
 mod urscript;
@@ -25,8 +28,10 @@ pub fn read_robot(language: RobotLanguage, file: &str, text: &str) -> Result<Rob
         }
         match language {
             RobotLanguage::Rapid => rapid::read(text),
+            RobotLanguage::Krl => krl::read(text),
+            RobotLanguage::FanucLs => fanuc::read(text),
             RobotLanguage::Urscript => urscript::read(text),
-            _ => Err(Fault::new(Span { from: 0, to: 0 }, "post-robot-too-long")),
+            RobotLanguage::Inform => inform::read(text),
         }
     };
     read(text).map_err(|fault| fault.placed(file, text))

@@ -60,7 +60,7 @@ impl<'a> Scan<'a> {
         if self.take(token) { Ok(()) } else { Err(self.missing(token)) }
     }
 
-    /// A word of letters, digits, `_` and `$` behind blanks; empty if there is none.
+    /// A word of letters, digits, `_` and `$` behind blanks, possibly empty.
     pub(super) fn word(&mut self) -> &'a str {
         self.blanks();
         let rest = self.rest();

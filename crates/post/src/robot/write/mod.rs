@@ -1,5 +1,8 @@
 //! Robot programs as text.
 
+mod fanuc;
+mod inform;
+mod krl;
 mod rapid;
 mod text;
 mod urscript;
@@ -9,7 +12,7 @@ use super::language::RobotLanguage;
 use super::program::RobotProgram;
 use seamwright_machine::{Io, Machine};
 
-/// What a text needs beside the program.
+/// Machine and remarks of a text.
 #[derive(Debug, Clone, Copy)]
 pub struct RobotText<'a> {
     /// The machine.
@@ -30,7 +33,9 @@ impl RobotText<'_> {
 pub fn write_robot(language: RobotLanguage, program: &RobotProgram, options: &RobotText) -> String {
     match language {
         RobotLanguage::Rapid => rapid::write(program, options),
+        RobotLanguage::Krl => krl::write(program, options),
+        RobotLanguage::FanucLs => fanuc::write(program, options),
         RobotLanguage::Urscript => urscript::write(program, options),
-        _ => String::new(),
+        RobotLanguage::Inform => inform::write(program, options),
     }
 }

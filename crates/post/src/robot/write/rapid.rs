@@ -77,7 +77,7 @@ impl Rapid {
             match step {
                 RobotStep::Pass(name) => self.pass(name),
                 RobotStep::Joints(target) => self.joints(target),
-                RobotStep::Line(line) => {
+                RobotStep::Line(line) | RobotStep::JointsTo(line) => {
                     let next = steps.get(i + 1);
                     if let Some(RobotStep::ArcOn(start)) = next {
                         seam += 1;

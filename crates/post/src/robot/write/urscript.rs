@@ -31,7 +31,7 @@ pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
                 let radians = target.arm.map(f64::to_radians);
                 format!("movej([{}], a=0.8, v=0.5)", joined(radians, 8, ", "))
             }
-            RobotStep::Line(line) => motion(line, burning),
+            RobotStep::Line(line) | RobotStep::JointsTo(line) => motion(line, burning),
             RobotStep::ArcOn(start) => {
                 burning = true;
                 arc_on(start)
