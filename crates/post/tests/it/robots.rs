@@ -1,13 +1,16 @@
 //! Examples on robots, in every language that fits: written, read back and verified.
 
 use crate::common::Planned;
-use seamwright_machine::shipped;
+use glam::{DQuat, DVec3};
+use seamwright_machine::{Machine, shipped};
 use seamwright_post::robot::{
-    PlannedRobot, RobotArm, RobotLanguage, RobotOptions, RobotProgram, RobotText, read_robot, robot_program,
-    verify_robot, write_robot,
+    ArcEnd, ArcStart, JointTarget, LineMove, PlannedRobot, RobotArm, RobotLanguage, RobotOptions, RobotPose,
+    RobotProgram, RobotStep, RobotText, WeldValues, read_robot, robot_program, verify_robot, write_robot,
 };
 use seamwright_post::{Error, Verification};
 use seamwright_program::TorchPath;
+use seamwright_testkit::{Random, cases};
+use std::f64::consts::PI;
 
 const OPTIONS: RobotOptions = RobotOptions { tolerance_mm: 0.05, speed_percent: 2.0 };
 /// A nozzle on a shell, near enough for all arms.
@@ -142,6 +145,79 @@ max_jerk_deg_s3 = 1200
     }
     let refused = RobotArm::new(&planned.machine, RobotLanguage::FanucLs).unwrap_err();
     assert!(matches!(refused, Error::ExternalAxes { .. }));
+}
+
+/// A move to a random pose with a configuration of the language.
+fn random_move(random: &mut Random, language: RobotLanguage) -> LineMove {
+    let turn = DQuat::from_axis_angle(random.vector(1.0).normalize(), random.within(-PI, PI));
+    let flag = |random: &mut Random| i32::from(random.within(0.0, 1.0) < 0.5);
+    let quarter = |random: &mut Random| random.within(-3.0, 3.0) as i32;
+    let configuration = match language {
+        RobotLanguage::Rapid => vec![quarter(random), quarter(random), quarter(random), 5],
+        RobotLanguage::Krl => vec![6, 35],
+        RobotLanguage::FanucLs => {
+            vec![flag(random), flag(random), flag(random), quarter(random), quarter(random), quarter(random)]
+        }
+        RobotLanguage::Inform => vec![flag(random), flag(random), 0, 1, 0, 0, 0, 0],
+        RobotLanguage::Urscript => Vec::new(),
+    };
+    LineMove {
+        to: RobotPose { point: random.vector(2000.0), turn },
+        externals: Vec::new(),
+        configuration,
+        speed_mm_s: (random.within(0.1, 200.0) * 10.0).ceil() / 10.0,
+        zone_mm: 0.0,
+    }
+}
+
+/// Random poses and positions come back from the text, to its decimals.
+#[test]
+fn random_programs_come_back() {
+    let machines = ["irb-2600", "kr-16", "arc-mate-120id", "ur10e", "ar1440"];
+    for (language, name) in RobotLanguage::ALL.into_iter().zip(machines) {
+        let machine = Machine::read(name, shipped(name).unwrap().text).unwrap();
+        let arm = RobotArm::new(&machine, language).unwrap();
+        let mut random = Random::new(43);
+        let values = WeldValues { current_a: 200.0, voltage_v: 24.5, wire_feed_m_min: 0.0 };
+        for _ in 0..cases(20u32) {
+            let mut steps = vec![RobotStep::Pass("p".to_owned())];
+            steps.push(match language {
+                RobotLanguage::Inform => {
+                    RobotStep::JointsTo(LineMove { speed_mm_s: 0.0, ..random_move(&mut random, language) })
+                }
+                _ => RobotStep::Joints(JointTarget {
+                    arm: [(); 6].map(|()| random.within(-180.0, 180.0)),
+                    externals: Vec::new(),
+                }),
+            });
+            steps.push(RobotStep::Line(random_move(&mut random, language)));
+            steps.push(RobotStep::ArcOn(ArcStart { preflow_s: 0.0, delay_s: 0.25, values }));
+            steps.extend((0..20).map(|_| RobotStep::Line(random_move(&mut random, language))));
+            steps.push(RobotStep::ArcOff(ArcEnd { crater_s: 0.5, postflow_s: 0.0 }));
+            steps.push(RobotStep::Wait(1.5));
+            let program = RobotProgram { title: "random".to_owned(), frames: None, steps };
+            let text = write_robot(language, &program, &RobotText { machine: &machine, arm: &arm, remarks: &[] });
+            let back = read_robot(language, "p", &text).unwrap_or_else(|e| panic!("{e}"));
+            assert_eq!(back.steps.len(), program.steps.len());
+            for (asked, told) in program.steps.iter().zip(&back.steps) {
+                assert!(is_near(asked, told), "{} {asked:?} {told:?}", language.name());
+            }
+        }
+    }
+}
+
+fn is_near(asked: &RobotStep, told: &RobotStep) -> bool {
+    match (asked, told) {
+        (RobotStep::Line(a), RobotStep::Line(t)) | (RobotStep::JointsTo(a), RobotStep::JointsTo(t)) => {
+            a.to.point.distance(t.to.point) < 2e-3
+                && a.to.angle_to(&t.to) < 2e-5
+                && a.configuration == t.configuration
+                && (a.speed_mm_s - t.speed_mm_s).abs() < 1e-6
+        }
+        (RobotStep::Joints(a), RobotStep::Joints(t)) => a.arm.iter().zip(t.arm).all(|(a, t)| (a - t).abs() < 2e-4),
+        (RobotStep::Pass(_), RobotStep::Pass(_)) => true,
+        (a, t) => a == t,
+    }
 }
 
 /// Examples that robots can weld, and the height of their work above the table, mm.
@@ -291,6 +367,25 @@ fn a_wrong_program_is_no_proof() {
     assert!(!judged(&written.replace("welddata wd2:=[", "welddata wd2:=[1")) || !written.contains("wd2"));
     assert!(!judged(&written.replace("tTorch:=[TRUE,[[90", "tTorch:=[TRUE,[[91")));
     assert!(!judged(&with(&lines[at].replacen(",z", ",z5", 1))));
+}
+
+/// The tool is counted from the maker's flange: a torch that reaches 90 mm to the side of x on ABB reaches to the other
+/// side on FANUC, where x points up.
+#[test]
+fn tools_are_counted_from_the_flange() {
+    for (name, language, x) in [
+        ("irb-2600", RobotLanguage::Rapid, 90.0),
+        ("kr-16", RobotLanguage::Krl, 90.0),
+        ("arc-mate-120id", RobotLanguage::FanucLs, -90.0),
+        ("ar1440", RobotLanguage::Inform, -90.0),
+        ("ur10e", RobotLanguage::Urscript, 90.0),
+    ] {
+        let machine = Machine::read(name, shipped(name).unwrap().text).unwrap();
+        let tool = RobotArm::new(&machine, language).unwrap().tool;
+        assert!(tool.point.distance(DVec3::new(x, 0.0, 330.0)) < 1e-9, "{name} {tool:?}");
+        let along = tool.turn * DVec3::Z;
+        assert!((along.x - x.signum() * 35f64.to_radians().sin()).abs() < 1e-9, "{name} {along}");
+    }
 }
 
 #[test]

@@ -135,15 +135,17 @@ impl Rapid {
     }
 
     fn line(&mut self, line: &LineMove) {
-        let (target, speed) = (self.target(line), fixed(line.speed_mm_s, 2));
+        let (target, speed) = (self.target(line), speed_data(line.speed_mm_s));
         let zone = zone(line.zone_mm);
-        self.statement(&format!("MoveL {target},[{speed},500,5000,1000],{zone},{TOOL}"));
+        self.statement(&format!("MoveL {target},{speed},{zone},{TOOL}"));
     }
 
     fn arc(&mut self, word: &str, line: &LineMove, seam: usize, weld: (f64, WeldValues)) {
         let weld = self.weld(weld);
         let (target, zone) = (self.target(line), zone(line.zone_mm));
-        self.statement(&format!("{word} {target},v50,sm{seam},wd{weld},{zone},{TOOL}"));
+        // Lines of a weld have the speed of their weld data; theirs is for trial runs without an arc.
+        let speed = if word == "ArcLStart" { speed_data(line.speed_mm_s) } else { "v50".to_owned() };
+        self.statement(&format!("{word} {target},{speed},sm{seam},wd{weld},{zone},{TOOL}"));
     }
 
     /// Number of the weld data for a speed and values.
@@ -171,6 +173,11 @@ impl Rapid {
 fn arc_data(values: &WeldValues) -> String {
     let wire = fixed(values.wire_feed_m_min * MM_S_PER_M_MIN, 4);
     format!("[0,0,{},{wire},0,{},0,0,0]", fixed(values.voltage_v, 3), fixed(values.current_a, 3))
+}
+
+/// Speed of the tool centre point (mm/s); orientation and external axes have their usual limits.
+fn speed_data(mm_s: f64) -> String {
+    format!("[{},500,5000,1000]", fixed(mm_s, 2))
 }
 
 fn zone(zone_mm: f64) -> String {
