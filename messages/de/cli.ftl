@@ -611,3 +611,6 @@ cli-arm-next = prüfen: seamwright machine check { $file }
 cli-arm-home = die Grundstellung von Achse `{ $axis }` liegt außerhalb ihres Bereichs
 cli-no-configurations = die Maschine ist kein Arm, dessen Konfigurationen Namen haben
 cli-no-arm-angle = die Maschine ist kein Arm mit sieben Achsen
+# Roboterprogramme.
+cli-not-for-robots = nicht für Roboter
+cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm

@@ -318,3 +318,28 @@ post-proof-tip = Spitze { $deviation }
 post-proof-named = { $name } { $deviation }
 post-proof-speed = Geschwindigkeit { $deviation }
 post-proof-time = Zeit { $deviation }
+
+# Roboterprogramme.
+post-robot-no-arm = die Maschine { $machine } ist kein Sechsachsarm mit einem Brenner: { $language } braucht einen, allein, auf einer Linearachse oder mit Positionierer
+post-robot-not-spherical = die Achsen 4, 5 und 6 von { $machine } schneiden sich nicht in einem Punkt, wie es die Konfigurationsdaten von { $language } brauchen; erlaubt: Arme mit Zentralhand
+post-robot-not-parallel = Achse 4 von { $machine } ist nicht parallel zu den Achsen 2 und 3, wie bei allen Armen mit { $language }; erlaubt: Arme von Universal Robots
+post-robot-external-axes = { $language } wird mit höchstens { $max } externen Achsen ausgegeben; { $machine } hat { $axes }
+post-robot-frame = ein Bezugssystem des Werkzeugs oder des Werkstücks von { $machine } ist nicht endlich
+post-robot-turns-at-rest = der Brenner dreht bei s = { $s }, während die Spitze steht: dort hat ein Roboter keine Geschwindigkeit
+post-robot-brief = die Toleranz verlangt bei s = { $s } eine Gerade von { $time }; mindestens { $min } braucht eine Robotersteuerung, um nicht langsamer zu werden
+post-robot-slopes = Lage { $pass } hat Rampen von Prozesswerten im Stand; Robotersprachen haben keine
+post-robot-events = Lage { $pass } hat Ereignisse zwischen ihren Punkten; Roboterprogramme werden ohne sie ausgegeben
+post-robot-expected = hier fehlt { $token }
+post-robot-unknown = { $word } wird hier nicht gelesen
+post-robot-undeclared = { $name } ist nicht vereinbart
+post-robot-list = das ist keine Liste von { $n } Werten
+post-robot-quaternion = das Quaternion hat nicht die Länge 1
+post-robot-zone = das ist keine Zone
+post-robot-positive = eine Geschwindigkeit muss größer als 0 sein
+post-robot-whole = hier wird eine ganze Zahl gebraucht
+post-robot-no-arc = hier geht eine Schweißung weiter, die nicht begonnen wurde
+post-robot-too-long = das Programm ist länger als { $max } Byte
+post-robot-step = Schritt { $step } wird als ein anderer zurückgelesen
+post-robot-frames = die Bezugssysteme von Werkzeug und Werkstück werden als andere zurückgelesen
+post-robot-direction = der Brenner weicht um { $deviation } von der geplanten Orientierung ab; erlaubt sind { $max }
+post-robot-reach = der Arm erreicht nicht alle Posen innerhalb der Bereiche seiner Achsen

@@ -946,3 +946,8 @@ cli-no-configurations = the machine is not an arm whose configurations have name
 cli-no-arm-angle = the machine is not a seven-axis arm
     .cause = Only arms with spherical shoulder and wrist and seven axes have an arm angle.
     .cure = Leave out the option.
+# Programs of robots.
+cli-not-for-robots = not for robots
+    .cause = Robot languages give poses of the tool and its speed. They have no levels, feed words or block types.
+    .cure = Leave the option out.
+cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm

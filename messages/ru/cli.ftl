@@ -641,3 +641,6 @@ cli-arm-next = проверить: seamwright machine check { $file }
 cli-arm-home = исходное положение оси `{ $axis }` вне её диапазона
 cli-no-configurations = станок не является рукой, у конфигураций которой есть имена
 cli-no-arm-angle = станок не является рукой с семью осями
+# Программы роботов.
+cli-not-for-robots = не для роботов
+cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm

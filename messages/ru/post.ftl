@@ -318,3 +318,28 @@ post-proof-tip = остриё { $deviation }
 post-proof-named = { $name } { $deviation }
 post-proof-speed = скорость { $deviation }
 post-proof-time = время { $deviation }
+
+# Программы роботов.
+post-robot-no-arm = станок { $machine } — не шестиосевой манипулятор с одной горелкой: для { $language } нужен такой, один, на рельсе или с позиционером
+post-robot-not-spherical = оси 4, 5 и 6 у { $machine } не пересекаются в одной точке, как требуют данные конфигурации { $language }; допустимо: манипуляторы со сферическим запястьем
+post-robot-not-parallel = ось 4 у { $machine } не параллельна осям 2 и 3, как у всех манипуляторов с { $language }; допустимо: манипуляторы Universal Robots
+post-robot-external-axes = { $language } выводится не более чем с { $max } внешними осями; у { $machine } есть { $axes }
+post-robot-frame = система координат инструмента или изделия у { $machine } не конечна
+post-robot-turns-at-rest = горелка поворачивается у s = { $s }, пока остриё стоит: у робота там нет скорости
+post-robot-brief = допуск требует у s = { $s } отрезка длительностью { $time }; контроллеру робота нужно не менее { $min }, чтобы не замедляться
+post-robot-slopes = у прохода { $pass } есть нарастание или спад значений процесса на месте; в языках роботов их нет
+post-robot-events = у прохода { $pass } есть события между точками; программы роботов выводятся без них
+post-robot-expected = здесь не хватает { $token }
+post-robot-unknown = { $word } здесь не читается
+post-robot-undeclared = { $name } не объявлено
+post-robot-list = это не список из { $n } значений
+post-robot-quaternion = кватернион не единичной длины
+post-robot-zone = это не зона
+post-robot-positive = скорость должна быть больше 0
+post-robot-whole = здесь нужно целое число
+post-robot-no-arc = здесь продолжается сварка, которая не начата
+post-robot-too-long = программа длиннее { $max } байт
+post-robot-step = шаг { $step } прочитан как другой
+post-robot-frames = системы координат инструмента и изделия прочитаны как другие
+post-robot-direction = горелка отклоняется на { $deviation } от запланированной ориентации; допустимо { $max }
+post-robot-reach = манипулятор достигает не всех поз в пределах ходов осей

@@ -641,3 +641,6 @@ cli-arm-next = перевірити: seamwright machine check { $file }
 cli-arm-home = вихідне положення осі `{ $axis }` поза її діапазоном
 cli-no-configurations = верстат не є рукою, конфігурації якої мають імена
 cli-no-arm-angle = верстат не є рукою із сімома осями
+# Програми роботів.
+cli-not-for-robots = не для роботів
+cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm

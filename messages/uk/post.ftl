@@ -318,3 +318,28 @@ post-proof-tip = вістря { $deviation }
 post-proof-named = { $name } { $deviation }
 post-proof-speed = швидкість { $deviation }
 post-proof-time = час { $deviation }
+
+# Програми роботів.
+post-robot-no-arm = верстат { $machine } — не шестиосьовий маніпулятор з одним пальником: для { $language } потрібен такий, сам, на рейці або з позиціонером
+post-robot-not-spherical = осі 4, 5 і 6 у { $machine } не перетинаються в одній точці, як потребують дані конфігурації { $language }; дозволено: маніпулятори зі сферичним зап’ястям
+post-robot-not-parallel = вісь 4 у { $machine } не паралельна осям 2 і 3, як у всіх маніпуляторів з { $language }; дозволено: маніпулятори Universal Robots
+post-robot-external-axes = { $language } виводиться щонайбільше з { $max } зовнішніми осями; { $machine } має { $axes }
+post-robot-frame = система координат інструмента або виробу у { $machine } не є скінченною
+post-robot-turns-at-rest = пальник повертається біля s = { $s }, поки вістря стоїть: у робота там немає швидкості
+post-robot-brief = допуск вимагає біля s = { $s } відрізка тривалістю { $time }; контролеру робота потрібно щонайменше { $min }, щоб не сповільнюватися
+post-robot-slopes = прохід { $pass } має наростання або спад значень процесу на місці; у мовах роботів їх немає
+post-robot-events = прохід { $pass } має події між точками; програми роботів виводяться без них
+post-robot-expected = тут бракує { $token }
+post-robot-unknown = { $word } тут не читається
+post-robot-undeclared = { $name } не оголошено
+post-robot-list = це не список із { $n } значень
+post-robot-quaternion = кватерніон не одиничної довжини
+post-robot-zone = це не зона
+post-robot-positive = швидкість має бути більша за 0
+post-robot-whole = тут потрібне ціле число
+post-robot-no-arc = тут триває зварювання, яке не розпочато
+post-robot-too-long = програма довша за { $max } байтів
+post-robot-step = крок { $step } прочитано як інший
+post-robot-frames = системи координат інструмента й виробу прочитано як інші
+post-robot-direction = пальник відхиляється на { $deviation } від запланованої орієнтації; дозволено { $max }
+post-robot-reach = маніпулятор досягає не всіх поз у межах ходів осей

@@ -521,3 +521,6 @@ cli-arm-next = 检查：seamwright machine check { $file }
 cli-arm-home = 轴 `{ $axis }` 的原位超出其范围
 cli-no-configurations = 该机床不是具有命名构型的机械臂
 cli-no-arm-angle = 该机床不是七轴机械臂
+# 机器人程序。
+cli-not-for-robots = 不适用于机器人
+cli-options-of-robots = --tolerance-mm、--speed-percent、--retract-mm

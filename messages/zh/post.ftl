@@ -318,3 +318,28 @@ post-proof-tip = 尖端 { $deviation }
 post-proof-named = { $name } { $deviation }
 post-proof-speed = 速度 { $deviation }
 post-proof-time = 时间 { $deviation }
+
+# 机器人程序。
+post-robot-no-arm = 机床 { $machine } 不是带一把焊枪的六轴机械臂：{ $language } 需要六轴机械臂，可单独、带导轨或带变位机
+post-robot-not-spherical = { $machine } 的第 4、5、6 轴不交于一点，而 { $language } 的姿态配置数据要求如此；允许：球形手腕的机械臂
+post-robot-not-parallel = { $machine } 的第 4 轴与第 2、3 轴不平行，而使用 { $language } 的机械臂均平行；允许：Universal Robots 机械臂
+post-robot-external-axes = { $language } 输出时最多 { $max } 个外部轴；{ $machine } 有 { $axes }
+post-robot-frame = { $machine } 的工具或工件坐标系不是有限值
+post-robot-turns-at-rest = s = { $s } 附近焊枪转动而尖端静止：机器人在此没有速度
+post-robot-brief = s = { $s } 附近，此公差要求 { $time } 的直线；机器人控制器至少需要 { $min } 才不降速
+post-robot-slopes = 焊道 { $pass } 在静止时有工艺值的缓升或缓降；机器人语言没有此功能
+post-robot-events = 焊道 { $pass } 在点之间有事件；机器人程序不输出这些事件
+post-robot-expected = 此处缺少 { $token }
+post-robot-unknown = 此处不读取 { $word }
+post-robot-undeclared = { $name } 未声明
+post-robot-list = 这不是 { $n } 个值的列表
+post-robot-quaternion = 四元数的长度不为 1
+post-robot-zone = 这不是转弯区
+post-robot-positive = 速度必须大于 0
+post-robot-whole = 此处需要整数
+post-robot-no-arc = 此处继续未开始的焊接
+post-robot-too-long = 程序超过 { $max } 字节
+post-robot-step = 第 { $step } 步读回后不同
+post-robot-frames = 读回的工具和工件坐标系不同
+post-robot-direction = 焊枪与规划姿态相差 { $deviation }；允许 { $max }
+post-robot-reach = 机械臂在各轴行程内不能到达所有位姿

@@ -262,7 +262,7 @@ pub(crate) struct PlanArgs {
     pub(crate) appendix: AppendixArgs,
     /// Also write the part program for this control, with its proof in the report; may be repeated
     #[arg(long, value_enum, value_name = "DIALECT")]
-    pub(crate) post: Vec<post::DialectArg>,
+    pub(crate) post: Vec<post::PostTargetArg>,
     #[command(flatten)]
     pub(crate) planning: PlanningArgs,
     /// Print report.json instead of a summary

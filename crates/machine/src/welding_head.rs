@@ -1,7 +1,7 @@
 use crate::axis::{Axis, AxisKind};
 use crate::chain::{AxisSet, Chain};
 use crate::inverse::Inverse;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use seamwright_message::{Argument, Message};
 
 /// A torch, beam or laser head with its axes.
@@ -11,6 +11,8 @@ pub struct Head {
     pub name: String,
     /// Position of its tip in the last frame of its steps, mm.
     pub tip: DVec3,
+    /// The tip's frame in the flange: the first fixed step behind the last axis is the flange, the others are the tool.
+    pub tool: DAffine3,
     /// The chain from the clamped work to the head's tip.
     pub chain: Chain,
     /// Linear axes of the head alone, by index: its correction slides.

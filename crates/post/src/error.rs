@@ -1,4 +1,5 @@
-use seamwright_message::{Message, Unit, display_by_message};
+use crate::robot::RobotLanguage;
+use seamwright_message::{Argument, Message, Unit, display_by_message};
 
 /// Reason why a part program cannot be written.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +42,58 @@ pub enum Error {
         /// Operator action.
         cure: Message,
     },
+    /// Robot languages need a six-axis arm with one torch.
+    NotAnArm {
+        /// Name of the machine.
+        machine: String,
+        /// The language.
+        language: RobotLanguage,
+    },
+    /// The arm's wrist is not of the kind that the language describes.
+    WrongArm {
+        /// Name of the machine.
+        machine: String,
+        /// The language.
+        language: RobotLanguage,
+    },
+    /// More external axes than the language has.
+    ExternalAxes {
+        /// Name of the machine.
+        machine: String,
+        /// The language.
+        language: RobotLanguage,
+        /// Names of the external axes.
+        axes: Vec<String>,
+    },
+    /// A frame of the tool or the work has an infinite or undefined number.
+    FrameNotFinite {
+        /// Name of the machine.
+        machine: String,
+    },
+    /// The torch turns while its tip stands still.
+    TurnsAtRest {
+        /// Path length, mm.
+        s: f64,
+    },
+    /// The tolerance needs lines that a robot control does not pass without slowing down.
+    BriefBlocks {
+        /// Path length, mm.
+        s: f64,
+        /// Duration of the line, s.
+        time_s: f64,
+        /// Minimum duration, s.
+        min_s: f64,
+    },
+    /// Robot languages have no slopes of process values at rest.
+    Slopes {
+        /// Name of the pass.
+        pass: String,
+    },
+    /// Robot programs have no events inside a pass.
+    PassEvents {
+        /// Name of the pass.
+        pass: String,
+    },
 }
 
 display_by_message!(Error);
@@ -68,6 +121,30 @@ impl Error {
                 let message = message.text("step", step.to_string()).message("what", what.clone());
                 message.message("cure", cure.clone())
             }
+            Self::NotAnArm { machine, language } => {
+                new("post-robot-no-arm").text("machine", machine).text("language", language.title())
+            }
+            Self::WrongArm { machine, language } => {
+                let code = match language.has_parallel_axes() {
+                    true => "post-robot-not-parallel",
+                    false => "post-robot-not-spherical",
+                };
+                new(code).text("machine", machine).text("language", language.title())
+            }
+            Self::ExternalAxes { machine, language, axes } => {
+                let message =
+                    new("post-robot-external-axes").text("machine", machine).text("language", language.title());
+                let axes = axes.iter().map(|axis| Argument::Axis(axis.clone()));
+                message.list("axes", axes).count("max", language.max_externals())
+            }
+            Self::FrameNotFinite { machine } => new("post-robot-frame").text("machine", machine),
+            Self::TurnsAtRest { s } => new("post-robot-turns-at-rest").quantity("s", *s, Unit::Mm, 3),
+            Self::BriefBlocks { s, time_s, min_s } => {
+                let message = new("post-robot-brief").quantity("s", *s, Unit::Mm, 3);
+                message.quantity("time", *time_s, Unit::S, 4).value("min", *min_s, Unit::S)
+            }
+            Self::Slopes { pass } => new("post-robot-slopes").text("pass", pass),
+            Self::PassEvents { pass } => new("post-robot-events").text("pass", pass),
         }
     }
 }

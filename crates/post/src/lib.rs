@@ -4,7 +4,7 @@
 //! the torch tip. The blocks stay within a tolerance of the exact path and keep its timing. [`write()`] writes such a
 //! [`PartProgram`], or one from elsewhere, in the language of Sinumerik, LinuxCNC, grblHAL or PMAC ([`Dialect`]).
 //! [`read()`] reads it back, and [`verify()`] proves that it matches the plan. [`to_program`] converts a part program
-//! into a weld program.
+//! into a weld program. [`robot`] has the same for six-axis arms: RAPID, KRL, FANUC LS, URScript and INFORM.
 //!
 //! Posts, readers and the verification share one form: rows of all channels, and steps (`part_program.rs`). The
 //! verification plays the text that was read back (`play.rs`) and takes the plan from the motion, never from the
@@ -39,6 +39,7 @@ mod play;
 mod points;
 mod polynomial;
 mod read;
+pub mod robot;
 mod verify;
 mod write;
 

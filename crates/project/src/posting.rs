@@ -5,9 +5,13 @@ use crate::load::Loaded;
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit, display_by_message};
 use seamwright_motion::WeldMotion;
+use seamwright_post::robot::{
+    PlannedRobot, RobotArm, RobotLanguage, RobotOptions, RobotText, read_robot, robot_program, verify_robot,
+    write_robot,
+};
 use seamwright_post::{
-    Control, Error, Feed, Level, Options, PartProgram, Planned, ReadOptions, Verification, WriteOptions, part_program,
-    read, verify, write,
+    Control, Dialect, Error, Feed, Level, Options, PartProgram, Planned, ReadOptions, Verification, WriteOptions,
+    part_program, read, verify, write,
 };
 use seamwright_program::TorchPath;
 
@@ -38,6 +42,111 @@ impl From<Failure> for Unproven {
     }
 }
 
+/// A control for which a weld is posted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PostTarget {
+    /// A control of machine axes, in its language.
+    Machine(Dialect),
+    /// A robot control.
+    Robot(RobotLanguage),
+}
+
+impl PostTarget {
+    /// All targets, those of machines first.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Dialect::ALL.into_iter().map(Self::Machine).chain(RobotLanguage::ALL.into_iter().map(Self::Robot))
+    }
+
+    /// The target called `name` in interfaces.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().find(|target| target.name() == name)
+    }
+
+    /// Its name in interfaces.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Machine(dialect) => dialect.name(),
+            Self::Robot(language) => language.name(),
+        }
+    }
+
+    /// Usual name of a file for it.
+    pub fn file_name(self) -> &'static str {
+        match self {
+            Self::Machine(Dialect::Sinumerik) => "sinumerik.mpf",
+            Self::Machine(Dialect::Linuxcnc) => "linuxcnc.ngc",
+            Self::Machine(Dialect::Grblhal) => "grblhal.nc",
+            Self::Machine(Dialect::Pmac) => "pmac.pmc",
+            Self::Robot(language) => language.file_name(),
+        }
+    }
+
+    /// Default maximum distance from the planned path, mm.
+    pub fn tolerance_mm(self) -> f64 {
+        match self {
+            Self::Machine(_) => Options::default().tolerance_mm,
+            Self::Robot(_) => RobotOptions::default().tolerance_mm,
+        }
+    }
+
+    /// The program of a planned weld with default options, with its proof in the header.
+    ///
+    /// # Errors
+    /// As [`proven`] and [`proven_robot`].
+    pub fn proven(self, loaded: &Loaded, motion: &WeldMotion) -> Result<(String, Verification), Unproven> {
+        match self {
+            Self::Machine(dialect) => {
+                let control = Control::new(&loaded.machine, dialect).map_err(|e| Failure::Input(e.message()))?;
+                proven(loaded, motion, &control, &Options::default(), Feed::InverseTime)
+            }
+            Self::Robot(language) => proven_robot(loaded, motion, language, &RobotOptions::default()),
+        }
+    }
+}
+
+/// The robot program of a planned weld, with its proof in the header.
+///
+/// # Errors
+/// A machine or motion without a program in `language`, or a program that deviates when it is read back.
+pub fn proven_robot(
+    loaded: &Loaded,
+    motion: &WeldMotion,
+    language: RobotLanguage,
+    options: &RobotOptions,
+) -> Result<(String, Verification), Unproven> {
+    let machine = &loaded.machine;
+    let program = &loaded.welding.program.value;
+    let paths = loaded.paths();
+    let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
+    let refused = |e: Error| Failure::Input(e.message());
+    let arm = RobotArm::new(machine, language).map_err(refused)?;
+    let asked = robot_program(machine, language, program, &paths, motion, options)
+        .map_err(|e| Failure::Input(located(&e, options.tolerance_mm)))?;
+    let text = |remarks: &[String]| write_robot(language, &asked, &RobotText { machine, arm: &arm, remarks });
+    let planned = PlannedRobot {
+        machine,
+        language,
+        program,
+        motion,
+        tolerance_mm: options.tolerance_mm,
+        speed_percent: options.speed_percent,
+    };
+    let back = read_robot(language, "the robot program", &text(&[])).map_err(|e| Unproven::Wrong(vec![e.located()]))?;
+    let proof = verify_robot(&asked, &back, planned).map_err(Unproven::Wrong)?;
+    Ok((text(&proof.lines()), proof))
+}
+
+/// Description of an error; a tolerance that is too small names its option.
+fn located(error: &Error, tolerance_mm: f64) -> Message {
+    match error {
+        Error::TooFine { .. } | Error::BriefBlocks { .. } => {
+            let message = Message::new("project-option-tolerance").value("value", tolerance_mm, Unit::One);
+            message.message("why", error.message())
+        }
+        _ => error.message(),
+    }
+}
+
 /// The part program of a planned weld, with its proof in the header.
 ///
 /// # Errors
@@ -53,13 +162,7 @@ pub fn proven(
     let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
     let program = &loaded.welding.program.value;
     let part = part_program(&loaded.machine, control, program, &paths, motion, options);
-    let part = part.map_err(|e| match &e {
-        Error::TooFine { .. } => {
-            let message = Message::new("project-option-tolerance").value("value", options.tolerance_mm, Unit::One);
-            Failure::Input(message.message("why", e.message()))
-        }
-        _ => Failure::Input(e.message()),
-    })?;
+    let part = part.map_err(|e| Failure::Input(located(&e, options.tolerance_mm)))?;
     let mut write_options = WriteOptions {
         machine: loaded.machine.title.clone(),
         feed,

@@ -32,7 +32,7 @@
 //! | [`program`] | weld programs: passes, spans, process values, procedures, findings |
 //! | [`machine`] | machine files, forward and inverse kinematics, limits |
 //! | [`motion`] | axis paths, speed profiles, set-points, transfer moves |
-//! | [`post`] | part programs for Sinumerik, LinuxCNC, grblHAL and PMAC: write, read, verify |
+//! | [`post`] | part programs for Sinumerik, LinuxCNC, grblHAL, PMAC and robots: write, read, verify |
 //! | [`executive`] | the running cell: modes, process, interlocks, alarms, devices, tracking in real time |
 //! | [`simulation`] | simulated devices, sensors and cameras, true positions, injected faults |
 //! | [`tracking`] | seam tracking |

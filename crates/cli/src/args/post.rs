@@ -16,6 +16,28 @@ pub(crate) enum DialectArg {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PostTargetArg {
+    /// Siemens Sinumerik 840D
+    Sinumerik,
+    /// LinuxCNC 2.8 or newer
+    Linuxcnc,
+    /// grblHAL
+    Grblhal,
+    /// Turbo PMAC motion program
+    Pmac,
+    /// ABB RAPID with RobotWare Arc
+    Rapid,
+    /// KUKA KRL
+    Krl,
+    /// FANUC teach pendant program as text
+    FanucLs,
+    /// Universal Robots URScript
+    Urscript,
+    /// Yaskawa INFORM job
+    Inform,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FeedArg {
     /// Times of blocks: G93; PMAC: TM
     InverseTime,
@@ -55,23 +77,24 @@ pub(crate) struct PostArgs {
     pub(crate) planning: super::planning::PlanningArgs,
     /// The control
     #[arg(long, value_enum)]
-    pub(crate) dialect: DialectArg,
-    /// Meaning of the blocks' words
-    #[arg(long, value_enum, default_value = "joint")]
-    pub(crate) level: LevelArg,
-    /// Feed words of blocks
-    #[arg(long, value_enum, default_value = "inverse-time")]
-    pub(crate) feed: FeedArg,
-    /// Type of blocks: pvt, spline1 or linear for PMAC [default: pvt], linear or poly for Sinumerik [default: linear]
+    pub(crate) dialect: PostTargetArg,
+    /// Meaning of the blocks' words; not for robots [default: joint]
+    #[arg(long, value_enum)]
+    pub(crate) level: Option<LevelArg>,
+    /// Feed words of blocks; not for robots [default: inverse-time]
+    #[arg(long, value_enum)]
+    pub(crate) feed: Option<FeedArg>,
+    /// Type of blocks: pvt, spline1 or linear for PMAC [default: pvt], linear or poly for Sinumerik [default: linear]; not
+    /// for robots
     #[arg(long, value_enum)]
     pub(crate) interpolation: Option<InterpolationArg>,
-    /// Maximum distance of the blocks' path from the seam, mm
-    #[arg(long, default_value_t = 0.01, value_name = "MM")]
-    pub(crate) tolerance_mm: f64,
+    /// Maximum distance of the blocks' path from the seam, mm [default: 0.01; robots: 0.05]
+    #[arg(long, value_name = "MM")]
+    pub(crate) tolerance_mm: Option<f64>,
     /// Maximum deviation of the tip's speed inside blocks longer than 10 ms, outside acceleration and deceleration phases,
-    /// percent of the planned speed; not for weaving passes
-    #[arg(long, default_value_t = 1.0, value_name = "PERCENT")]
-    pub(crate) speed_percent: f64,
+    /// percent of the planned speed; not for weaving passes [default: 1; robots: 2]
+    #[arg(long, value_name = "PERCENT")]
+    pub(crate) speed_percent: Option<f64>,
     /// Retract distance of the torch along its axis before and after the weld, mm [default: the job's air.retract_mm]
     #[arg(long, value_name = "MM")]
     pub(crate) retract_mm: Option<f64>,

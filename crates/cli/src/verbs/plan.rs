@@ -1,4 +1,4 @@
-use super::post::proven;
+use super::post::differences;
 use super::simulate::judge;
 use super::weld_summary::summary;
 use crate::args::PlanArgs;
@@ -7,11 +7,11 @@ use crate::planning;
 use crate::refusals::not_json;
 use crate::rows::{json_text, print_either};
 use seamwright_motion::WeldMotion;
-use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_program::Oscillation;
 use seamwright_project::failure::Failure;
 use seamwright_project::files::Output;
 use seamwright_project::load::{Loaded, load};
+use seamwright_project::posting::PostTarget;
 use seamwright_report::{Extent, Language, Plots, PostFigures, WeldReport};
 use seamwright_weld::{Cut, Welding};
 use std::fmt::Write;
@@ -25,7 +25,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     // A plan that leaves its procedure is written all the same: its report shows where.
     let motion = planning::try_plan(&loaded, &args.planning)?.map_err(Failure::Findings)?;
     // Posts are made first: if one fails, no file is written.
-    let mut dialects: Vec<Dialect> = args.post.iter().map(|dialect| (*dialect).into()).collect();
+    let mut dialects: Vec<PostTarget> = args.post.iter().map(|dialect| (*dialect).into()).collect();
     dialects.dedup();
     let posts = dialects.into_iter().map(|dialect| post(&loaded, &motion, dialect));
     let posts: Vec<(PostFigures, String)> = posts.collect::<Result<_, _>>()?;
@@ -65,18 +65,10 @@ fn usual_output(job: &Path) -> PathBuf {
     Path::new("out").join(job.file_stem().unwrap_or(job.as_os_str()))
 }
 
-/// The part program for a control, as `post` writes it without options, and its proof.
-fn post(loaded: &Loaded, motion: &WeldMotion, dialect: Dialect) -> Result<(PostFigures, String), Failure> {
-    let control = Control::new(&loaded.machine, dialect).map_err(|e| Failure::input(&e))?;
-    let options = Options::default();
-    let (text, proof) = proven(loaded, motion, &control, &options, Feed::InverseTime)?;
-    let name = match dialect {
-        Dialect::Sinumerik => "sinumerik.mpf",
-        Dialect::Linuxcnc => "linuxcnc.ngc",
-        Dialect::Grblhal => "grblhal.nc",
-        Dialect::Pmac => "pmac.pmc",
-    };
-    Ok((PostFigures::new(dialect, name, options.tolerance_mm, proof), text))
+/// The program for a control, as `post` writes it without options, and its proof.
+fn post(loaded: &Loaded, motion: &WeldMotion, target: PostTarget) -> Result<(PostFigures, String), Failure> {
+    let (text, proof) = differences(target.proven(loaded, motion))?;
+    Ok((PostFigures::new(target.name(), target.file_name(), target.tolerance_mm(), proof), text))
 }
 
 /// The end of a tube as it is cut, point by point.

@@ -1,16 +1,17 @@
 use super::positive;
-use crate::args::post::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArgs};
+use crate::args::post::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArgs, PostTargetArg};
 use crate::planning;
 use crate::refusals::{at_least, at_most, between, not_allowed, of_option, refused};
 use crate::rows::{json_text, print_text};
 use seamwright_document::Positive;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
+use seamwright_post::robot::{RobotArm, RobotLanguage, RobotOptions};
 use seamwright_post::{Control, Dialect, Feed, Interpolation, Level, Options, Verification};
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
 use seamwright_project::load::{Loaded, load};
-use seamwright_project::posting::{self, Unproven};
+use seamwright_project::posting::{self, PostTarget, Unproven};
 use std::io::{self, Write as _};
 
 /// Maximum tolerance of a weld's path, mm.
@@ -20,19 +21,17 @@ const MIN_PERCENT: f64 = 0.1;
 const MAX_PERCENT: f64 = 100.0;
 /// Words have six decimals.
 const FINEST_MM: f64 = 0.000_02;
+/// Some robot languages have three.
+const FINEST_ROBOT_MM: f64 = 0.005;
 
 pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
-    let options = options(args)?;
+    let request = request(args)?;
     let mut loaded = load(&args.job)?;
     if let Some(mm) = args.retract_mm {
         loaded.welding.program.value.air.retract_mm =
             Positive::new(positive("--retract-mm", mm)?).unwrap_or(Positive::TEN);
     }
-    let feed = match args.feed {
-        FeedArg::InverseTime => Feed::InverseTime,
-        FeedArg::PerMinute => Feed::PerMinute,
-    };
-    let control = Control::new(&loaded.machine, args.dialect.into()).map_err(|e| Failure::input(&e))?;
+    request.check(&loaded)?;
     let motion = planning::plan(&loaded, &args.planning)?;
     if let Some(mm) = args.retract_mm
         && let Some(short) = motion.findings.iter().find(|f| f.kind == "retract")
@@ -40,7 +39,7 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
         let allowed = Message::new("cli-as-far-as-axes-reach");
         return Err(refused("--retract-mm", mm, short.message.clone(), allowed));
     }
-    let (text, proof) = proven(&loaded, &motion, &control, &options, feed)?;
+    let (text, proof) = differences(request.proven(&loaded, &motion))?;
     if let Some(path) = &args.proof {
         files::write(path, &json_text(&proof)?)?;
     }
@@ -54,15 +53,36 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     }
 }
 
-/// The part program of a planned weld, with its proof in the header; reports the differences if the proof fails.
-pub(super) fn proven(
-    loaded: &Loaded,
-    motion: &WeldMotion,
-    control: &Control,
-    options: &Options,
-    feed: Feed,
-) -> Result<(String, Verification), Failure> {
-    posting::proven(loaded, motion, control, options, feed).map_err(|e| match e {
+/// A control with the options of its program.
+enum Request {
+    Machine(Dialect, Options, Feed),
+    Robot(RobotLanguage, RobotOptions),
+}
+
+impl Request {
+    /// Refuses a machine that the control cannot have, before it is planned.
+    fn check(&self, loaded: &Loaded) -> Result<(), Failure> {
+        match self {
+            Self::Machine(dialect, ..) => Control::new(&loaded.machine, *dialect).map(drop),
+            Self::Robot(language, _) => RobotArm::new(&loaded.machine, *language).map(drop),
+        }
+        .map_err(|e| Failure::input(&e))
+    }
+
+    fn proven(&self, loaded: &Loaded, motion: &WeldMotion) -> Result<(String, Verification), Unproven> {
+        match self {
+            Self::Machine(dialect, options, feed) => {
+                let control = Control::new(&loaded.machine, *dialect).map_err(|e| Failure::input(&e))?;
+                posting::proven(loaded, motion, &control, options, *feed)
+            }
+            Self::Robot(language, options) => posting::proven_robot(loaded, motion, *language, options),
+        }
+    }
+}
+
+/// Reports the differences of a program whose proof failed.
+pub(super) fn differences<T>(proven: Result<T, Unproven>) -> Result<T, Failure> {
+    proven.map_err(|e| match e {
         Unproven::Failure(failure) => failure,
         Unproven::Wrong(lines) => {
             let mut err = io::stderr().lock();
@@ -74,8 +94,38 @@ pub(super) fn proven(
     })
 }
 
-fn options(args: &PostArgs) -> Result<Options, Failure> {
-    let tolerance_mm = positive("--tolerance-mm", args.tolerance_mm)?;
+fn request(args: &PostArgs) -> Result<Request, Failure> {
+    let target = PostTarget::from(args.dialect);
+    let tolerance_mm = tolerance(args.tolerance_mm.unwrap_or(target.tolerance_mm()))?;
+    match target {
+        PostTarget::Machine(dialect) => {
+            let feed = match args.feed {
+                None | Some(FeedArg::InverseTime) => Feed::InverseTime,
+                Some(FeedArg::PerMinute) => Feed::PerMinute,
+            };
+            Ok(Request::Machine(dialect, options(args, dialect, tolerance_mm)?, feed))
+        }
+        PostTarget::Robot(language) => {
+            let given = [("--level", args.level.is_some()), ("--feed", args.feed.is_some())];
+            let given = given.into_iter().chain([("--interpolation", args.interpolation.is_some())]);
+            if let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given) {
+                let message = of_option(option, Message::new("cli-not-for-robots"));
+                return Err(Failure::refused(message, Message::new("cli-options-of-robots")));
+            }
+            if tolerance_mm < FINEST_ROBOT_MM {
+                let fault = Message::new("cli-finer-than-decimals");
+                let allowed = at_least(FINEST_ROBOT_MM, Unit::One);
+                return Err(refused("--tolerance-mm", tolerance_mm, fault, allowed));
+            }
+            let usual = RobotOptions::default();
+            let speed_percent = speed(args.speed_percent.unwrap_or(usual.speed_percent))?;
+            Ok(Request::Robot(language, RobotOptions { tolerance_mm, speed_percent }))
+        }
+    }
+}
+
+fn tolerance(tolerance_mm: f64) -> Result<f64, Failure> {
+    let tolerance_mm = positive("--tolerance-mm", tolerance_mm)?;
     if tolerance_mm > WIDEST_MM {
         let allowed = at_most(WIDEST_MM, Unit::One);
         return Err(refused("--tolerance-mm", tolerance_mm, Message::new("cli-too-coarse"), allowed));
@@ -84,14 +134,23 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
         let fault = Message::new("cli-finer-than-decimals");
         return Err(refused("--tolerance-mm", tolerance_mm, fault, at_least(FINEST_MM, Unit::One)));
     }
-    let speed_percent = positive("--speed-percent", args.speed_percent)?;
-    if !(MIN_PERCENT..=MAX_PERCENT).contains(&speed_percent) {
-        return Err(not_allowed("--speed-percent", speed_percent, between(MIN_PERCENT, MAX_PERCENT)));
+    Ok(tolerance_mm)
+}
+
+fn speed(percent: f64) -> Result<f64, Failure> {
+    let percent = positive("--speed-percent", percent)?;
+    if !(MIN_PERCENT..=MAX_PERCENT).contains(&percent) {
+        return Err(not_allowed("--speed-percent", percent, between(MIN_PERCENT, MAX_PERCENT)));
     }
-    let interpolation = match (args.dialect, args.interpolation) {
-        (DialectArg::Pmac, None | Some(InterpolationArg::Pvt)) => Interpolation::Pvt,
-        (DialectArg::Pmac, Some(InterpolationArg::Spline1)) => Interpolation::Spline1,
-        (DialectArg::Sinumerik, Some(InterpolationArg::Poly)) => Interpolation::Poly,
+    Ok(percent)
+}
+
+fn options(args: &PostArgs, dialect: Dialect, tolerance_mm: f64) -> Result<Options, Failure> {
+    let speed_percent = speed(args.speed_percent.unwrap_or(Options::default().speed_percent))?;
+    let interpolation = match (dialect, args.interpolation) {
+        (Dialect::Pmac, None | Some(InterpolationArg::Pvt)) => Interpolation::Pvt,
+        (Dialect::Pmac, Some(InterpolationArg::Spline1)) => Interpolation::Spline1,
+        (Dialect::Sinumerik, Some(InterpolationArg::Poly)) => Interpolation::Poly,
         (_, None | Some(InterpolationArg::Linear)) => Interpolation::Linear,
         (_, Some(_)) => {
             let message = of_option("--interpolation", Message::new("cli-no-such-blocks"));
@@ -100,13 +159,29 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
     };
     Ok(Options {
         level: match args.level {
-            LevelArg::Joint => Level::Joint,
-            LevelArg::Tip => Level::Tip,
+            None | Some(LevelArg::Joint) => Level::Joint,
+            Some(LevelArg::Tip) => Level::Tip,
         },
         tolerance_mm,
         speed_percent,
         interpolation,
     })
+}
+
+impl From<PostTargetArg> for PostTarget {
+    fn from(arg: PostTargetArg) -> Self {
+        match arg {
+            PostTargetArg::Sinumerik => Self::Machine(Dialect::Sinumerik),
+            PostTargetArg::Linuxcnc => Self::Machine(Dialect::Linuxcnc),
+            PostTargetArg::Grblhal => Self::Machine(Dialect::Grblhal),
+            PostTargetArg::Pmac => Self::Machine(Dialect::Pmac),
+            PostTargetArg::Rapid => Self::Robot(RobotLanguage::Rapid),
+            PostTargetArg::Krl => Self::Robot(RobotLanguage::Krl),
+            PostTargetArg::FanucLs => Self::Robot(RobotLanguage::FanucLs),
+            PostTargetArg::Inform => Self::Robot(RobotLanguage::Inform),
+            PostTargetArg::Urscript => Self::Robot(RobotLanguage::Urscript),
+        }
+    }
 }
 
 impl From<DialectArg> for Dialect {

@@ -15,13 +15,15 @@ pub(super) struct Tree<'a> {
     /// The link and the frame (in the work frame with all axes at zero) to which the next step attaches.
     link: usize,
     frame: DAffine3,
+    /// The frame behind the first fixed step after the last axis.
+    flange: Option<DAffine3>,
 }
 
 /// Assembles both branches of the file: the links and the heads on them.
 pub(super) fn tree(file: &MachineFile, axes: &[Axis]) -> (Links, Vec<Head>) {
     let work = Link { parent: None, axes: AxisSet::default() };
     let links = Links { links: vec![work], ..Links::default() };
-    let mut tree = Tree { axes, links, link: 0, frame: DAffine3::IDENTITY };
+    let mut tree = Tree { axes, links, link: 0, frame: DAffine3::IDENTITY, flange: None };
     tree.name("work");
     // From the work to the base: the work's steps in reverse, each inverted.
     file.work.iter().rev().for_each(|step| tree.undo(step));
@@ -29,11 +31,11 @@ pub(super) fn tree(file: &MachineFile, axes: &[Axis]) -> (Links, Vec<Head>) {
     tree.links.base_zero = tree.frame;
     tree.name("base");
     file.tool.iter().for_each(|step| tree.add(step));
-    let (link, frame) = (tree.link, tree.frame);
+    let (link, frame, flange) = (tree.link, tree.frame, tree.flange);
     let shared = tree.links.links[link].axes;
     let mut heads = Vec::new();
     for (name, steps, direction, tip) in file.heads() {
-        (tree.link, tree.frame) = (link, frame);
+        (tree.link, tree.frame, tree.flange) = (link, frame, flange);
         steps.iter().for_each(|step| tree.add(step));
         tree.name(name);
         heads.push(tree.head(name, direction, tip, shared));
@@ -49,7 +51,9 @@ impl Tree<'_> {
     fn add(&mut self, step: &StepFile) {
         if let Some(fixed) = &step.fixed {
             self.frame *= fixed.affine();
+            self.flange.get_or_insert(self.frame);
         } else if let Some((axis, screw)) = self.screw(step, 1.0) {
+            self.flange = None;
             self.grow(screw);
             self.name(&axis);
         }
@@ -100,6 +104,7 @@ impl Tree<'_> {
         let own = chain.screws.iter().filter(|s| s.kind == AxisKind::Linear && !shared.has(s.axis));
         let slides = own.map(|s| s.axis).collect();
         let inverse = Inverse::of(&chain, self.axes);
-        Head { name: name.to_owned(), tip, chain, slides, inverse }
+        let tool = self.flange.unwrap_or(self.frame).inverse() * self.frame * DAffine3::from_translation(tip);
+        Head { name: name.to_owned(), tip, tool, chain, slides, inverse }
     }
 }

@@ -19,7 +19,7 @@ mod block_cutter;
 mod course;
 mod deviation;
 mod options;
-mod ramps;
+pub(crate) mod ramps;
 mod rows;
 mod spline;
 mod steps;

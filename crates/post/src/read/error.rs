@@ -56,24 +56,24 @@ impl fmt::Display for ReadError {
 
 /// A range of the text: from this byte up to that one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Span {
-    pub(super) from: usize,
-    pub(super) to: usize,
+pub(crate) struct Span {
+    pub(crate) from: usize,
+    pub(crate) to: usize,
 }
 
 /// A fault at a position, before its line and column are counted.
 #[derive(Debug, Clone)]
-pub(super) struct Fault {
-    pub(super) span: Span,
-    pub(super) message: Message,
+pub(crate) struct Fault {
+    pub(crate) span: Span,
+    pub(crate) message: Message,
     allowed: Option<Message>,
     cure: Option<Message>,
     /// Whether the text is only unknown, so that a lenient reader may leave it out.
-    pub(super) unknown: bool,
+    pub(crate) unknown: bool,
 }
 
 /// A message, or the code of one without arguments.
-pub(super) struct Words(Message);
+pub(crate) struct Words(Message);
 
 impl From<&'static str> for Words {
     fn from(code: &'static str) -> Self {
@@ -88,33 +88,33 @@ impl From<Message> for Words {
 }
 
 /// Result of reading a part of a line. The fault is boxed, so that a good result stays small.
-pub(super) type Read<T = ()> = Result<T, Box<Fault>>;
+pub(crate) type Read<T = ()> = Result<T, Box<Fault>>;
 
 impl Fault {
     /// Something is wrong.
-    pub(super) fn new(span: Span, message: impl Into<Words>) -> Box<Self> {
+    pub(crate) fn new(span: Span, message: impl Into<Words>) -> Box<Self> {
         Box::new(Self { span, message: message.into().0, allowed: None, cure: None, unknown: false })
     }
 
     /// Something is not understood.
-    pub(super) fn unknown(span: Span, message: impl Into<Words>) -> Box<Self> {
+    pub(crate) fn unknown(span: Span, message: impl Into<Words>) -> Box<Self> {
         let mut fault = Self::new(span, message);
         fault.unknown = true;
         fault
     }
 
-    pub(super) fn allowed(mut self: Box<Self>, allowed: impl Into<Words>) -> Box<Self> {
+    pub(crate) fn allowed(mut self: Box<Self>, allowed: impl Into<Words>) -> Box<Self> {
         self.allowed = Some(allowed.into().0);
         self
     }
 
-    pub(super) fn cure(mut self: Box<Self>, cure: impl Into<Words>) -> Box<Self> {
+    pub(crate) fn cure(mut self: Box<Self>, cure: impl Into<Words>) -> Box<Self> {
         self.cure = Some(cure.into().0);
         self
     }
 
     /// With line and column in `text`, which is called `file`.
-    pub(super) fn placed(self, file: &str, text: &str) -> ReadError {
+    pub(crate) fn placed(self, file: &str, text: &str) -> ReadError {
         let start = floor_char(text, self.span.from.min(text.len()));
         let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
         let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
@@ -133,7 +133,7 @@ impl Fault {
 }
 
 /// The character boundary at or before byte `at`.
-pub(super) fn floor_char(text: &str, mut at: usize) -> usize {
+pub(crate) fn floor_char(text: &str, mut at: usize) -> usize {
     while !text.is_char_boundary(at) {
         at -= 1;
     }
@@ -141,7 +141,7 @@ pub(super) fn floor_char(text: &str, mut at: usize) -> usize {
 }
 
 /// A code of a modal group, of which a block may have one: marks it in `groups`.
-pub(super) fn once(groups: &mut u32, group: u32, span: Span) -> Read {
+pub(crate) fn once(groups: &mut u32, group: u32, span: Span) -> Read {
     if *groups & group != 0 {
         return Err(Fault::new(span, "post-same-group").cure("post-omit-one"));
     }

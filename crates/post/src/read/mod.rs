@@ -7,7 +7,7 @@
 mod addresses;
 mod arcs;
 mod block_arc;
-mod error;
+pub(crate) mod error;
 mod expression;
 mod lexer;
 mod lines;

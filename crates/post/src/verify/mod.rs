@@ -121,12 +121,18 @@ pub fn verify(
 impl PassVerification {
     fn complaints(&self, planned: Planned, number: usize) -> Vec<Message> {
         let Planned { tolerance_mm, speed_percent, .. } = planned;
+        let mut wrong = self.complaints_within(tolerance_mm, 0.0, number);
+        if self.speed_bounded_percent > speed_percent {
+            let fault = percent("post-speed-off", self.speed_bounded_percent, 2, speed_percent);
+            wrong.push(in_pass(number, &self.name, fault));
+        }
+        wrong
+    }
+
+    /// Faults of tip, time and process values; these may differ by `rounding_percent` more.
+    pub(crate) fn complaints_within(&self, tolerance_mm: f64, rounding_percent: f64, number: usize) -> Vec<Message> {
         let mut wrong = Vec::new();
         let mut complain = |fault: Message| wrong.push(in_pass(number, &self.name, fault));
-        let percent = |code, deviation: f64, decimals: u8, max: f64| {
-            let message = Message::new(code).quantity("deviation", deviation, Unit::Percent, decimals);
-            message.value("max", max, Unit::Percent)
-        };
         if self.tip_mm > tolerance_mm + ROUNDING {
             let message = Message::new("post-tip-off").quantity("deviation", self.tip_mm, Unit::Mm, 6);
             complain(message.value("max", tolerance_mm, Unit::Mm));
@@ -134,11 +140,8 @@ impl PassVerification {
         if self.time_percent.is_nan() || self.time_percent.abs() > TIME_PERCENT {
             complain(percent("post-time-off", self.time_percent, 3, TIME_PERCENT));
         }
-        if self.speed_bounded_percent > speed_percent {
-            complain(percent("post-speed-off", self.speed_bounded_percent, 2, speed_percent));
-        }
-        if let Some((off, name)) = self.process.as_ref().filter(|(off, _)| *off > PROCESS_PERCENT) {
-            complain(percent("post-process-off", *off, 2, PROCESS_PERCENT).text("name", name));
+        if let Some((off, name)) = self.process.as_ref().filter(|(off, _)| *off > PROCESS_PERCENT + rounding_percent) {
+            complain(percent("post-process-off", *off, 2, PROCESS_PERCENT + rounding_percent).text("name", name));
         }
         wrong
     }
@@ -182,8 +185,13 @@ impl Verification {
     }
 }
 
+/// A deviation in percent, with its limit.
+fn percent(code: &'static str, deviation: f64, decimals: u8, max: f64) -> Message {
+    Message::new(code).quantity("deviation", deviation, Unit::Percent, decimals).value("max", max, Unit::Percent)
+}
+
 /// A fault in a pass, counted from 1.
-fn in_pass(number: usize, name: &str, fault: Message) -> Message {
+pub(crate) fn in_pass(number: usize, name: &str, fault: Message) -> Message {
     Message::new("post-in-pass").pass("pass", number).text("name", name).message("fault", fault)
 }
 

@@ -3,7 +3,7 @@
 use crate::number::{NONE, Significant as _, fixed, number};
 use crate::{Block, Language, Table, Words as _, value_names};
 use seamwright_message::{Message, Unit};
-use seamwright_post::{Dialect, Verification};
+use seamwright_post::Verification;
 use serde::Serialize;
 
 /// A part program written with the plan.
@@ -20,9 +20,9 @@ pub struct PostFigures {
 }
 
 impl PostFigures {
-    /// Creates the figures of a part program in the file `file`.
-    pub fn new(dialect: Dialect, file: &str, tolerance_mm: f64, proof: Verification) -> Self {
-        Self { dialect: dialect.name(), file: file.to_owned(), tolerance_mm, proof }
+    /// Creates the figures of a program in the file `file`, in the language `dialect`.
+    pub fn new(dialect: &'static str, file: &str, tolerance_mm: f64, proof: Verification) -> Self {
+        Self { dialect, file: file.to_owned(), tolerance_mm, proof }
     }
 
     pub(super) fn blocks(&self, language: Language) -> [Block; 2] {

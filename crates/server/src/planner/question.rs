@@ -5,10 +5,9 @@ use crate::view::{clamped_views, sections, work_view};
 use crate::wire::{DraftAnswer, Load, PlaceText, PlanAnswer, PostAnswer, WrongView};
 use seamwright_document::DocumentError;
 use seamwright_message::Message;
-use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
-use seamwright_project::posting::{Unproven, proven};
+use seamwright_project::posting::{PostTarget, Unproven};
 use seamwright_record::Moment;
 use seamwright_report::{Extent, Language, WeldReport};
 use serde::{Deserialize, Serialize};
@@ -122,21 +121,13 @@ fn report(name: &str, text: &str, language: &str, extent: Extent, jobs: &Path) -
 }
 
 fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {
-    let dialect = match dialect {
-        "sinumerik" => Dialect::Sinumerik,
-        "linuxcnc" => Dialect::Linuxcnc,
-        "grblhal" => Dialect::Grblhal,
-        "pmac" => Dialect::Pmac,
-        other => {
-            let allowed = "sinumerik, linuxcnc, grblhal, pmac";
-            return Err(Message::new("server-no-dialect").text("name", other).text("allowed", allowed).into());
-        }
+    let Some(target) = PostTarget::named(dialect) else {
+        let allowed = PostTarget::all().map(PostTarget::name).collect::<Vec<_>>().join(", ");
+        return Err(Message::new("server-no-dialect").text("name", dialect).text("allowed", allowed).into());
     };
     let loaded = load_foreign(JOB, text, jobs)?;
     let motion = loaded.plan()?;
-    let control = Control::new(&loaded.machine, dialect).map_err(|e| Refused::input(e.message()))?;
-    let made = proven(&loaded, &motion, &control, &Options::default(), Feed::InverseTime);
-    let (text, proof) = made.map_err(|e| match e {
+    let (text, proof) = target.proven(&loaded, &motion).map_err(|e| match e {
         Unproven::Failure(failure) => failure.into(),
         Unproven::Wrong(lines) => Refused::server(Message::lines(lines)),
     })?;

@@ -4,7 +4,7 @@ use glam::DVec3;
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
 use seamwright_post::{Arc, Control, Level, Move, Options, PartProgram, Path, What, part_program};
-use seamwright_program::{Pass, TorchPath};
+use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_weld::{Outside, Welding};
 
 pub(crate) struct Planned {
@@ -26,6 +26,11 @@ impl Planned {
     }
 
     pub(crate) fn on(text: &str, change: impl Fn(&str) -> String) -> Self {
+        Self::attempt(text, change).unwrap_or_else(|findings| panic!("{findings:?}"))
+    }
+
+    /// The plan, or the findings against it.
+    pub(crate) fn attempt(text: &str, change: impl Fn(&str) -> String) -> Result<Self, Vec<Finding>> {
         let welding = Welding::read_with("job.toml", text, &Folder).unwrap();
         let file = change(shipped(&welding.program.value.machine).unwrap().text);
         let machine = Machine::read("m", &file).unwrap();
@@ -34,9 +39,9 @@ impl Planned {
             let paths: Vec<_> = (0..welding.program.value.passes.len()).map(|i| welding.path(i)).collect();
             let passes: Vec<(&dyn TorchPath, &Pass)> =
                 paths.iter().zip(&welding.program.value.passes).map(|(p, pass)| (p as &dyn TorchPath, pass)).collect();
-            WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap()
+            WeldMotion::plan(&machine, &around, &passes, 30.0)?
         };
-        Self { machine, welding, motion }
+        Ok(Self { machine, welding, motion })
     }
 
     pub(crate) fn program(&self, control: &Control, options: &Options) -> Result<PartProgram, seamwright_post::Error> {

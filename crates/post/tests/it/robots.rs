@@ -1,0 +1,403 @@
+//! Examples on robots, in every language that fits: written, read back and verified.
+
+use crate::common::Planned;
+use glam::{DQuat, DVec3};
+use seamwright_machine::{Machine, shipped};
+use seamwright_post::robot::{
+    ArcEnd, ArcStart, JointTarget, LineMove, PlannedRobot, RobotArm, RobotLanguage, RobotOptions, RobotPose,
+    RobotProgram, RobotStep, RobotText, WeldValues, read_robot, robot_program, verify_robot, write_robot,
+};
+use seamwright_post::{Error, Verification};
+use seamwright_program::TorchPath;
+use seamwright_testkit::{Random, cases};
+use std::f64::consts::PI;
+
+const OPTIONS: RobotOptions = RobotOptions { tolerance_mm: 0.05, speed_percent: 2.0 };
+/// A nozzle on a shell, near enough for all arms.
+const NOZZLE: &str = r#"
+schema = 1
+title = "nozzle 120 on shell 300"
+machine = "MACHINE"
+[placement]
+move_mm = [0, 0, 160]
+[seam.nozzle]
+radius_mm = 60
+wall_mm = 6
+[seam.nozzle.body.cylinder]
+radius_mm = 150
+axis = [1, 0, 0]
+[part]
+body_length_mm = 300
+nozzle_length_mm = 80
+[start]
+phi_deg = 0
+overlap_mm = 10
+[weld]
+speed_mm_s = 6
+[weld.process]
+current_a = 220
+voltage_v = 25
+wire_feed_m_min = 7
+"#;
+
+fn on(machine: &str) -> Planned {
+    Planned::job(&NOZZLE.replace("MACHINE", machine))
+}
+
+fn program(planned: &Planned, language: RobotLanguage) -> Result<RobotProgram, Error> {
+    let count = planned.welding.program.value.passes.len();
+    let paths: Vec<_> = (0..count).map(|i| planned.welding.path(i)).collect();
+    let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
+    robot_program(&planned.machine, language, &planned.welding.program.value, &paths, &planned.motion, &OPTIONS)
+}
+
+fn text(planned: &Planned, language: RobotLanguage, program: &RobotProgram) -> String {
+    let arm = RobotArm::new(&planned.machine, language).unwrap();
+    write_robot(language, program, &RobotText { machine: &planned.machine, arm: &arm, remarks: &[] })
+}
+
+fn plan(planned: &Planned, language: RobotLanguage) -> PlannedRobot<'_> {
+    PlannedRobot {
+        machine: &planned.machine,
+        language,
+        program: &planned.welding.program.value,
+        motion: &planned.motion,
+        tolerance_mm: OPTIONS.tolerance_mm,
+        speed_percent: OPTIONS.speed_percent,
+    }
+}
+
+/// Writes, reads back, verifies and prints.
+fn proven(planned: &Planned, language: RobotLanguage) -> Verification {
+    let asked = program(planned, language).unwrap_or_else(|e| panic!("{e}"));
+    let written = text(planned, language, &asked);
+    let told = read_robot(language, "p", &written).unwrap_or_else(|e| panic!("{e}"));
+    let proof = verify_robot(&asked, &told, plan(planned, language));
+    let proof = proof.unwrap_or_else(|wrong| panic!("{:?}", wrong.iter().map(ToString::to_string).collect::<Vec<_>>()));
+    println!("{} {}: {:?}", planned.machine.name, language.name(), proof.lines());
+    proof
+}
+
+#[test]
+fn rapid_is_the_plan() {
+    let proof = proven(&on("irb-2600"), RobotLanguage::Rapid);
+    assert!(proof.moves < 200, "{}", proof.moves);
+}
+
+#[test]
+fn urscript_is_the_plan() {
+    proven(&on("ur10e"), RobotLanguage::Urscript);
+}
+
+#[test]
+fn krl_is_the_plan() {
+    proven(&on("kr-16"), RobotLanguage::Krl);
+}
+
+#[test]
+fn fanuc_ls_is_the_plan() {
+    proven(&on("arc-mate-120id"), RobotLanguage::FanucLs);
+}
+
+#[test]
+fn inform_is_the_plan() {
+    proven(&on("ar1440"), RobotLanguage::Inform);
+}
+
+/// The rail is an external axis.
+#[test]
+fn a_rail_goes_with_the_arm() {
+    let planned = on("irb-2600-rail");
+    for language in [RobotLanguage::Rapid, RobotLanguage::Krl, RobotLanguage::FanucLs] {
+        proven(&planned, language);
+    }
+}
+
+/// A positioner carries the work: lines are straight on it.
+#[test]
+fn a_positioner_is_coordinated() {
+    let axes = r#"[[work]]
+fixed = { move_mm = [900, 0, 300] }
+[[work]]
+axis = "tilt"
+turn = [0, 1, 0]
+range_deg = [-90, 90]
+max_speed_deg_s = 30
+max_acceleration_deg_s2 = 60
+max_jerk_deg_s3 = 600
+[[work]]
+fixed = { move_mm = [0, 0, 100] }
+[[work]]
+axis = "turn"
+turn = [0, 0, 1]
+range_deg = [-720, 720]
+max_speed_deg_s = 60
+max_acceleration_deg_s2 = 120
+max_jerk_deg_s3 = 1200
+"#;
+    let fixed = "[[work]]\nfixed = { move_mm = [900, 0, 0] }\n";
+    let planned = Planned::on(&NOZZLE.replace("MACHINE", "irb-2600"), |file| {
+        assert!(file.contains(fixed));
+        file.replace(fixed, axes)
+    });
+    for language in [RobotLanguage::Rapid, RobotLanguage::Krl] {
+        proven(&planned, language);
+    }
+    let refused = RobotArm::new(&planned.machine, RobotLanguage::FanucLs).unwrap_err();
+    assert!(matches!(refused, Error::ExternalAxes { .. }));
+}
+
+/// A move to a random pose with a configuration of the language.
+fn random_move(random: &mut Random, language: RobotLanguage) -> LineMove {
+    let turn = DQuat::from_axis_angle(random.vector(1.0).normalize(), random.within(-PI, PI));
+    let flag = |random: &mut Random| i32::from(random.within(0.0, 1.0) < 0.5);
+    let quarter = |random: &mut Random| random.within(-3.0, 3.0) as i32;
+    let configuration = match language {
+        RobotLanguage::Rapid => vec![quarter(random), quarter(random), quarter(random), 5],
+        RobotLanguage::Krl => vec![6, 35],
+        RobotLanguage::FanucLs => {
+            vec![flag(random), flag(random), flag(random), quarter(random), quarter(random), quarter(random)]
+        }
+        RobotLanguage::Inform => vec![flag(random), flag(random), 0, 1, 0, 0, 0, 0],
+        RobotLanguage::Urscript => Vec::new(),
+    };
+    LineMove {
+        to: RobotPose { point: random.vector(2000.0), turn },
+        externals: Vec::new(),
+        configuration,
+        speed_mm_s: (random.within(0.1, 200.0) * 10.0).ceil() / 10.0,
+        zone_mm: 0.0,
+    }
+}
+
+/// Random poses and positions come back from the text, to its decimals.
+#[test]
+fn random_programs_come_back() {
+    let machines = ["irb-2600", "kr-16", "arc-mate-120id", "ur10e", "ar1440"];
+    for (language, name) in RobotLanguage::ALL.into_iter().zip(machines) {
+        let machine = Machine::read(name, shipped(name).unwrap().text).unwrap();
+        let arm = RobotArm::new(&machine, language).unwrap();
+        let mut random = Random::new(43);
+        let values = WeldValues { current_a: 200.0, voltage_v: 24.5, wire_feed_m_min: 0.0 };
+        for _ in 0..cases(20u32) {
+            let mut steps = vec![RobotStep::Pass("p".to_owned())];
+            steps.push(match language {
+                RobotLanguage::Inform => {
+                    RobotStep::JointsTo(LineMove { speed_mm_s: 0.0, ..random_move(&mut random, language) })
+                }
+                _ => RobotStep::Joints(JointTarget {
+                    arm: [(); 6].map(|()| random.within(-180.0, 180.0)),
+                    externals: Vec::new(),
+                }),
+            });
+            steps.push(RobotStep::Line(random_move(&mut random, language)));
+            steps.push(RobotStep::ArcOn(ArcStart { preflow_s: 0.0, delay_s: 0.25, values }));
+            steps.extend((0..20).map(|_| RobotStep::Line(random_move(&mut random, language))));
+            steps.push(RobotStep::ArcOff(ArcEnd { crater_s: 0.5, postflow_s: 0.0 }));
+            steps.push(RobotStep::Wait(1.5));
+            let program = RobotProgram { title: "random".to_owned(), frames: None, steps };
+            let text = write_robot(language, &program, &RobotText { machine: &machine, arm: &arm, remarks: &[] });
+            let back = read_robot(language, "p", &text).unwrap_or_else(|e| panic!("{e}"));
+            assert_eq!(back.steps.len(), program.steps.len());
+            for (asked, told) in program.steps.iter().zip(&back.steps) {
+                assert!(is_near(asked, told), "{} {asked:?} {told:?}", language.name());
+            }
+        }
+    }
+}
+
+fn is_near(asked: &RobotStep, told: &RobotStep) -> bool {
+    match (asked, told) {
+        (RobotStep::Line(a), RobotStep::Line(t)) | (RobotStep::JointsTo(a), RobotStep::JointsTo(t)) => {
+            a.to.point.distance(t.to.point) < 2e-3
+                && a.to.angle_to(&t.to) < 2e-5
+                && a.configuration == t.configuration
+                && (a.speed_mm_s - t.speed_mm_s).abs() < 1e-6
+        }
+        (RobotStep::Joints(a), RobotStep::Joints(t)) => a.arm.iter().zip(t.arm).all(|(a, t)| (a - t).abs() < 2e-4),
+        (RobotStep::Pass(_), RobotStep::Pass(_)) => true,
+        (a, t) => a == t,
+    }
+}
+
+/// Examples that robots can weld, and the height of their work above the table, mm.
+const EXAMPLES: [(&str, f64); 11] = [
+    ("ellipse", 200.0),
+    ("half-ring", 200.0),
+    ("head-nozzle", 0.0),
+    ("knuckle-nozzle", 40.0),
+    ("radiator", 200.0),
+    ("set-in-nozzle", 300.0),
+    ("spline", 200.0),
+    ("trunnion-saddle", 150.0),
+    ("tube-plate", 200.0),
+    ("weave", 200.0),
+    ("y-branch", 120.0),
+];
+
+/// The text of an example with its work on the table of a robot.
+fn placed(example: &str, height_mm: f64, machine: &str) -> String {
+    let path = format!("{}/../../examples/{example}.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    let mut lines: Vec<String> = Vec::new();
+    let mut has_placement = false;
+    for line in text.lines() {
+        if line.starts_with("machine = ") {
+            lines.push(format!("machine = \"{machine}\""));
+        } else if line.starts_with("move_mm = ") && lines.iter().any(|l| l.starts_with("[placement]")) && !has_placement
+        {
+            has_placement = true;
+            lines.push(format!("move_mm = [0, 0, {height_mm}]"));
+        } else {
+            lines.push(line.to_owned());
+        }
+    }
+    if !has_placement {
+        lines.push(format!("[placement]\nmove_mm = [0, 0, {height_mm}]"));
+    }
+    lines.join("\n")
+}
+
+/// Every example on an arm of every language: what the arm can weld is proven, unless the language refuses it.
+fn examples_on(machine: &str, language: RobotLanguage, min: usize) {
+    let mut proven_count = 0;
+    for (example, height) in EXAMPLES {
+        let began = std::time::Instant::now();
+        let Ok(planned) = Planned::attempt(&placed(example, height, machine), str::to_owned) else {
+            println!("{machine} {example}: cannot be welded here, {:.1?}", began.elapsed());
+            continue;
+        };
+        match program(&planned, language) {
+            Ok(_) => {
+                let proof = proven(&planned, language);
+                assert!(proof.passes.iter().all(|pass| pass.tip_mm <= 0.05 + 1e-5 && pass.time_percent.abs() <= 0.1));
+                proven_count += 1;
+                println!("{example}: {:.1?}", began.elapsed());
+            }
+            Err(e) => println!("{machine} {example}: {e}"),
+        }
+    }
+    assert!(proven_count >= min, "{proven_count}");
+}
+
+#[test]
+fn examples_are_proven_in_rapid() {
+    examples_on("irb-2600", RobotLanguage::Rapid, 10);
+}
+
+#[test]
+fn examples_are_proven_in_urscript() {
+    examples_on("ur10e", RobotLanguage::Urscript, 8);
+}
+
+#[test]
+fn examples_are_proven_in_krl() {
+    examples_on("kr-16", RobotLanguage::Krl, 10);
+}
+
+#[test]
+fn examples_are_proven_in_fanuc_ls() {
+    examples_on("arc-mate-120id", RobotLanguage::FanucLs, 10);
+}
+
+#[test]
+fn examples_are_proven_in_inform() {
+    examples_on("ar1440", RobotLanguage::Inform, 10);
+}
+
+/// A text that is cut anywhere, or has other bytes, is refused or differs; nothing panics.
+fn damaged(planned: &Planned, language: RobotLanguage) {
+    let asked = program(planned, language).unwrap();
+    let written = text(planned, language, &asked);
+    let mut random = seamwright_testkit::Random::new(41);
+    let chars = b"0123456789.-+[]{}(),;:=!#'\"eE pxyz\n";
+    for case in 0..seamwright_testkit::cases(60u32) {
+        let at = random.within(0.0, written.len() as f64 - 1.0) as usize;
+        let mut bytes = written.clone().into_bytes();
+        if case % 2 == 0 {
+            bytes.truncate(at);
+        } else {
+            bytes[at] = chars[random.within(0.0, chars.len() as f64 - 0.01) as usize];
+        }
+        let Ok(changed) = String::from_utf8(bytes) else { continue };
+        let told = read_robot(language, "p", &changed);
+        if case % 2 == 0 {
+            assert!(told.is_err() || changed.trim_end() == written.trim_end(), "cut at {at} of {}", written.len());
+        }
+    }
+    for text in ["", "\n", "MODULE a", "def f():", "\u{0}\u{ff}", "[[[[[[[[[[[[[[[[["] {
+        assert!(read_robot(language, "p", text).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn damaged_programs_are_refused() {
+    damaged(&on("irb-2600"), RobotLanguage::Rapid);
+    damaged(&on("ur10e"), RobotLanguage::Urscript);
+    damaged(&on("kr-16"), RobotLanguage::Krl);
+    damaged(&on("arc-mate-120id"), RobotLanguage::FanucLs);
+    damaged(&on("ar1440"), RobotLanguage::Inform);
+}
+
+/// Changes beyond the digits are found: a point, a speed, the zone, the configuration, the frames, a missing line.
+#[test]
+fn a_wrong_program_is_no_proof() {
+    let planned = on("irb-2600");
+    let language = RobotLanguage::Rapid;
+    let asked = program(&planned, language).unwrap();
+    let written = text(&planned, language, &asked);
+    let judged = |text: &str| {
+        let told = read_robot(language, "p", text).unwrap_or_else(|e| panic!("{e}"));
+        verify_robot(&asked, &told, plan(&planned, language)).is_ok()
+    };
+    assert!(judged(&written));
+    let lines: Vec<&str> = written.lines().collect();
+    let at = lines.iter().position(|line| line.contains("ArcL [")).unwrap() + 10;
+    let with = |line: &str| {
+        let mut lines = lines.clone();
+        lines[at] = line;
+        lines.join("\n")
+    };
+    assert!(judged(&with(lines[at])));
+    assert!(!judged(&with("")));
+    let (head, rest) = lines[at].split_once(',').unwrap();
+    let (_, x) = head.split_once("[[[").map_or_else(|| head.rsplit_once('[').unwrap(), |(_, x)| ("", x));
+    let moved = format!("{}{},{rest}", &head[..head.len() - x.len()], x.parse::<f64>().unwrap() + 0.5);
+    assert!(!judged(&with(&moved)), "{moved}");
+    assert!(!judged(&written.replace("welddata wd2:=[", "welddata wd2:=[1")) || !written.contains("wd2"));
+    assert!(!judged(&written.replace("tTorch:=[TRUE,[[90", "tTorch:=[TRUE,[[91")));
+    assert!(!judged(&with(&lines[at].replacen(",z", ",z5", 1))));
+}
+
+/// The tool is counted from the maker's flange: a torch that reaches 90 mm to the side of x on ABB reaches to the other
+/// side on FANUC, where x points up.
+#[test]
+fn tools_are_counted_from_the_flange() {
+    for (name, language, x) in [
+        ("irb-2600", RobotLanguage::Rapid, 90.0),
+        ("kr-16", RobotLanguage::Krl, 90.0),
+        ("arc-mate-120id", RobotLanguage::FanucLs, -90.0),
+        ("ar1440", RobotLanguage::Inform, -90.0),
+        ("ur10e", RobotLanguage::Urscript, 90.0),
+    ] {
+        let machine = Machine::read(name, shipped(name).unwrap().text).unwrap();
+        let tool = RobotArm::new(&machine, language).unwrap().tool;
+        assert!(tool.point.distance(DVec3::new(x, 0.0, 330.0)) < 1e-9, "{name} {tool:?}");
+        let along = tool.turn * DVec3::Z;
+        assert!((along.x - x.signum() * 35f64.to_radians().sin()).abs() < 1e-9, "{name} {along}");
+    }
+}
+
+#[test]
+fn machines_that_do_not_fit_are_refused() {
+    let of = |name: &str| seamwright_machine::Machine::read(name, shipped(name).unwrap().text).unwrap();
+    for (machine, language, code) in [
+        ("saddle-4axis", RobotLanguage::Rapid, "post-robot-no-arm"),
+        ("ur10e", RobotLanguage::Rapid, "post-robot-not-spherical"),
+        ("irb-2600", RobotLanguage::Urscript, "post-robot-not-parallel"),
+        ("ur10e-positioner", RobotLanguage::Urscript, "post-robot-external-axes"),
+    ] {
+        let error = RobotArm::new(&of(machine), language).unwrap_err();
+        assert!(error.message().as_data().contains(code), "{error:?}");
+    }
+}
