@@ -247,7 +247,7 @@ mod tests {
         })
     }
 
-    /// What is left of a triangle has the area of its random points outside of all cells.
+    /// The parts of a triangle outside of the region have the area that its random points give.
     #[test]
     fn parts_outside_have_the_area_that_random_points_find() {
         let mut random = Random::new(5);

@@ -211,9 +211,10 @@ impl<'a> Search<'a> {
             let mut next = vec![f64::INFINITY; count];
             let mut came = vec![0; count];
             for k in 0..count {
-                for j in k.saturating_sub(reach)..(k + reach + 1).min(count) {
+                let first = k.saturating_sub(reach);
+                for (j, before) in costs.iter().enumerate().take(k + reach + 1).skip(first) {
                     let turn = self.works[k] - self.works[j];
-                    let cost = costs[j] + TURNING * turn * turn + own(place, at, k);
+                    let cost = before + TURNING * turn * turn + own(place, at, k);
                     if cost < next[k] {
                         (next[k], came[k]) = (cost, j);
                     }

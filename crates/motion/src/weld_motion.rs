@@ -77,7 +77,7 @@ impl WeldMotion {
     ) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(terms.watch);
         let mut planned = Self::default();
-        let arounds = with_metal(around, terms.metal, passes.len()).map_err(|e| vec![no_metal(e)])?;
+        let arounds = with_metal(around, terms.metal, passes.len()).map_err(|e| vec![no_metal(&e)])?;
         for (i, &(path, pass)) in passes.iter().enumerate() {
             effort.begin_pass(i + 1, passes.len());
             let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
@@ -315,7 +315,7 @@ fn with_metal<'s, 'm>(
     (0..=passes).map(one).collect()
 }
 
-fn no_metal(error: ClearanceError) -> Finding {
+fn no_metal(error: &ClearanceError) -> Finding {
     let cure = Message::new("motion-cure-clearance");
     Finding::error("clearance", error.message(), 1, PathRange::at(0.0), cure)
 }

@@ -207,6 +207,7 @@ fn page() -> Page {
                 head: vec![text(), "n".into()],
                 rows: vec![vec![text(), "-2".into(), "too many".into()], vec![]],
                 numeric: vec![false, true],
+                sortable: false,
             }),
             Block::Figure {
                 svg: chart(vec![Series::line(EVIL, vec![(0.0, 1.0), (1.0, 2.0)])]).to_svg(),

@@ -90,7 +90,7 @@ impl Journal {
     }
 
     fn locked(&self) -> std::sync::MutexGuard<'_, Inner> {
-        // Whoever panicked with the lock has at most left a line that is not counted.
+        // A thread that panicked with the lock may have left a line at the end, which is not counted.
         self.inner.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 }

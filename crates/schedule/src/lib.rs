@@ -9,7 +9,7 @@
 //! - `plan_row`: one row planned, with its figures.
 //! - `journal`: results on disk as they come.
 //! - `run`: all rows by several threads.
-//! - `machine_load`: who welds what when.
+//! - `machine_load`: parts distributed over the machines.
 //! - `output`: result files and report.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]

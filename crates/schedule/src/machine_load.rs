@@ -1,4 +1,4 @@
-//! Who welds what when: list scheduling of parts over machines, longest first (Graham 1969, LPT rule).
+//! Load of the machines: list scheduling of parts, longest first (Graham 1969, LPT rule).
 
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -21,7 +21,7 @@ pub struct MachineLoad {
     pub machine: String,
     /// Its parts in order.
     pub parts: Vec<Occupation>,
-    /// When it is done, s.
+    /// End of its last part, s.
     pub end_s: f64,
 }
 

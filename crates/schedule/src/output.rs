@@ -267,8 +267,11 @@ fn words(code: &'static str) -> String {
     Message::new(code).in_language(Language::of_process())
 }
 
+/// Significant digits of figures in the report.
+const DIGITS: usize = 3;
+
 fn hours(seconds: f64) -> String {
-    format_number(seconds / 3600.0, 2)
+    format_number(seconds / 3600.0, DIGITS)
 }
 
 fn page(
@@ -285,22 +288,24 @@ fn page(
         unit: Catalogue::of(language).symbol(unit),
         ..Tile::default()
     };
-    let number =
-        |code: &'static str, value: f64, unit: Unit, digits: usize| tile(code, format_number(value, digits), unit);
     let end = loads.iter().map(|load| load.end_s).fold(0.0, f64::max);
-    let mut blocks = vec![
-        Block::Tiles(vec![
-            number("schedule-parts", totals.parts as f64, Unit::One, 0),
-            number("schedule-passes", totals.passes as f64, Unit::One, 0),
-            tile("schedule-time", hours(totals.total_s), Unit::H),
-            tile("schedule-arc-time", hours(totals.arc_s), Unit::H),
-            tile("schedule-end", hours(end), Unit::H),
-            number("schedule-wire", totals.wire_kg, Unit::Kg, 1),
-            number("schedule-gas", totals.gas_l / 1000.0, Unit::M3, 1),
-            number("schedule-energy", totals.energy_kj / 3600.0, Unit::KiloWh, 1),
-        ]),
-        Block::Heading(words("schedule-machines")),
+    let counted = |code: &'static str, value: u64| tile(code, value.to_string(), Unit::One);
+    let mut tiles = vec![
+        counted("schedule-parts", totals.parts),
+        counted("schedule-passes", totals.passes),
+        tile("schedule-time", hours(totals.total_s), Unit::H),
+        tile("schedule-arc-time", hours(totals.arc_s), Unit::H),
+        tile("schedule-end", hours(end), Unit::H),
     ];
+    // Without a figure in the jobs a sum is 0.
+    let sums = [
+        ("schedule-wire", totals.wire_kg, Unit::Kg),
+        ("schedule-gas", totals.gas_l / 1000.0, Unit::M3),
+        ("schedule-energy", totals.energy_kj / 3600.0, Unit::KiloWh),
+    ];
+    let known = sums.into_iter().filter(|(_, sum, _)| *sum > 0.0);
+    tiles.extend(known.map(|(code, sum, unit)| tile(code, format_number(sum, DIGITS), unit)));
+    let mut blocks = vec![Block::Tiles(tiles), Block::Heading(words("schedule-machines"))];
     let parts: usize = loads.iter().map(|load| load.parts.len()).sum();
     if parts <= MAX_PARTS && parts > 0 {
         let caption = words("schedule-load-caption");
@@ -369,7 +374,7 @@ fn load_of_machines(loads: &[MachineLoad]) -> Table {
 }
 
 fn table_of_rows(shown: &[(Row, RowResult)]) -> Table {
-    let some = |value: Option<f64>, digits: usize| value.map_or(String::new(), |v| format_number(v, digits));
+    let some = |value: Option<f64>| value.map_or(String::new(), |v| format_number(v, DIGITS));
     let row = |(row, result): &(Row, RowResult)| {
         let planned = |value: f64| (result.passes > 0).then_some(value);
         let why = result.error.clone().unwrap_or_else(|| findings_text(&result.findings));
@@ -380,10 +385,10 @@ fn table_of_rows(shown: &[(Row, RowResult)]) -> Table {
             result.machine.clone(),
             row.count.to_string(),
             result.passes.to_string(),
-            some(planned(result.total_s / 60.0), 1),
-            some(planned(result.arc_s / 60.0), 1),
-            some(result.wire_kg, 2),
-            some(result.clearance_mm, 1),
+            some(planned(result.total_s / 60.0)),
+            some(planned(result.arc_s / 60.0)),
+            some(result.wire_kg),
+            some(result.clearance_mm),
             why,
         ]
     };

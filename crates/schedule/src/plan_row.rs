@@ -4,18 +4,17 @@ use crate::job_text::{JobText, in_row};
 use crate::table::{Row, Table};
 use seamwright_message::Language;
 use seamwright_motion::WeldMotion;
-use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_program::Finding;
 use seamwright_project::failure::Failure;
 use seamwright_project::load::{Loaded, load_text};
 use seamwright_project::planning::Planning;
-use seamwright_project::posting::{self, Unproven};
+use seamwright_project::posting::PostTarget;
 use seamwright_report::WeldReport;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-/// What became of a row.
+/// Outcome of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
@@ -47,7 +46,7 @@ impl Status {
 /// Result of a row, of one part.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RowResult {
-    /// What became of it.
+    /// Outcome.
     pub status: Status,
     /// The machine of these figures: of those that can weld it the fastest, otherwise the one with the fewest findings.
     pub machine: String,
@@ -85,7 +84,7 @@ pub(crate) struct RowTerms {
     /// Time limit of the searches of each plan.
     pub(crate) limit: Duration,
     /// Control to write part programs for.
-    pub(crate) dialect: Option<Dialect>,
+    pub(crate) post: Option<PostTarget>,
 }
 
 /// Plans a row on all of its machines. Returns the result, and the proven part program of the machine chosen.
@@ -130,9 +129,9 @@ fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> (RowRes
         Ok(Err(findings)) => (RowResult::blocked(machine, &findings), None),
         Ok(Ok(motion)) => {
             let mut result = RowResult::of(machine, &loaded, &motion);
-            let program = terms.dialect.filter(|_| result.status == Status::Weldable);
-            match program.map(|dialect| program_of(&loaded, &motion, dialect)).transpose() {
-                Ok(program) => (result, program),
+            let target = terms.post.filter(|_| result.status == Status::Weldable);
+            match target.map(|target| target.proven(&loaded, &motion)).transpose() {
+                Ok(program) => (result, program.map(|(text, _)| text)),
                 Err(why) => {
                     result.status = Status::Failed;
                     result.error = Some(why.message().to_string());
@@ -141,12 +140,6 @@ fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> (RowRes
             }
         }
     }
-}
-
-/// The proven part program of a planned weld.
-fn program_of(loaded: &Loaded, motion: &WeldMotion, dialect: Dialect) -> Result<String, Unproven> {
-    let control = Control::new(&loaded.machine, dialect).map_err(|e| Unproven::Failure(Failure::input(&e)))?;
-    posting::proven(loaded, motion, &control, &Options::default(), Feed::InverseTime).map(|(text, _)| text)
 }
 
 impl RowResult {

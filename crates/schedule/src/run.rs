@@ -6,9 +6,9 @@ use crate::output;
 use crate::plan_row::{RowResult, RowTerms, Status, plan_row};
 use crate::table::{Row, Table};
 use seamwright_message::Message;
-use seamwright_post::Dialect;
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
+use seamwright_project::posting::PostTarget;
 use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ pub struct Schedule<'a> {
     /// Time limit of the searches of a row on one machine.
     pub limit: Duration,
     /// Control to write part programs for.
-    pub dialect: Option<Dialect>,
+    pub post: Option<PostTarget>,
 }
 
 /// How far it has come.
@@ -43,7 +43,7 @@ pub struct Progress {
     pub kept: u64,
 }
 
-/// What became of all rows.
+/// Outcome of all rows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Summary {
     /// Number of rows.
@@ -79,7 +79,7 @@ impl Schedule<'_> {
 
     /// Everything besides the job that a result depends on.
     fn options(&self) -> String {
-        format!("{:?} {:?}", self.dialect, self.limit)
+        format!("{:?} {:?}", self.post, self.limit)
     }
 
     pub(crate) fn programs(&self) -> PathBuf {
@@ -88,12 +88,7 @@ impl Schedule<'_> {
 
     /// Name of the part program of a row.
     pub(crate) fn program(&self, row: &Row) -> Option<String> {
-        let end = match self.dialect? {
-            Dialect::Sinumerik => "mpf",
-            Dialect::Linuxcnc => "ngc",
-            Dialect::Grblhal => "nc",
-            Dialect::Pmac => "pmc",
-        };
+        let end = self.post?.file_name().rsplit('.').next()?;
         Some(format!("{}.{end}", row.name))
     }
 
@@ -113,7 +108,7 @@ impl Schedule<'_> {
         std::thread::scope(|scope| {
             for _ in 0..threads {
                 scope.spawn(|| {
-                    // After a fault what waits is thrown away, so that nobody waits for room.
+                    // After a fault the rows that wait are thrown away, so that the reader of the table does not block.
                     while let Some(work) = next(&receive) {
                         if locked(&fault).is_some() {
                             continue;
@@ -153,7 +148,7 @@ impl Schedule<'_> {
 
     /// The name is part of it where a part program is written, whose file has that name.
     fn hash(&self, row: &Row, jobs: &[JobText], templates: &mut Templates) -> String {
-        let name = if self.dialect.is_some() { row.name.as_str() } else { "" };
+        let name = if self.post.is_some() { row.name.as_str() } else { "" };
         templates.hash(jobs, &format!("{} {name}", self.options()))
     }
 
@@ -165,7 +160,7 @@ impl Schedule<'_> {
     }
 
     fn plan_one(&self, work: &Work, journal: &Journal) -> Result<(), Failure> {
-        let terms = RowTerms { limit: self.limit, dialect: self.dialect };
+        let terms = RowTerms { limit: self.limit, post: self.post };
         let planned = catch_unwind(AssertUnwindSafe(|| plan_row(self.table, &work.row, &work.jobs, terms)));
         let (result, program) = planned.unwrap_or_else(|_| {
             let error = Message::new("schedule-planner-failed").to_string();

@@ -222,7 +222,7 @@ impl Table {
             }
             if !OWN.contains(&column.as_str()) && !self.keys.knows(column) {
                 let message = Message::new("schedule-column-unknown").key("column", column);
-                let allowed = match self.keys.meant(column) {
+                let allowed = match self.keys.closest_path(column) {
                     Some(meant) => Message::new("schedule-column-meant").key("name", &meant),
                     None => Message::new("schedule-columns").text("names", OWN.join(", ")),
                 };
@@ -382,7 +382,7 @@ impl Keys {
     }
 
     /// The path with the step that is unknown replaced by the key that was probably meant.
-    fn meant(&self, path: &str) -> Option<String> {
+    fn closest_path(&self, path: &str) -> Option<String> {
         let mut steps: Vec<String> = path.split('.').map(str::to_owned).collect();
         let top: Vec<&str> = self.top.iter().map(String::as_str).collect();
         let all: Vec<&str> = self.all.iter().map(String::as_str).collect();

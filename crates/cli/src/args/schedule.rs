@@ -1,7 +1,7 @@
 //! Arguments of `seamwright schedule`.
 
 use super::planning::PlanningArgs;
-use super::post::DialectArg;
+use super::post::PostTargetArg;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -25,7 +25,7 @@ pub(crate) struct ScheduleArgs {
     pub(crate) jobs: Option<usize>,
     /// Write a part program for each row that can be welded, proven by reading it back
     #[arg(long, value_name = "DIALECT")]
-    pub(crate) post: Option<DialectArg>,
+    pub(crate) post: Option<PostTargetArg>,
     #[command(flatten)]
     pub(crate) planning: PlanningArgs,
 }

@@ -31,7 +31,7 @@ pub(crate) fn run(args: &ScheduleArgs) -> Result<(), Failure> {
         output: &args.output,
         threads,
         limit: Duration::from_secs_f64(limit),
-        dialect: args.post.map(Into::into),
+        post: args.post.map(Into::into),
     };
     let bar = Progress::new("cli-progress-rows", rows);
     let summary = schedule.run(&|progress| bar.at(progress.done))?;

@@ -23,7 +23,7 @@ const SAME_MM: f64 = 0.05;
 const CROWN: f64 = 0.05;
 /// The same in a cap of several beads, as a multiple of its parabola.
 const CAP_CROWN: f64 = 1.15;
-/// Metal where there is none yet, as a part of the whole area: a film that keeps the solid closed.
+/// Film over places without metal, as a part of the whole area: it keeps the solid closed.
 const FILM: f64 = 1e-3;
 
 /// Weld metal in the order of the passes.

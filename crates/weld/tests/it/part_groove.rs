@@ -215,7 +215,7 @@ fn a_torch_in_a_straight_groove_touches_where_polygons_do() {
     assert!(heights > 100, "{heights}");
 }
 
-/// Where the wires of all beads point there is neither part nor metal of earlier passes, but for their crowns.
+/// The wire tips of all beads are outside of the part and of earlier beads, but for their crowns.
 #[test]
 fn the_wire_is_never_inside_metal() {
     let mut random = Random::new(48);
