@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// Areas whose messages people search for, with their titles. Labels of pages and of the panel are not among them.
-const AREAS: [(&str, &str); 16] = [
+const AREAS: [(&str, &str); 17] = [
     ("document", "Files in general"),
     ("program", "Programs, procedures and edits"),
     ("weld", "Jobs: seams, joints, beads, parts"),
@@ -20,6 +20,7 @@ const AREAS: [(&str, &str); 16] = [
     ("alarms", "Alarms"),
     ("record", "Records"),
     ("project", "Files, folders, planning"),
+    ("schedule", "Schedules of many seams"),
     ("server", "The panel's server"),
     ("cli", "The command line"),
 ];
