@@ -36,7 +36,7 @@ impl Journal {
     /// Opens the journal `path` or begins a new one. A last line that is not whole is cut off.
     ///
     /// # Errors
-    /// A file that cannot be read or written.
+    /// Failure to read or write the file.
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
         let failed = |e: std::io::Error| not_writable(path, &e);
         let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;

@@ -67,7 +67,7 @@ impl Schedule<'_> {
     /// Plans all rows that have no result yet, and writes the results of all.
     ///
     /// # Errors
-    /// Faults of the table, and files that cannot be written. A row that fails is a result.
+    /// Faults of the table, failures to write. A row that fails is a result.
     pub fn run(&self, progress: &(dyn Fn(Progress) + Sync)) -> Result<Summary, Failure> {
         std::fs::create_dir_all(self.programs()).map_err(|e| files::not_writable(self.output, &e))?;
         let journal = Journal::open(&self.output.join("rows.jsonl"))?;

@@ -336,7 +336,7 @@ fn flatten(above: &str, table: &toml::Table, cells: &mut Cells) {
     }
 }
 
-/// The number of a cell, `missing` without one; the cell if it is no number that `is_allowed`.
+/// The number of a cell, `missing` without one; the cell if it is not a number or not allowed.
 fn number_of(cell: Option<String>, missing: f64, is_allowed: impl Fn(f64) -> bool) -> Result<f64, String> {
     let Some(written) = cell else { return Ok(missing) };
     written.parse::<f64>().ok().filter(|value| is_allowed(*value)).ok_or(written)
