@@ -38,8 +38,8 @@ pub struct Occupation {
     pub to_s: f64,
 }
 
-/// Distributes parts over machines: the longest first, each to the machine that is done with it the earliest. The last
-/// machine is done at most twice as late as in the best distribution of equal machines.
+/// Distributes parts over machines: the longest first, each to the machine that is done with it the earliest. On
+/// equal machines the last one is done at most a third later than in the best distribution.
 pub fn machine_load(mut tasks: Vec<Task>) -> Vec<MachineLoad> {
     let longest = |task: &Task| task.setup_s + task.times.values().copied().fold(f64::INFINITY, f64::min);
     tasks.retain(|task| !task.times.is_empty());

@@ -116,28 +116,37 @@ impl Totals {
     }
 }
 
-/// Columns of the result files: name, and `t` for text, `w` for a whole number, `n` for a number that may be missing.
-const COLUMNS: [(&str, char); 20] = [
-    ("row", 'w'),
-    ("name", 't'),
-    ("status", 't'),
-    ("machine", 't'),
-    ("template", 't'),
-    ("count", 'w'),
-    ("setup_min", 'n'),
-    ("passes", 'w'),
-    ("length_mm", 'n'),
-    ("total_s", 'n'),
-    ("arc_s", 'n'),
-    ("wire_kg", 'n'),
-    ("gas_l", 'n'),
-    ("energy_kj", 'n'),
-    ("cost", 'n'),
-    ("clearance_mm", 'n'),
-    ("blocking", 'w'),
-    ("findings", 't'),
-    ("program", 't'),
-    ("error", 't'),
+/// Kind of the values of a column.
+#[derive(Clone, Copy)]
+enum Kind {
+    Text,
+    Whole,
+    /// A number that may be missing.
+    Number,
+}
+
+/// Columns of the result files.
+const COLUMNS: [(&str, Kind); 20] = [
+    ("row", Kind::Whole),
+    ("name", Kind::Text),
+    ("status", Kind::Text),
+    ("machine", Kind::Text),
+    ("template", Kind::Text),
+    ("count", Kind::Whole),
+    ("setup_min", Kind::Number),
+    ("passes", Kind::Whole),
+    ("length_mm", Kind::Number),
+    ("total_s", Kind::Number),
+    ("arc_s", Kind::Number),
+    ("wire_kg", Kind::Number),
+    ("gas_l", Kind::Number),
+    ("energy_kj", Kind::Number),
+    ("cost", Kind::Number),
+    ("clearance_mm", Kind::Number),
+    ("blocking", Kind::Whole),
+    ("findings", Kind::Text),
+    ("program", Kind::Text),
+    ("error", Kind::Text),
 ];
 
 /// Values in the order of [`COLUMNS`].
@@ -200,14 +209,14 @@ struct Groups<W: Write + Send> {
 
 impl<W: Write + Send> Groups<W> {
     fn new(out: W) -> Result<Self, ParquetError> {
-        let field = |(name, kind): &(&str, char)| {
+        let field = |(name, kind): &(&str, Kind)| {
             let (physical, repetition) = match kind {
-                't' => (PhysicalType::BYTE_ARRAY, Repetition::REQUIRED),
-                'w' => (PhysicalType::INT64, Repetition::REQUIRED),
-                _ => (PhysicalType::DOUBLE, Repetition::OPTIONAL),
+                Kind::Text => (PhysicalType::BYTE_ARRAY, Repetition::REQUIRED),
+                Kind::Whole => (PhysicalType::INT64, Repetition::REQUIRED),
+                Kind::Number => (PhysicalType::DOUBLE, Repetition::OPTIONAL),
             };
             let field = Type::primitive_type_builder(name, physical).with_repetition(repetition);
-            let field = if *kind == 't' { field.with_converted_type(ConvertedType::UTF8) } else { field };
+            let field = if matches!(kind, Kind::Text) { field.with_converted_type(ConvertedType::UTF8) } else { field };
             field.build().map(Arc::new)
         };
         let fields = COLUMNS.iter().map(field).collect::<Result<Vec<_>, _>>()?;
@@ -227,7 +236,7 @@ impl<W: Write + Send> Groups<W> {
             let Some(mut out) = group.next_column()? else { continue };
             let column = self.rows.iter().map(|row| &row[i]);
             match COLUMNS[i].1 {
-                't' => {
+                Kind::Text => {
                     let text = |value: &Value| match value {
                         Value::Text(text) => ByteArray::from(text.as_str()),
                         _ => ByteArray::from(""),
@@ -235,11 +244,11 @@ impl<W: Write + Send> Groups<W> {
                     let texts: Vec<ByteArray> = column.map(text).collect();
                     out.typed::<ByteArrayType>().write_batch(&texts, None, None)?;
                 }
-                'w' => {
+                Kind::Whole => {
                     let whole = |value: &Value| if let Value::Whole(number) = value { *number } else { 0 };
                     out.typed::<Int64Type>().write_batch(&column.map(whole).collect::<Vec<_>>(), None, None)?;
                 }
-                _ => {
+                Kind::Number => {
                     let number = |value: &Value| if let Value::Number(number) = value { *number } else { None };
                     let numbers: Vec<Option<f64>> = column.map(number).collect();
                     let levels: Vec<i16> = numbers.iter().map(|v| i16::from(v.is_some())).collect();

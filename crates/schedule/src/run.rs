@@ -39,7 +39,7 @@ pub struct Schedule<'a> {
 pub struct Progress {
     /// Number of rows done, also by an earlier run.
     pub done: u64,
-    /// Those among them that an earlier run had done.
+    /// Those among them that were not planned again.
     pub kept: u64,
 }
 
@@ -132,6 +132,9 @@ impl Schedule<'_> {
                             count(true);
                         } else if begun.insert(hash.clone()) {
                             return Ok(send.send(Work { row, jobs, hash }).is_ok());
+                        } else {
+                            // An equal row above is planned.
+                            count(true);
                         }
                     }
                     // It is a result of the row, made when results are written.
