@@ -164,6 +164,7 @@ key-machine-per-h = Maschine je Stunde
 key-material = Werkstoff
 key-materials = Werkstoffe
 key-max-travel = größte Änderung des Anstellwinkels
+key-max-stick-out = größtes freies Drahtende
 key-max-work = größte Änderung des Arbeitswinkels
 key-melting-by-arc = Abschmelzen durch den Lichtbogen
 key-melting-by-resistance = Abschmelzen durch Widerstand

@@ -120,6 +120,9 @@ motion-collision = { $first } stößt gegen { $second } (mindestens { $minimum }
 motion-above-root = { $contact }, { $height } über der Wurzel
 motion-below-root = { $contact }, { $height } unter der Wurzel
 motion-no-torch-angle = keine Winkel bis { $work } neben dem Arbeitswinkel und { $travel } neben dem Anstellwinkel halten den Brenner frei: { $reason }
+motion-no-torch-angle-longer = keine Winkel bis { $work } neben dem Arbeitswinkel und { $travel } neben dem Anstellwinkel halten den Brenner frei, auch mit einem bis zu { $longer } längeren freien Drahtende: { $reason }
+motion-angle-none-allowed = die Flächen des Stoßes, die Schweißanweisung oder der Bereich einer Achse erlauben keinen davon
+motion-angle-turns-too-fast = die freien ändern sich um mehr als { $turn } auf { $way }
 motion-cure-torch-angle = einen schlankeren Brenner oder ein längeres freies Drahtende, eine weitere Fuge, weitere Grenzen in torch.search, oder weniger Abstand mit clearance.least_mm
 motion-cure-clearance = die Brennerwinkel oder die Aufstellung ändern, oder mit clearance.least_mm weniger erlauben, wenn die Körper stimmen
 motion-cure-clearance-weld = { $change }: geprüft, dann kommt nichts zu nahe; oder mit clearance.least_mm weniger erlauben, wenn die Körper stimmen
@@ -174,12 +177,14 @@ motion-quantity-speed = die Geschwindigkeit der Spitze
 motion-quantity-heat-input = die Wärmeeinbringung
 motion-quantity-travel-angle = der Schlepp-/Stechwinkel
 motion-quantity-work-angle = der Arbeitswinkel
+motion-quantity-stick-out = das freie Drahtende
 motion-run-pass = Lage { $passes }
 motion-run-passes = Lagen { $passes }
 motion-procedure-outside = { $quantity } ist { $found } bei s = { $at }; { $procedure } erlaubt ({ $run }) { $min } bis { $max }
 motion-procedure-unbounded = { $quantity } ist bei s = { $at } unbegrenzt, wo der Brenner mit brennendem Lichtbogen hält; { $procedure } erlaubt ({ $run }) { $min } bis { $max }
 motion-procedure-no-power = die Lage gibt { $keys } nicht an, daher ist ihre Wärmeeinbringung unbekannt; { $procedure } erlaubt ({ $run }) { $min } bis { $max }
 motion-procedure-no-faces = die Flächen des Stoßes sind unbekannt, daher auch der Arbeitswinkel; { $procedure } erlaubt ({ $run }) { $min } bis { $max }
+motion-procedure-no-stick-out = das freie Drahtende ist unbekannt; { $procedure } erlaubt ({ $run }) { $min } bis { $max }
 motion-procedure-missing = die Lage gibt { $key } nicht an; { $procedure } erlaubt ({ $run }) { $min } bis { $max }
 motion-implausible = { $key } = { $found } passt nicht zu { $current }: üblich ist { $expected }, { $percent } mehr oder weniger
 motion-cure-implausible = { $key }, Strom und Draht prüfen; bei einem besonderen Lichtbogen percent in [plausibility] der Anweisung erweitern
@@ -201,6 +206,8 @@ motion-procedure-inclination = die Naht liegt in Position { $position } (Neigung
 motion-cure-procedure-run = [[runs]] mit Namen oder Nummer der Lage in die Anweisung aufnehmen, oder die Lage umbenennen; oder eine dafür qualifizierte Schweißanweisung nehmen
 motion-cure-procedure-power = { $keys } in weld.process angeben, oder in der Anweisung `power` auf die Werte setzen, die die Leistung ergeben; oder eine dafür qualifizierte Schweißanweisung nehmen
 motion-cure-procedure-work-angle = work_angle_deg aus dem Eintrag der Anweisung nehmen; oder eine dafür qualifizierte Schweißanweisung nehmen
+motion-cure-procedure-stick-out = stick_out_mm in [torch] der Maschinendatei angeben
+motion-cure-procedure-own-stick-out = stick_out_mm des Laufs oder von [torch] ändern; oder eine dafür qualifizierte Schweißanweisung nehmen
 motion-cure-procedure-missing = { $key } in weld.process angeben oder aus [runs.ranges] nehmen; oder eine dafür qualifizierte Schweißanweisung nehmen
 motion-cure-procedure-slower = dort weniger Geschwindigkeit fordern; oder eine dafür qualifizierte Schweißanweisung nehmen
 motion-cure-procedure-faster = dort mehr Geschwindigkeit fordern, oder so aufstellen, dass die Achsen sie halten; oder eine dafür qualifizierte Schweißanweisung nehmen

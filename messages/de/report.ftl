@@ -99,6 +99,7 @@ report-column-travel-s = Fahrt, s
 report-column-arc-on-s = Lichtbogen an, s
 report-column-total-s = Insgesamt, s
 report-column-speed-mm-s = Geschwindigkeit, mm/s
+report-column-stick-out = Freies Drahtende, mm
 report-column-arc-energy = Streckenenergie, kJ/mm
 report-column-heat-input = Wärmeeinbringung, kJ/mm
 report-column-length-mm = Länge, mm

@@ -164,6 +164,7 @@ key-machine-per-h = machine for each hour
 key-material = material
 key-materials = materials
 key-max-travel = maximum travel angle change
+key-max-stick-out = maximum stick-out
 key-max-work = maximum work angle change
 key-melting-by-arc = melting by the arc
 key-melting-by-resistance = melting by resistance

@@ -99,6 +99,7 @@ report-column-travel-s = Travel, s
 report-column-arc-on-s = Arc on, s
 report-column-total-s = Total, s
 report-column-speed-mm-s = Speed, mm/s
+report-column-stick-out = Stick-out, mm
 report-column-arc-energy = Arc energy, kJ/mm
 report-column-heat-input = Heat input, kJ/mm
 report-column-length-mm = Length, mm

@@ -164,6 +164,7 @@ key-machine-per-h = станок за час
 key-material = материал
 key-materials = материалы
 key-max-travel = наибольшее изменение угла вдоль шва
+key-max-stick-out = наибольший вылет проволоки
 key-max-work = наибольшее изменение рабочего угла
 key-melting-by-arc = плавление дугой
 key-melting-by-resistance = плавление сопротивлением

@@ -123,6 +123,9 @@ motion-collision = { $first } и { $second }: столкновение (нужн
 motion-above-root = { $contact }, на { $height } выше корня
 motion-below-root = { $contact }, на { $height } ниже корня
 motion-no-torch-angle = ни один угол в пределах { $work } от рабочего и { $travel } от угла наклона вдоль шва не оставляет горелке места: { $reason }
+motion-no-torch-angle-longer = ни один угол в пределах { $work } от рабочего и { $travel } от угла наклона вдоль шва не оставляет горелке места, даже с вылетом на { $longer } больше: { $reason }
+motion-angle-none-allowed = поверхности соединения, технология или ход оси не допускают ни одного из них
+motion-angle-turns-too-fast = свободные углы меняются больше чем на { $turn } на длине { $way }
 motion-cure-torch-angle = более тонкая горелка или больший вылет, более широкая разделка, более широкие пределы в torch.search либо меньшее расстояние в clearance.least_mm
 motion-cure-clearance = измените углы горелки или размещение либо разрешите меньше в clearance.least_mm, если формы верны
 motion-cure-clearance-weld = { $change }: проверено, все расстояния тогда достаточны; или разрешите меньше в clearance.least_mm, если формы верны
@@ -179,12 +182,14 @@ motion-quantity-speed = скорость острия
 motion-quantity-heat-input = тепловложение
 motion-quantity-travel-angle = продольный угол
 motion-quantity-work-angle = поперечный угол
+motion-quantity-stick-out = вылет проволоки
 motion-run-pass = проход { $passes }
 motion-run-passes = проходы { $passes }
 motion-procedure-outside = { $quantity } составляет { $found } на s = { $at }; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-procedure-unbounded = { $quantity } не ограничено на s = { $at }, где горелка останавливается с горящей дугой; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-procedure-no-power = проход не задаёт { $keys }, поэтому его тепловложение неизвестно; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-procedure-no-faces = поверхности соединения неизвестны, поэтому и поперечный угол неизвестен; { $procedure } разрешает ({ $run }) от { $min } до { $max }
+motion-procedure-no-stick-out = вылет проволоки неизвестен; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-procedure-missing = проход не задаёт { $key }; { $procedure } разрешает ({ $run }) от { $min } до { $max }
 motion-implausible = { $key } = { $found } не подходит к { $current }: обычно { $expected } ± { $percent }
 motion-cure-implausible = проверьте { $key }, ток и проволоку; для особой дуги увеличьте percent в [plausibility] процедуры
@@ -206,6 +211,8 @@ motion-procedure-inclination = шов в положении { $position } (на�
 motion-cure-procedure-run = добавьте [[runs]] с названием или номером прохода в файл технологии или переименуйте проход; или возьмите технологию, аттестованную для этого
 motion-cure-procedure-power = задайте { $keys } в weld.process или укажите в `power` технологии величины, дающие мощность; или возьмите технологию, аттестованную для этого
 motion-cure-procedure-work-angle = уберите work_angle_deg из прохода технологии; или возьмите технологию, аттестованную для этого
+motion-cure-procedure-stick-out = укажите stick_out_mm в [torch] файла станка
+motion-cure-procedure-own-stick-out = измените stick_out_mm прохода или в [torch]; или возьмите технологию, аттестованную для этого
 motion-cure-procedure-missing = задайте { $key } в weld.process или уберите из [runs.ranges]; или возьмите технологию, аттестованную для этого
 motion-cure-procedure-slower = задайте там меньшую скорость; или возьмите технологию, аттестованную для этого
 motion-cure-procedure-faster = задайте там большую скорость или поставьте деталь так, чтобы оси её держали; или возьмите технологию, аттестованную для этого

@@ -96,6 +96,7 @@ report-column-travel-s = Ход, с
 report-column-arc-on-s = Дуга горит, с
 report-column-total-s = Всего, с
 report-column-speed-mm-s = Скорость, мм/с
+report-column-stick-out = Вылет, мм
 report-column-arc-energy = Погонная энергия дуги, кДж/мм
 report-column-heat-input = Тепловложение, кДж/мм
 report-column-length-mm = Длина, мм

@@ -164,6 +164,7 @@ key-machine-per-h = верстат за годину
 key-material = матеріал
 key-materials = матеріали
 key-max-travel = найбільша зміна кута вздовж шва
+key-max-stick-out = найбільший виліт дроту
 key-max-work = найбільша зміна робочого кута
 key-melting-by-arc = плавлення дугою
 key-melting-by-resistance = плавлення опором

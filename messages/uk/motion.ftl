@@ -123,6 +123,9 @@ motion-collision = { $first } і { $second }: зіткнення (потрібн
 motion-above-root = { $contact }, на { $height } вище кореня
 motion-below-root = { $contact }, на { $height } нижче кореня
 motion-no-torch-angle = жоден кут у межах { $work } від робочого і { $travel } від кута нахилу вздовж шва не лишає пальнику місця: { $reason }
+motion-no-torch-angle-longer = жоден кут у межах { $work } від робочого і { $travel } від кута нахилу вздовж шва не лишає пальнику місця, навіть із вильотом на { $longer } більшим: { $reason }
+motion-angle-none-allowed = поверхні з’єднання, технологія або хід осі не допускають жодного з них
+motion-angle-turns-too-fast = вільні кути змінюються більше ніж на { $turn } на довжині { $way }
 motion-cure-torch-angle = тонший пальник або більший виліт, ширша розробка, ширші межі в torch.search або менша відстань у clearance.least_mm
 motion-cure-clearance = змініть кути пальника чи розміщення або дозвольте менше в clearance.least_mm, якщо форми правильні
 motion-cure-clearance-weld = { $change }: перевірено, усі відстані тоді достатні; або дозвольте менше в clearance.least_mm, якщо форми правильні
@@ -179,12 +182,14 @@ motion-quantity-speed = швидкість вістря
 motion-quantity-heat-input = тепловкладення
 motion-quantity-travel-angle = кут уздовж шва
 motion-quantity-work-angle = кут поперек шва
+motion-quantity-stick-out = виліт дроту
 motion-run-pass = прохід { $passes }
 motion-run-passes = проходи { $passes }
 motion-procedure-outside = { $quantity } становить { $found } на s = { $at }; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-procedure-unbounded = { $quantity } необмежене на s = { $at }, де пальник зупиняється з увімкненою дугою; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-procedure-no-power = прохід не задає { $keys }, тому його тепловкладення невідоме; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-procedure-no-faces = поверхні з’єднання невідомі, тому й кут поперек шва невідомий; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
+motion-procedure-no-stick-out = виліт дроту невідомий; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-procedure-missing = прохід не задає { $key }; { $procedure } дозволяє ({ $run }) від { $min } до { $max }
 motion-implausible = { $key } = { $found } не пасує до { $current }: зазвичай { $expected } ± { $percent }
 motion-cure-implausible = перевірте { $key }, струм і дріт; для особливої дуги збільште percent у [plausibility] процедури
@@ -206,6 +211,8 @@ motion-procedure-inclination = шов у положенні { $position } (на�
 motion-cure-procedure-run = додайте [[runs]] з назвою чи номером проходу у файл технології або перейменуйте прохід; або візьміть технологію, атестовану для цього
 motion-cure-procedure-power = задайте { $keys } у weld.process або вкажіть у `power` технології величини, що дають потужність; або візьміть технологію, атестовану для цього
 motion-cure-procedure-work-angle = приберіть work_angle_deg із проходу технології; або візьміть технологію, атестовану для цього
+motion-cure-procedure-stick-out = вкажіть stick_out_mm у [torch] файлу верстата
+motion-cure-procedure-own-stick-out = змініть stick_out_mm проходу або в [torch]; або візьміть технологію, атестовану для цього
 motion-cure-procedure-missing = задайте { $key } у weld.process або приберіть з [runs.ranges]; або візьміть технологію, атестовану для цього
 motion-cure-procedure-slower = задайте там меншу швидкість; або візьміть технологію, атестовану для цього
 motion-cure-procedure-faster = задайте там більшу швидкість або поставте деталь так, щоб осі її тримали; або візьміть технологію, атестовану для цього

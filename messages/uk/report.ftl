@@ -96,6 +96,7 @@ report-column-travel-s = Хід, с
 report-column-arc-on-s = Дуга горить, с
 report-column-total-s = Разом, с
 report-column-speed-mm-s = Швидкість, мм/с
+report-column-stick-out = Виліт, мм
 report-column-arc-energy = Погонна енергія дуги, кДж/мм
 report-column-heat-input = Тепловкладення, кДж/мм
 report-column-length-mm = Довжина, мм

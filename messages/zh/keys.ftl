@@ -164,6 +164,7 @@ key-machine-per-h = 设备每小时
 key-material = 材料
 key-materials = 材料
 key-max-travel = 行走角最大变化
+key-max-stick-out = 最大干伸长
 key-max-work = 工作角最大变化
 key-melting-by-arc = 电弧熔化
 key-melting-by-resistance = 电阻熔化

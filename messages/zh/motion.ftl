@@ -117,6 +117,9 @@ motion-collision = { $first } 撞上 { $second }（至少 { $minimum }）
 motion-above-root = { $contact }，根部以上 { $height }
 motion-below-root = { $contact }，根部以下 { $height }
 motion-no-torch-angle = 工作角 { $work }、行走角 { $travel } 范围内没有使焊枪不碰撞的角度：{ $reason }
+motion-no-torch-angle-longer = 工作角 { $work }、行走角 { $travel } 范围内，即使干伸长增加至多 { $longer }，也没有使焊枪不碰撞的角度：{ $reason }
+motion-angle-none-allowed = 接头两面、工艺或轴行程不允许其中任何一个
+motion-angle-turns-too-fast = 不碰撞的角度在 { $way } 内变化超过 { $turn }
 motion-cure-torch-angle = 换用更细的焊枪或更长的伸出长度、更宽的坡口、在 torch.search 中放宽范围，或减小 clearance.least_mm
 motion-cure-clearance = 改变焊枪角度或工件放置；若形体正确也可减小 clearance.least_mm
 motion-cure-clearance-weld = { $change }：已试，随之各处距离足够；若形体正确也可减小 clearance.least_mm
@@ -165,12 +168,14 @@ motion-quantity-speed = 尖端速度
 motion-quantity-heat-input = 热输入
 motion-quantity-travel-angle = 行走角
 motion-quantity-work-angle = 工作角
+motion-quantity-stick-out = 干伸长
 motion-run-pass = 焊道 { $passes }
 motion-run-passes = 焊道 { $passes }
 motion-procedure-outside = { $quantity }在 s = { $at } 处为 { $found }；{ $procedure } 允许（{ $run }）{ $min } 至 { $max }
 motion-procedure-unbounded = { $quantity }在 s = { $at } 处无上限：焊枪在此带弧停止；{ $procedure } 允许（{ $run }）{ $min } 至 { $max }
 motion-procedure-no-power = 焊道没有给出 { $keys }，因此其热输入未知；{ $procedure } 允许（{ $run }）{ $min } 至 { $max }
 motion-procedure-no-faces = 接头两面未知，因此工作角未知；{ $procedure } 允许（{ $run }）{ $min } 至 { $max }
+motion-procedure-no-stick-out = 干伸长未知；{ $procedure } 允许（{ $run }）{ $min } 至 { $max }
 motion-procedure-missing = 焊道没有给出 { $key }；{ $procedure } 允许（{ $run }）{ $min } 至 { $max }
 motion-implausible = { $key } = { $found } 与 { $current } 不符：通常为 { $expected }，上下 { $percent }
 motion-cure-implausible = 检查 { $key }、电流和焊丝；特殊电弧可放宽规程 [plausibility] 中的 percent
@@ -192,6 +197,8 @@ motion-procedure-inclination = 焊缝处于 { $position } 位置（倾角 { $min
 motion-cure-procedure-run = 在工艺文件中加入带焊道名称或编号的 [[runs]]，或重命名焊道；或采用对此评定合格的工艺
 motion-cure-procedure-power = 在 weld.process 中给出 { $keys }，或在工艺的 `power` 中写明构成功率的数值；或采用对此评定合格的工艺
 motion-cure-procedure-work-angle = 从该工艺条目中去掉 work_angle_deg；或采用对此评定合格的工艺
+motion-cure-procedure-stick-out = 在机床文件的 [torch] 中给出 stick_out_mm
+motion-cure-procedure-own-stick-out = 修改该焊道或 [torch] 的 stick_out_mm；或采用对此评定合格的工艺
 motion-cure-procedure-missing = 在 weld.process 中给出 { $key }，或从 [runs.ranges] 中去掉；或采用对此评定合格的工艺
 motion-cure-procedure-slower = 在此要求较低速度；或采用对此评定合格的工艺
 motion-cure-procedure-faster = 在此要求较高速度，或改变放置使各轴能保持；或采用对此评定合格的工艺

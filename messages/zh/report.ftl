@@ -96,6 +96,7 @@ report-column-travel-s = 行走，s
 report-column-arc-on-s = 燃弧，s
 report-column-total-s = 合计，s
 report-column-speed-mm-s = 速度，mm/s
+report-column-stick-out = 干伸长，mm
 report-column-arc-energy = 电弧能量，kJ/mm
 report-column-heat-input = 热输入，kJ/mm
 report-column-length-mm = 长度，mm

@@ -13,7 +13,7 @@ use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
 
 /// Version of the protocol. Both sides must have the same: they are one program, but one may have been replaced.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 /// Maximum size of a request, bytes: a program with its motion.
 pub const MAX_REQUEST: usize = 64 << 20;
 /// Maximum size of a report, bytes: the first one has a program.

@@ -102,6 +102,9 @@ pub struct TorchFile {
     pub direction: Direction,
     /// Torch tip in the last frame of the tool steps, mm, as tool calibration finds it; the frame's origin if missing.
     pub tip_mm: Option<Point>,
+    /// Wire between contact tip and torch tip, mm: the stick-out for which the tip's position holds. A job may weld with
+    /// another one.
+    pub stick_out_mm: Option<Positive>,
     /// Range and speed of a beam's deflection, if the torch is a beam.
     pub deflection: Option<DeflectionFile>,
 }

@@ -65,6 +65,8 @@ pub struct Machine {
     pub sensors: Vec<Sensor>,
     /// Limits of the first head's torch tip against the work.
     pub tip: AxisLimits,
+    /// Wire between the torch's contact tip and its tip, mm, if the file has it.
+    pub stick_out_mm: Option<f64>,
     /// Beam deflection of a machine whose torch is a beam.
     pub deflection: Option<BeamDeflection>,
     /// Unit vector against gravity in the machine's base frame.

@@ -9,24 +9,24 @@ use glam::DVec3;
 type Series<T> = [T; 4];
 
 impl Machine {
-    /// First, second and third derivative of the first head's tip in the work frame by a parameter, from positions (mm
-    /// or rad) and the same derivatives of the indicated axes. Includes the slopes of pitch errors, but not their
-    /// derivatives.
-    pub fn tip_derivatives(&self, motion: &[Joints; 4]) -> [DVec3; 3] {
+    /// First, second and third derivative of the point `ahead` (mm) of the first head's tip along its torch, in the work
+    /// frame and by a parameter. They follow from positions (mm or rad) and the same derivatives of the indicated axes,
+    /// with the slopes of pitch errors, but not their derivatives.
+    pub fn tip_derivatives(&self, motion: &[Joints; 4], ahead: f64) -> [DVec3; 3] {
         let [q, d1, d2, d3] = motion;
         let start = self.true_positions(q);
         let axis = |i: usize| -> Series<f64> {
             let slope = self.axes[i].pitch_error.as_ref().map_or(1.0, |e| e.true_at(q[i]).1);
             [start[i], slope * d1[i], slope * d2[i] / 2.0, slope * d3[i] / 6.0]
         };
-        let [_, c1, c2, c3] = tip(&self.heads[0].chain, axis);
+        let [_, c1, c2, c3] = tip(&self.heads[0].chain, ahead, axis);
         [c1, 2.0 * c2, 6.0 * c3]
     }
 }
 
-/// The tip as a power series, from those of the axes.
-fn tip(chain: &Chain, axis: impl Fn(usize) -> Series<f64>) -> Series<DVec3> {
-    let mut p = [chain.zero.point, DVec3::ZERO, DVec3::ZERO, DVec3::ZERO];
+/// The point `ahead` of the tip as a power series, from those of the axes.
+fn tip(chain: &Chain, ahead: f64, axis: impl Fn(usize) -> Series<f64>) -> Series<DVec3> {
+    let mut p = [chain.zero.ahead(ahead).point, DVec3::ZERO, DVec3::ZERO, DVec3::ZERO];
     for screw in chain.screws.iter().rev() {
         let q = axis(screw.axis);
         match screw.kind {

@@ -173,7 +173,9 @@ impl Corner<'_> {
         for i in 1..PLACES {
             let d = piece.derivatives(at(f64::from(i)));
             // On a path by time the axes move evenly at any tip speed.
-            if !self.joints.timed && self.follower.machine.tip_derivatives(&d)[0].length() < MIN_TIP_RATE {
+            if !self.joints.timed
+                && self.follower.machine.tip_derivatives(&d, self.joints.drawn_back)[0].length() < MIN_TIP_RATE
+            {
                 return Err(Unfit::TurnsBack);
             }
             let here = self.away(&d[0], half);
@@ -202,7 +204,7 @@ impl Corner<'_> {
         (0..=PLACES).all(|i| {
             let u = blend.from + (blend.to - blend.from) * f64::from(i) / f64::from(PLACES);
             let d = blend.derivatives(u);
-            let [r1, r2, r3] = channel_derivatives(self.follower.machine, &d, &mut rows);
+            let [r1, r2, r3] = channel_derivatives(self.follower.machine, self.joints.drawn_back, &d, &mut rows);
             let (square, mixed) = (r1.length_squared(), r1.dot(r2));
             let [b, b1, b2] = if self.joints.timed {
                 [asked * asked, 0.0, 0.0]

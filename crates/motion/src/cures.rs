@@ -358,7 +358,10 @@ impl<'a> Changed<'a> {
                 let Some(groove) = self.path().groove(s) else { return pose };
                 // The torch, seen from the work, leans towards the first part.
                 let Some(about) = (-pose.direction).cross(groove.towards_first).try_normalize() else { return pose };
-                Pose { direction: DQuat::from_axis_angle(about, by.to_radians()) * pose.direction, ..pose }
+                let back = self.path().drawn_back();
+                let arc = pose.ahead(back).point;
+                let direction = DQuat::from_axis_angle(about, by.to_radians()) * pose.direction;
+                Pose { point: arc, direction }.ahead(-back)
             }
         }
     }
@@ -391,6 +394,10 @@ impl TorchPath for Changed<'_> {
 
     fn second(&self, s: f64) -> Option<Pose> {
         self.path().second(s).map(|pose| self.of(pose, s))
+    }
+
+    fn drawn_back(&self) -> f64 {
+        self.path().drawn_back()
     }
 
     fn weave(&self) -> Option<&dyn WovenPath> {

@@ -20,6 +20,8 @@ const TOLERANCE_MM: f64 = 1e-10;
 const TOLERANCE_RAD: f64 = 1e-12;
 /// Panels narrower than this have no coefficients below a part of the tolerance, mm.
 const NARROW_MM: f64 = 0.02;
+/// In panels narrower than this second derivatives are lost in rounding, mm.
+const HAIR_MM: f64 = 1e-3;
 /// Panels are not halved below this part of the path: there the inverse is not smooth.
 const SMALLEST_PANEL: f64 = 1e-6;
 /// Travel of the tip by path length nearer to 1 than this counts as 1.
@@ -60,6 +62,8 @@ pub struct JointPath {
     blends: Vec<(f64, f64)>,
     /// True if the tip's travel by path length is not 1, as beside a seam.
     pub(crate) beside: bool,
+    /// Distance of the machine's tip behind the arc, mm, to which speeds belong.
+    pub(crate) drawn_back: f64,
     /// With a weave, the travel of its centre line by path length, panel by panel: the requested speed applies to it.
     line: Option<Vec<Series>>,
 }
@@ -90,6 +94,7 @@ impl JointPath {
         built.bends = follower.bends();
         built.stops = follower.path.points().map_or(Vec::new(), seamwright_program::ThroughPoints::stops);
         built.timed = follower.path.points().is_some();
+        built.drawn_back = follower.path.drawn_back();
         built.line = follower.path.weave().map(|_| Vec::new());
         let mut near = *start;
         let mut todo: Vec<(f64, f64)> = Vec::new();
@@ -137,7 +142,15 @@ impl JointPath {
             && self.panels.first().is_some_and(|first| first.start.total_cmp(&0.0).is_eq())
             && self.panels.iter().all(|p| p.start < p.end)
             && ends.zip(starts).all(|(end, start)| end.total_cmp(&start).is_eq())
-            && self.blocks.iter().flatten().flatten().chain(marks()).chain(line).all(|value| value.is_finite())
+            && self
+                .blocks
+                .iter()
+                .flatten()
+                .flatten()
+                .chain(marks())
+                .chain(line)
+                .chain([&self.drawn_back])
+                .all(|value| value.is_finite())
     }
 
     /// Length of the path, mm.
@@ -214,6 +227,18 @@ impl JointPath {
         let i = self.panel(s, before);
         let panel = self.panels[i];
         self.point_in(i, s.clamp(panel.start, panel.end))
+    }
+
+    /// The same from the nearest panel wide enough for second derivatives, as positions given by hand may lie a hair beside
+    /// those of a bead. `None` without one on that side.
+    pub(crate) fn point_in_wide(&self, s: f64, before: bool) -> Option<JointPoint> {
+        let is_wide = |p: &Panel| p.end - p.start > HAIR_MM;
+        let i = self.panel(s, before);
+        let wide = match before {
+            true => self.panels[..=i].iter().rposition(is_wide),
+            false => self.panels[i..].iter().position(is_wide).map(|k| i + k),
+        };
+        wide.map(|i| self.point_in(i, s.clamp(self.panels[i].start, self.panels[i].end)))
     }
 
     /// The same from panel `i`, continued where `s` is beyond its ends by rounding.

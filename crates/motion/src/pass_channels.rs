@@ -63,7 +63,8 @@ impl<'a> PassChannels<'a> {
 
     /// An axis whose speed or acceleration would jump at `s` at the requested speed.
     fn corner(&self, s: f64) -> Option<usize> {
-        let (before, after) = (self.path.point(s, true), self.path.point(s, false));
+        // At the ends there is nothing to jump from.
+        let (before, after) = (self.path.point_in_wide(s, true)?, self.path.point_in_wide(s, false)?);
         // Limited to the axes' speeds, so that rounding at a high requested speed is not a corner.
         let axes = &self.limits[..self.machine.axes.len()];
         let held = axes.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
@@ -90,7 +91,7 @@ impl Channels for PassChannels<'_> {
         let p = self.path.point(s, before);
         let has_rate = self.path.has_rate(s);
         if has_rate || out.len() > self.machine.axes.len() {
-            let [d1, ..] = channel_derivatives(self.machine, &[p.q, p.d1, p.d2, p.d3], out);
+            let [d1, ..] = channel_derivatives(self.machine, self.path.drawn_back, &[p.q, p.d1, p.d2, p.d3], out);
             let line = self.path.line_rate(self.path.panel(s, before), s);
             return if has_rate { line.unwrap_or(d1.length()) } else { 1.0 };
         }

@@ -24,11 +24,16 @@ const UNBOUNDED: f64 = 1e12;
 const ACROSS: f64 = 0.25;
 
 /// Writes the derivatives of all channels to `out`, from the positions and derivatives `d` of the axes of `machine`.
-/// Returns those of the tip.
-pub(crate) fn channel_derivatives(machine: &Machine, d: &[Joints; 4], out: &mut [[f64; 3]]) -> [DVec3; 3] {
+/// Returns those of the tip, which is the arc of a torch that is `drawn_back` (mm).
+pub(crate) fn channel_derivatives(
+    machine: &Machine,
+    drawn_back: f64,
+    d: &[Joints; 4],
+    out: &mut [[f64; 3]],
+) -> [DVec3; 3] {
     let (axes, tip) = out.split_at_mut(machine.axes.len());
     axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
-    let motion = machine.tip_derivatives(d);
+    let motion = machine.tip_derivatives(d, drawn_back);
     if !tip.is_empty() {
         TipChannels::derivatives(motion, tip);
     }

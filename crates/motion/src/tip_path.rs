@@ -29,7 +29,7 @@ impl TipPath<'_> {
     fn tip(&self, s: f64) -> (DVec3, DVec3) {
         let JointPoint { q, d1, .. } = self.joints.point(s, false);
         let rest = Joints::default();
-        (self.machine.forward(&q).point, self.machine.tip_derivatives(&[q, d1, rest, rest])[0])
+        (self.machine.forward(&q).point, self.machine.tip_derivatives(&[q, d1, rest, rest], 0.0)[0])
     }
 
     /// Length, mm.

@@ -2,14 +2,14 @@
 //!
 //! At stations along the pass, changes of the work angle are tried in steps, each with the machine's axes and every
 //! watch of the surroundings. Dynamic programming chooses one at each station: small changes that turn slowly. On a pass
-//! all round it starts and ends in the same angle. The travel angle changes by the same amount all along; amounts are
-//! tried from the smallest on. The chosen angles are checked again between the stations; if that fails, more clearance
+//! all round it starts and ends in the same angle. The travel angle changes by the same amount all along, and so does the
+//! stick-out; amounts are tried from the smallest on, every travel angle before a longer stick-out. The chosen angles are checked again between the stations; if that fails, more clearance
 //! is asked for, twice at most. So the effort is bounded, and the same pass always gives the same angles.
 
 use crate::transfer::{RootAt, too_near};
 use glam::DVec3;
 use seamwright_clearance::Evaluation;
-use seamwright_geometry::Pose;
+use seamwright_geometry::{MonotoneCurve, Pose};
 use seamwright_machine::{AxisKind, Joints, Machine, Surroundings, Target};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, Groove, PathRange, TorchPath};
@@ -18,6 +18,8 @@ use std::f64::consts::TAU;
 /// Steps of the angles, degrees.
 const STEP_DEG: f64 = 2.5;
 const TRAVEL_STEP_DEG: f64 = 5.0;
+/// Step of the stick-out, mm.
+const STICK_OUT_STEP_MM: f64 = 1.0;
 /// Distance of stations, mm, and their minimum and maximum number.
 const STATION_MM: f64 = 8.0;
 const STATIONS: (usize, usize) = (16, 96);
@@ -25,21 +27,27 @@ const STATIONS: (usize, usize) = (16, 96);
 const CHECKS: usize = 4;
 /// Clearance beyond the minimum that is asked for, mm: more in each round.
 const MARGINS_MM: [f64; 3] = [0.1, 0.5, 1.2];
+/// Clearance beyond the minimum that the chosen angles must keep between stations, mm: angles in files are rounded.
+const KEPT_MM: f64 = 0.02;
+/// Minimum angle of the torch to the faces of both parts, degrees.
+const OFF_FACE_DEG: f64 = 0.5;
 /// Maximum turn from one station to the next, degrees.
 const MAX_TURN_DEG: f64 = 10.0;
 /// Cost of turning beside that of the change itself: ten stations take up a change of 25 degrees at equal costs.
 const TURNING: f64 = 8.0;
 
-/// Limits of the search: changes of the angles in both senses, rad.
+/// Limits of the search: changes of the angles in both senses, rad, and of the stick-out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AngleLimits {
     /// Of the work angle.
     pub work: f64,
     /// Of the travel angle.
     pub travel: f64,
+    /// Maximum addition to the stick-out, mm.
+    pub longer: f64,
 }
 
-/// Changes of the torch's angles at a path length of the pass.
+/// Changes of the torch's angles and stick-out at a path length of the pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AngleChange {
     /// Path length of the pass, mm.
@@ -48,6 +56,8 @@ pub struct AngleChange {
     pub work: f64,
     /// Change of the travel angle, rad, positive to drag.
     pub travel: f64,
+    /// Addition to the stick-out, mm.
+    pub longer: f64,
 }
 
 /// Result of [`search_angles`].
@@ -72,7 +82,7 @@ pub struct AngleTask<'a> {
     pub turn: Option<f64>,
     /// Limits of the changes.
     pub limits: AngleLimits,
-    /// True if the procedure allows these changes of work and travel angle (rad) at a path length.
+    /// True if the procedure allows these changes at a path length.
     pub allowed: &'a dyn Fn(AngleChange) -> bool,
 }
 
@@ -84,23 +94,35 @@ pub fn search_angles(machine: &Machine, around: &Surroundings, task: AngleTask) 
         return AngleSearch::Unchanged;
     }
     let Some(search) = Search::new(machine, around, task, path) else { return AngleSearch::Unchanged };
-    if search.is_clear(&vec![0.0; search.places.len()], 0.0, 0.0) {
+    if search.is_clear(&vec![0.0; search.places.len()], Whole::default(), 0.0) {
         return AngleSearch::Unchanged;
     }
-    let step = TRAVEL_STEP_DEG.to_radians();
-    let count = (task.limits.travel / step + 1e-9).floor() as i32;
-    let travels = std::iter::once(0).chain((1..=count).flat_map(|k| [k, -k])).map(|k| f64::from(k) * step);
-    for travel in travels {
-        let margins = search.margins(travel);
+    let mut tightest = 0;
+    for whole in search.wholes() {
+        let Some(margins) = search.margins(whole, &mut tightest) else { continue };
         for more in MARGINS_MM {
             let Some(works) = search.chosen(&margins, more) else { break };
-            if search.is_clear(&works, travel, 0.0) {
+            if search.is_clear(&works, whole, KEPT_MM) {
                 let changes = search.places.iter().zip(works);
-                return AngleSearch::Changed(changes.map(|(s, work)| AngleChange { s: *s, work, travel }).collect());
+                return AngleSearch::Changed(changes.map(|(s, work)| whole.at(*s, work)).collect());
             }
         }
     }
     search.blocked()
+}
+
+/// Changes that are the same all along a pass.
+#[derive(Debug, Clone, Copy, Default)]
+struct Whole {
+    travel: f64,
+    longer: f64,
+}
+
+impl Whole {
+    /// The changes at `s` with one of the work angle.
+    fn at(self, s: f64, work: f64) -> AngleChange {
+        AngleChange { s, work, travel: self.travel, longer: self.longer }
+    }
 }
 
 struct Search<'a> {
@@ -141,13 +163,31 @@ impl<'a> Search<'a> {
         Some(Self { machine, around, task, path, places, axes, works })
     }
 
+    /// The changes all along that are tried, in this order.
+    fn wholes(&self) -> impl Iterator<Item = Whole> + use<> {
+        let AngleLimits { travel, longer, .. } = self.task.limits;
+        let step = TRAVEL_STEP_DEG.to_radians();
+        let count = (travel / step + 1e-9).floor() as i32;
+        let travels =
+            move || std::iter::once(0).chain((1..=count).flat_map(|k| [k, -k])).map(move |k| f64::from(k) * step);
+        let steps = (longer / STICK_OUT_STEP_MM + 1e-9).floor() as i32;
+        let lengths = (0..=steps).map(|k| f64::from(k) * STICK_OUT_STEP_MM);
+        lengths.flat_map(move |longer| travels().map(move |travel| Whole { travel, longer }))
+    }
+
     /// The watch with the smallest margin with changed angles, its evaluation and the margin; `None` if the axes cannot
     /// reach the pose or may not.
     fn nearest(&self, near: &Joints, change: AngleChange) -> Option<(f64, Option<(usize, Evaluation)>)> {
         if !(self.task.allowed)(change) {
             return None;
         }
-        let pose = turned(self.path.pose(change.s), &self.path.groove(change.s)?, change);
+        let arc = self.path.pose(change.s).ahead(self.path.drawn_back());
+        let groove = self.path.groove(change.s)?;
+        let turned = turned(arc, &groove, change);
+        if is_in_face(&groove, -turned.direction) {
+            return None;
+        }
+        let pose = turned.ahead(-self.path.drawn_back() - change.longer);
         let target: Target = pose.into();
         let q = self.machine.inverse_near(target, near).ok()?.joints;
         // An axis that is out of range with the angles as they are is for the plan to report, and so are whole turns.
@@ -168,16 +208,29 @@ impl<'a> Search<'a> {
         Some((margin, nearest))
     }
 
-    /// Margins beyond the minimum clearance, mm, by station and change of the work angle.
-    fn margins(&self, travel: f64) -> Vec<Vec<f64>> {
-        let at = |(s, near): (&f64, &Joints)| {
+    /// Margins beyond the minimum clearance, mm, by station and change of the work angle. `None` if a station has none
+    /// that is clear: the `tightest`, which is tried first, and becomes that one.
+    fn margins(&self, whole: Whole, tightest: &mut usize) -> Option<Vec<Vec<f64>>> {
+        let row = |i: usize| -> Vec<f64> {
             let one = |work: &f64| {
-                let found = self.nearest(near, AngleChange { s: *s, work: *work, travel });
+                let found = self.nearest(&self.axes[i], whole.at(self.places[i], *work));
                 found.map_or(f64::NEG_INFINITY, |(margin, _)| margin)
             };
             self.works.iter().map(one).collect()
         };
-        self.places.iter().zip(&self.axes).map(at).collect()
+        let is_open = |row: &[f64]| row.iter().any(|margin| *margin >= MARGINS_MM[0]);
+        if !is_open(&row(*tightest)) {
+            return None;
+        }
+        let mut rows = Vec::with_capacity(self.places.len());
+        for i in 0..self.places.len() {
+            rows.push(row(i));
+            if !is_open(&rows[i]) {
+                *tightest = i;
+                return None;
+            }
+        }
+        Some(rows)
     }
 
     /// Changes of the work angle by station that keep `more` than the minimum clearance, changing least.
@@ -235,47 +288,76 @@ impl<'a> Search<'a> {
         Some(steps)
     }
 
-    /// True if the pass keeps its minimum clearance and `more` with these changes, at stations and between them.
-    fn is_clear(&self, works: &[f64], travel: f64, more: f64) -> bool {
+    /// True if the pass keeps its minimum clearance and `more` with these changes, at stations and between them, where
+    /// the angles change as those of a pass do.
+    fn is_clear(&self, works: &[f64], whole: Whole, more: f64) -> bool {
+        let rows: Vec<(f64, f64)> = self.places.iter().copied().zip(works.iter().copied()).collect();
+        let Ok(work) = MonotoneCurve::new(&rows, self.task.turn) else { return false };
         let count = self.places.len();
         let last = if self.task.turn.is_some() { count } else { count - 1 };
         let length = self.task.turn.unwrap_or_else(|| self.path.length());
         (0..last).all(|i| {
-            let next = (i + 1) % count;
-            let end = if next == 0 { length } else { self.places[next] };
+            let end = self.places.get(i + 1).copied().unwrap_or(length);
             (0..CHECKS).all(|k| {
                 let part = k as f64 / CHECKS as f64;
                 let s = (self.places[i] + part * (end - self.places[i])).min(self.path.length());
-                let work = works[i] + part * (works[next] - works[i]);
-                let found = self.nearest(&self.axes[i], AngleChange { s, work, travel });
+                let found = self.nearest(&self.axes[i], whole.at(s, work.at(s)));
                 found.is_some_and(|(margin, _)| margin >= more)
             })
         })
     }
 
-    /// The reason why no angles are clear: at the station with the least room, the two bodies that are nearest with the
-    /// best angles.
+    /// The reason why no angles are clear: a station where none is allowed, the two bodies that are nearest with the best
+    /// angles where there is least room, or angles that change too fast along the seam.
     fn blocked(&self) -> AngleSearch {
-        let best = |i: usize| {
-            let one =
-                |work: &f64| self.nearest(&self.axes[i], AngleChange { s: self.places[i], work: *work, travel: 0.0 });
-            self.works.iter().filter_map(one).max_by(|a, b| a.0.total_cmp(&b.0))
-        };
-        let all = (0..self.places.len()).filter_map(|i| best(i).map(|found| (i, found)));
-        let Some((i, (_, Some((watch, found))))) = all.min_by(|a, b| a.1.0.total_cmp(&b.1.0)) else {
-            return AngleSearch::Unchanged;
-        };
-        let s = self.places[i];
-        let root = RootAt::of(self.path, s);
-        let degrees = |angle: f64| angle.to_degrees();
-        let message = Message::new("motion-no-torch-angle")
-            .quantity("work", degrees(self.task.limits.work), Unit::Deg, 1)
-            .quantity("travel", degrees(self.task.limits.travel), Unit::Deg, 1)
-            .message("reason", too_near(self.around, watch, &found, root.as_ref()));
+        let longest = (self.task.limits.longer / STICK_OUT_STEP_MM + 1e-9).floor() * STICK_OUT_STEP_MM;
+        let whole = Whole { travel: 0.0, longer: longest };
+        let mut least: Option<(f64, f64, Option<(usize, Evaluation)>)> = None;
+        for (s, near) in self.places.iter().zip(&self.axes) {
+            let found = self.works.iter().filter_map(|work| self.nearest(near, whole.at(*s, *work)));
+            let Some((margin, nearest)) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else {
+                return self.no_angle(*s, Message::new("motion-angle-none-allowed"));
+            };
+            if least.as_ref().is_none_or(|(known, ..)| margin < *known) {
+                least = Some((margin, *s, nearest));
+            }
+        }
+        match least {
+            Some((margin, s, Some((watch, found)))) if margin < MARGINS_MM[0] => {
+                let root = RootAt::of(self.path, s);
+                self.no_angle(s, too_near(self.around, watch, &found, root.as_ref()))
+            }
+            _ => {
+                let reason = Message::new("motion-angle-turns-too-fast")
+                    .value("turn", MAX_TURN_DEG, Unit::Deg)
+                    .quantity("way", self.places[1] - self.places[0], Unit::Mm, 1);
+                self.no_angle(least.map_or(0.0, |(_, s, _)| s), reason)
+            }
+        }
+    }
+
+    /// No angles are clear at `s`, for this reason.
+    fn no_angle(&self, s: f64, reason: Message) -> AngleSearch {
+        let AngleLimits { work, travel, longer } = self.task.limits;
+        let code = if longer > 0.0 { "motion-no-torch-angle-longer" } else { "motion-no-torch-angle" };
+        let mut message = Message::new(code)
+            .quantity("work", work.to_degrees(), Unit::Deg, 1)
+            .quantity("travel", travel.to_degrees(), Unit::Deg, 1)
+            .message("reason", reason);
+        if longer > 0.0 {
+            message = message.quantity("longer", longer, Unit::Mm, 1);
+        }
         let cure = Message::new("motion-cure-torch-angle");
         let finding = Finding::error("clearance", message, self.task.number, PathRange::at(s), cure);
         AngleSearch::Blocked(Box::new(finding))
     }
+}
+
+/// True if the unit vector `torch`, from joint to torch, points into a face of the joint.
+fn is_in_face(groove: &Groove, torch: DVec3) -> bool {
+    let (sin, cos) = (0.5 * groove.dihedral).sin_cos();
+    let off = |side: f64| torch.dot(sin * groove.face - side * cos * groove.towards_first);
+    off(1.0).min(off(-1.0)) < OFF_FACE_DEG.to_radians().sin()
 }
 
 /// The pose with changed angles: about the tangent by the work angle, and in the plane of torch and tangent by the

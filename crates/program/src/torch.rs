@@ -1,7 +1,7 @@
 use crate::path_range::PathRange;
 use glam::DVec3;
 use schemars::JsonSchema;
-use seamwright_document::{Finite, NonNegative};
+use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +20,10 @@ pub struct Torch {
     /// Angles at several path lengths, instead of the constant ones.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub at: Vec<TorchAt>,
+    /// Stick-out, mm: wire between contact tip and arc. The torch is drawn back along its axis by what this is more than
+    /// the machine's own, which it is if missing. The machine's file must have `stick_out_mm` in `[torch]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stick_out_mm: Option<Positive>,
     /// Search of angles for passes on which the torch comes too near to part or fixtures; no search if missing. A pass
     /// that is clear keeps its angles. In the plan's program the angles found stand in `at`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -34,12 +38,15 @@ pub struct TorchSearch {
     pub max_work_deg: NonNegative,
     /// Maximum change of the travel angle in both senses, degrees; the same all along a pass.
     pub max_travel_deg: NonNegative,
+    /// Maximum stick-out, mm, tried in steps where no angles are clear; the stick-out stays if missing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_stick_out_mm: Option<Positive>,
 }
 
 impl Default for TorchSearch {
     fn default() -> Self {
         let degrees = |value| NonNegative::new(value).unwrap_or_default();
-        Self { max_work_deg: degrees(25.0), max_travel_deg: degrees(10.0) }
+        Self { max_work_deg: degrees(25.0), max_travel_deg: degrees(10.0), max_stick_out_mm: None }
     }
 }
 
@@ -96,7 +103,8 @@ pub trait TorchPath: Sync {
 
     /// Point at path length `s` of the line on which the tip moves, or about which it weaves.
     fn line_point(&self, s: f64) -> DVec3 {
-        self.pose(s).point - self.weave().map_or(DVec3::ZERO, |weave| weave.swing(s))
+        let tip = self.pose(s).ahead(self.drawn_back()).point;
+        tip - self.weave().map_or(DVec3::ZERO, |weave| weave.swing(s))
     }
 
     /// The same point, and the unit tangent of that line.
@@ -127,6 +135,12 @@ pub trait TorchPath: Sync {
     /// Tip and direction of a second torch that welds at the same time, at path length `s` of the first.
     fn second(&self, _s: f64) -> Option<Pose> {
         None
+    }
+
+    /// Distance of the machine's torch tip behind the arc along the torch's axis, mm: what the stick-out is more than
+    /// the machine's. [`pose`](Self::pose) is the machine's tip, the line that of the arc.
+    fn drawn_back(&self) -> f64 {
+        0.0
     }
 
     /// The weave of the tip about the path's line.

@@ -432,7 +432,10 @@ impl Loaded {
             motion
         });
         Ok(match planned {
-            Ok(motion) if findings.iter().all(|f| f.allowed) => Ok(motion),
+            Ok(mut motion) if findings.iter().all(|f| f.allowed) => {
+                motion.findings.splice(0..0, findings);
+                Ok(motion)
+            }
             Ok(motion) => {
                 findings.extend(motion.findings);
                 Err(findings)

@@ -124,4 +124,8 @@ impl MachineAxes for Axes {
     fn torch(&self, positions: &AxisPositions) -> Pose {
         self.0.forward(positions)
     }
+
+    fn stick_out(&self) -> Option<f64> {
+        self.0.stick_out_mm
+    }
 }

@@ -1,7 +1,7 @@
 //! Torch angles of passes that the job asks to search.
 
 use crate::failure::Failure;
-use seamwright_document::Finite;
+use seamwright_document::{Finite, Positive};
 use seamwright_machine::{Clamped, Machine, Surroundings};
 use seamwright_motion::{AngleChange, AngleLimits, AngleSearch, AngleTask, search_angles};
 use seamwright_program::{Finding, SAME_POSITION_MM, Torch, TorchAt, TorchPath, Window};
@@ -25,17 +25,18 @@ pub(crate) fn searched(
         let Some(search) = welding.program.value.passes[pass].torch.search else { continue };
         let around = around.with_part(metal.get(pass).map_or(&[], Vec::as_slice)).map_err(|e| fault(e.message()))?;
         let limits = AngleLimits {
+            longer: longer(&welding, pass, machine),
             work: search.max_work_deg.get().to_radians(),
             travel: search.max_travel_deg.get().to_radians(),
         };
         let mut torch = Torch { search: None, ..welding.program.value.passes[pass].torch.clone() };
         if let Some(path) = welding.path(pass).along_seam() {
             let turn = Some(path.seam.length()).filter(|turn| path.seam.all_round() && path.length() >= *turn);
-            let allowed = |change: AngleChange| is_allowed(&welding, pass, path, change);
+            let allowed = |change: AngleChange| is_allowed(&welding, pass, path, machine, change);
             let task = AngleTask { path, number: pass + 1, turn, limits, allowed: &allowed };
             match search_angles(machine, &around, task) {
                 AngleSearch::Unchanged => {}
-                AngleSearch::Changed(changes) => torch = changed(path, &changes),
+                AngleSearch::Changed(changes) => torch = changed(path, &changes, &torch, machine),
                 AngleSearch::Blocked(finding) => blocked.push(*finding),
             }
         }
@@ -44,12 +45,20 @@ pub(crate) fn searched(
     Ok((welding, blocked))
 }
 
+/// What the stick-out of a pass may become longer, mm.
+fn longer(welding: &Welding, pass: usize, machine: &Machine) -> f64 {
+    let torch = &welding.program.value.passes[pass].torch;
+    let most = torch.search.and_then(|search| search.max_stick_out_mm);
+    let own = torch.stick_out_mm.map(Positive::get).or(machine.stick_out_mm);
+    most.zip(own).map_or(0.0, |(most, own)| (most.get() - own).max(0.0))
+}
+
 /// Beyond these angles the torch lies on a face or along the seam, degrees.
 const MAX_WORK_DEG: f64 = 85.0;
 const MAX_TRAVEL_DEG: f64 = 70.0;
 
 /// True if the angles are possible, and within the procedure's windows where it has any.
-fn is_allowed(welding: &Welding, pass: usize, path: &PassPath, change: AngleChange) -> bool {
+fn is_allowed(welding: &Welding, pass: usize, path: &PassPath, machine: &Machine, change: AngleChange) -> bool {
     let (work, travel) = path.angles(change.s);
     let [work, travel] = [work + change.work, travel + change.travel].map(f64::to_degrees);
     let program = &welding.program.value;
@@ -65,24 +74,37 @@ fn is_allowed(welding: &Welding, pass: usize, path: &PassPath, change: AngleChan
     work.abs() < MAX_WORK_DEG
         && travel.abs() < MAX_TRAVEL_DEG
         && run.is_none_or(|run| {
+            let given = machine.stick_out_mm.map(|own| own + path.drawn_back);
             is_within(run.work_angle_deg, work, given_work.to_degrees())
+                && given.is_none_or(|given| is_within(run.stick_out_mm, given + change.longer, given))
                 && is_within(run.travel_angle_deg, travel, given_travel.to_degrees())
         })
 }
 
-/// Angles along the seam with changes: a row for each of them.
-fn changed(path: &PassPath, changes: &[AngleChange]) -> Torch {
+/// A row of angles nearer than this to a row of the bead or a knot of the seam is moved there, mm: between two rows a hair
+/// apart, derivatives of the axes are lost in rounding.
+const NEAR_MM: f64 = 0.05;
+
+/// The torch of a pass with changes: a row of angles for each of them.
+fn changed(path: &PassPath, changes: &[AngleChange], torch: &Torch, machine: &Machine) -> Torch {
     let seam = path.seam;
+    let on_seam = |s: f64| {
+        let at = path.stretch.seam_s(s);
+        if seam.all_round() { at.rem_euclid(seam.length()) } else { at.clamp(0.0, seam.weld_length()) }
+    };
     // Rounded to a thousandth of a degree and a tenth of a micrometre.
     let rounded = |value: f64, digits: f64| Finite::new((value * digits).round() / digits).unwrap_or_default();
+    let knots = path.knots();
+    let placed = |s: f64| match knots.iter().find(|knot| (**knot - s).abs() < NEAR_MM) {
+        Some(knot) => Finite::new(on_seam(*knot)).unwrap_or_default(),
+        None => rounded(on_seam(s), 1e4),
+    };
     let mut rows: Vec<TorchAt> = changes
         .iter()
         .map(|change| {
-            let at = path.stretch.seam_s(change.s);
-            let s = if seam.all_round() { at.rem_euclid(seam.length()) } else { at.clamp(0.0, seam.weld_length()) };
-            let (work, travel) = path.attitude.angles(s);
+            let (work, travel) = path.attitude.angles(on_seam(change.s));
             TorchAt {
-                s_mm: rounded(s, 1e4),
+                s_mm: placed(change.s),
                 work_angle_deg: rounded((work + change.work).to_degrees(), 1e3),
                 travel_angle_deg: rounded((travel + change.travel).to_degrees(), 1e3),
             }
@@ -93,5 +115,11 @@ fn changed(path: &PassPath, changes: &[AngleChange]) -> Torch {
     let end = seam.length() - SAME_POSITION_MM;
     rows.retain(|row| !seam.all_round() || row.s_mm.get() < end);
     rows.dedup_by(|a, b| a.s_mm.get() - b.s_mm.get() < SAME_POSITION_MM);
-    Torch { at: rows, ..Torch::default() }
+    let longer = changes.first().map_or(0.0, |change| change.longer);
+    let own = torch.stick_out_mm.map(Positive::get).or(machine.stick_out_mm);
+    let stick_out_mm = match own.filter(|_| longer > 0.0) {
+        Some(own) => Positive::new(own + longer),
+        None => torch.stick_out_mm,
+    };
+    Torch { at: rows, stick_out_mm, ..Torch::default() }
 }

@@ -59,6 +59,7 @@ mod scan;
 mod seam;
 mod space_seam;
 mod spline_seam;
+mod stick_out;
 mod stretch;
 mod surfaces;
 mod t_joint;

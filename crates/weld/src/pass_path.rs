@@ -26,6 +26,8 @@ pub struct PassPath<'a> {
     pub bead: Option<&'a BeadLine>,
     /// Weave of the torch about the bead's line, if any.
     pub weaving: Option<Weaving>,
+    /// What the stick-out is more than the machine's, mm.
+    pub drawn_back: f64,
     /// The frame of the pass' copy of the seam in the work frame: work offset and placement.
     pub placement: DAffine3,
 }
@@ -68,10 +70,10 @@ impl PassPath<'_> {
         across * (cos * aside + sin * axis) + along * self.stretch.sense * p.along
     }
 
-    /// The woven torch over a point of the seam as a pose in the work frame.
+    /// The machine's tip of the woven torch over a point of the seam as a pose in the work frame.
     fn placed(&self, p: &SeamPoint, s: f64) -> Pose {
         let (tip, axis) = self.torch_at(p);
-        let tip = tip + self.swing_at(p, axis, s);
+        let tip = tip + self.swing_at(p, axis, s) + self.drawn_back * axis;
         Pose { point: self.placement.transform_point3(tip), direction: self.placement.transform_vector3(-axis) }
     }
 }
@@ -114,6 +116,10 @@ impl TorchPath for PassPath<'_> {
 
     fn second(&self, s: f64) -> Option<Pose> {
         self.seam.across(&self.seam_point(s)).map(|p| self.placed(&p, s))
+    }
+
+    fn drawn_back(&self) -> f64 {
+        self.drawn_back
     }
 
     fn weave(&self) -> Option<&dyn WovenPath> {

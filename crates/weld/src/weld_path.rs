@@ -72,6 +72,10 @@ impl TorchPath for WeldPath<'_> {
         self.path().second(s)
     }
 
+    fn drawn_back(&self) -> f64 {
+        self.path().drawn_back()
+    }
+
     fn weave(&self) -> Option<&dyn WovenPath> {
         self.path().weave()
     }

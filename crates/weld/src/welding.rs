@@ -11,7 +11,7 @@ use crate::seam::SeamCurve;
 use crate::stretch::Stretch;
 use crate::tube_cut::Cut;
 use crate::weld_path::WeldPath;
-use crate::{body, order, procedure};
+use crate::{body, order, procedure, stick_out};
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, MAX_TRAVEL_S, Pass, PathRange, Program, Role, Seam, Torch, Weaving};
@@ -33,6 +33,8 @@ pub struct Welding {
     pub plan: Option<BeadPlan>,
     /// Findings against the plan.
     plan_findings: Vec<Finding>,
+    /// Stick-out of the machine's torch, mm, if a pass needs it.
+    machine_stick_out: Option<f64>,
     /// The end of the branch or nozzle as it is cut, if the file has the data for it.
     pub cut: Option<Cut>,
 }
@@ -119,9 +121,10 @@ impl Welding {
         }
         let program = job.with(program);
         let keys: Vec<PassKeys> = program.value.passes.iter().map(|pass| PassKeys::derived(j, pass)).collect();
-        let lines = pass_lines(&program, Some(&seam), &keys, outside)?;
+        let machine_stick_out = stick_out::of_machine(&program, outside)?;
+        let lines = pass_lines(&program, Some(&seam), &keys, machine_stick_out, outside)?;
         let lines = lines.into_iter().map(Arc::new).collect();
-        Ok(Self { program, seam: Some(seam), lines, keys, joint, plan, plan_findings, cut })
+        Ok(Self { program, seam: Some(seam), lines, keys, joint, plan, plan_findings, machine_stick_out, cut })
     }
 
     fn from_program(program: &Document<Program>, outside: &dyn Outside) -> Result<Self, DocumentError> {
@@ -129,7 +132,8 @@ impl Welding {
         let seam =
             p.seam.as_ref().map(|seam| SeamCurve::with_taught(program, seam, &p.start, &p.taught)).transpose()?;
         let keys: Vec<PassKeys> = (0..p.passes.len()).map(PassKeys::listed).collect();
-        let lines = pass_lines(program, seam.as_ref(), &keys, outside)?;
+        let machine_stick_out = stick_out::of_machine(program, outside)?;
+        let lines = pass_lines(program, seam.as_ref(), &keys, machine_stick_out, outside)?;
         let joint = match (&p.joint, &seam) {
             (Some(joint), Some(seam)) => Some(SeamJoint::new(program, joint, seam)?),
             _ => None,
@@ -152,7 +156,7 @@ impl Welding {
             }
         }
         let program = program.with(value);
-        Ok(Self { program, seam, lines, keys, joint, plan: None, plan_findings, cut })
+        Ok(Self { program, seam, lines, keys, joint, plan: None, plan_findings, machine_stick_out, cut })
     }
 
     /// The same with other torch angles in pass `pass`, counted from 0.
@@ -161,8 +165,10 @@ impl Welding {
     /// With the key's address: angles out of range.
     pub fn with_torch(mut self, pass: usize, torch: Torch) -> Result<Self, DocumentError> {
         let (Some(seam), PassLine::Seam(line)) = (&self.seam, self.lines[pass].as_ref()) else { return Ok(self) };
-        let attitude = Attitude::new(&self.program, &self.keys[pass].of("torch"), &torch, seam)?;
-        let line = SeamLine { stretch: line.stretch, attitude, bead: line.bead.clone() };
+        let key = self.keys[pass].of("torch");
+        let attitude = Attitude::new(&self.program, &key, &torch, seam)?;
+        let drawn_back = stick_out::drawn_back(&self.program, &key, &torch, self.machine_stick_out)?;
+        let line = SeamLine { stretch: line.stretch, attitude, bead: line.bead.clone(), drawn_back };
         self.lines[pass] = Arc::new(PassLine::Seam(Box::new(line)));
         self.program.value.passes[pass].torch = torch;
         Ok(self)
@@ -179,6 +185,7 @@ impl Welding {
                 attitude: line.attitude.clone(),
                 bead: line.bead.as_ref(),
                 weaving: Weaving::new(&self.program.value.passes[pass]),
+                drawn_back: line.drawn_back,
                 placement: self.program.value.copy_in_work(self.program.value.passes[pass].copy),
             })),
             // Reading a program refuses it.
@@ -287,6 +294,8 @@ struct SeamLine {
     attitude: Attitude,
     /// Position of the bead beside the seam, if it has one.
     bead: Option<BeadLine>,
+    /// What the stick-out is more than the machine's, mm.
+    drawn_back: f64,
 }
 
 /// Lines of the passes of `program`; `keys` are the keys of their values in the file.
@@ -294,6 +303,7 @@ fn pass_lines(
     program: &Document<Program>,
     seam: Option<&SeamCurve>,
     keys: &[PassKeys],
+    machine_stick_out: Option<f64>,
     outside: &dyn Outside,
 ) -> Result<Vec<PassLine>, DocumentError> {
     let machine = || {
@@ -322,7 +332,8 @@ fn pass_lines(
         let bead = |bead| BeadLine::new(program, keys, bead, seam, &stretch);
         let attitude = Attitude::new(program, &keys.of("torch"), &pass.torch, seam)?;
         let bead = pass.bead.as_ref().map(bead).transpose()?;
-        Ok(PassLine::Seam(Box::new(SeamLine { stretch, attitude, bead })))
+        let drawn_back = stick_out::drawn_back(program, &keys.of("torch"), &pass.torch, machine_stick_out)?;
+        Ok(PassLine::Seam(Box::new(SeamLine { stretch, attitude, bead, drawn_back })))
     };
     program.value.passes.iter().enumerate().map(line).collect()
 }

@@ -186,7 +186,7 @@ impl<'a> LiveHead<'a> {
     /// Updates the offset of the torch from the encoders after the drives' step to `s`. The torch weaves while it is
     /// on its path.
     pub(super) fn feel(&mut self, machine: &Machine, s: f64, q: &Joints, weaves: bool) {
-        let tip = machine.forward_of(self.number, q).point;
+        let tip = machine.forward_of(self.number, q).ahead(self.path.drawn_back()).point;
         let frame = self.frame(s);
         self.swing = if weaves { swing_at(self.path, s, &frame) } else { DVec3::ZERO };
         self.off = frame.components(tip - frame.point) - self.swing;

@@ -60,6 +60,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         devices,
         controls: m.controls.clone(),
         tip: m.tip.limits(),
+        stick_out_mm: m.torch.as_ref().and_then(|torch| torch.stick_out_mm).map(Positive::get),
         deflection: m.torch.as_ref().and_then(|torch| torch.deflection).map(DeflectionFile::beam),
         up: m.up.map_or(DVec3::Z, Direction::unit),
         pair: Pair::new(&heads),

@@ -66,7 +66,10 @@ impl Timed for PassTimed<'_> {
         (0..axes).for_each(|i| channel(i, [p.d1[i], p.d2[i], p.d3[i]]));
         if self.machine.tip != AxisLimits::NONE {
             let mut tip = [[0.0; 3]; tip_channels::COUNT];
-            TipChannels::derivatives(self.machine.tip_derivatives(&[p.q, p.d1, p.d2, p.d3]), &mut tip);
+            TipChannels::derivatives(
+                self.machine.tip_derivatives(&[p.q, p.d1, p.d2, p.d3], self.path.drawn_back),
+                &mut tip,
+            );
             tip.into_iter().enumerate().for_each(|(i, d)| channel(axes + i, d));
         }
         rates

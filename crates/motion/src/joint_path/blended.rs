@@ -11,6 +11,7 @@ impl JointPath {
     pub(crate) fn blended(&self, blends: &[Piece]) -> Self {
         let mut built = Self::empty(self.axes, self.length);
         built.beside = self.beside;
+        built.drawn_back = self.drawn_back;
         built.bends.clone_from(&self.bends);
         built.stops.clone_from(&self.stops);
         built.timed = self.timed;
@@ -95,7 +96,7 @@ impl JointPath {
         })
     }
 
-    /// Travel of the torch tip of `machine`, whose path this is, by path length at `s`: 1 on the seam; beside it and in
+    /// Travel of the arc on `machine`, whose path this is, by path length at `s`: 1 on the seam; beside it and in
     /// blends that of the axes; with a weave that of its centre line.
     pub fn tip_rate(&self, machine: &Machine, s: f64) -> f64 {
         if !self.timed && !self.has_rate(s) {
@@ -105,6 +106,6 @@ impl JointPath {
             return rate;
         }
         let JointPoint { q, d1, d2, d3 } = self.point(s, false);
-        machine.tip_derivatives(&[q, d1, d2, d3])[0].length()
+        machine.tip_derivatives(&[q, d1, d2, d3], self.drawn_back)[0].length()
     }
 }

@@ -76,6 +76,7 @@ fn unit(key: &str) -> Unit {
         "speed_mm_s" => Unit::MmPerS,
         "heat_input_kj_mm" => Unit::KiloJPerMm,
         "travel_angle_deg" | "work_angle_deg" => Unit::Deg,
+        "stick_out_mm" => Unit::Mm,
         _ => Unit::One,
     }
 }
@@ -86,6 +87,7 @@ fn name(key: &str) -> Argument {
         "heat_input_kj_mm" => "motion-quantity-heat-input",
         "travel_angle_deg" => "motion-quantity-travel-angle",
         "work_angle_deg" => "motion-quantity-work-angle",
+        "stick_out_mm" => "motion-quantity-stick-out",
         _ => return Argument::Key(key.to_owned()),
     };
     Argument::Message(Box::new(Message::new(code)))
@@ -121,6 +123,9 @@ fn unknown(key: &str, procedure: &Procedure, pass: &Pass) -> (Message, Message) 
         "work_angle_deg" => {
             (Message::new("motion-procedure-no-faces"), Message::new("motion-cure-procedure-work-angle"))
         }
+        "stick_out_mm" => {
+            (Message::new("motion-procedure-no-stick-out"), Message::new("motion-cure-procedure-stick-out"))
+        }
         _ => (
             Message::new("motion-procedure-missing").key("key", key),
             Message::new("motion-cure-procedure-missing").key("key", key),
@@ -135,6 +140,7 @@ fn cure(key: &str, above: bool) -> Message {
         ("heat_input_kj_mm", true) => Message::new("motion-cure-procedure-less-heat"),
         ("heat_input_kj_mm", false) => Message::new("motion-cure-procedure-more-heat"),
         ("travel_angle_deg" | "work_angle_deg", _) => Message::new("motion-cure-procedure-angles"),
+        ("stick_out_mm", _) => Message::new("motion-cure-procedure-own-stick-out"),
         (_, true) => Message::new("motion-cure-procedure-lower").key("key", key),
         (_, false) => Message::new("motion-cure-procedure-raise").key("key", key),
     }

@@ -7,6 +7,7 @@ use seamwright_program::{Finding, PathRange, Procedure, Role};
 /// Warnings about values of the pass that do not go with its current.
 pub(super) fn findings(procedure: &Procedure, planned: PlannedPass) -> Vec<Finding> {
     let PlannedPass { pass, number, .. } = planned;
+    let stick_out = pass.torch.stick_out_mm.map(|own| own.get());
     // A cosmetic pass may have any arc.
     let Some(span) = pass.spans.first().filter(|_| pass.known_role() != Some(Role::Cosmetic)) else {
         return Vec::new();
@@ -14,7 +15,7 @@ pub(super) fn findings(procedure: &Procedure, planned: PlannedPass) -> Vec<Findi
     let at_start = |name: &str| span.process.get(name).map(|value| value.at(0.0));
     let Some(current) = at_start("current_a").filter(|current| *current > 0.0) else { return Vec::new() };
     let mut all = Vec::new();
-    for expected in procedure.expected(current) {
+    for expected in procedure.expected(current, stick_out) {
         let Some(found) = at_start(expected.name) else { continue };
         let percent = 100.0 * (found / expected.value - 1.0);
         if percent.abs() > procedure.plausibility.percent.get() {

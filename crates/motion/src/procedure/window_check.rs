@@ -80,6 +80,11 @@ pub(super) fn quantities(
     let at = |s: f64| inclination::at(planned, s);
     all.push(quantity("travel_angle_deg", window(|r| r.travel_angle_deg), &whole, |_, s| Some(at(s).travel)));
     all.push(quantity("work_angle_deg", window(|r| r.work_angle_deg), &whole, |_, s| at(s).work));
+    let stick_out = planned.pass.torch.stick_out_mm.map(|own| own.get()).or(planned.machine.stick_out_mm);
+    let allowed = window(|r| r.stick_out_mm);
+    if stick_out.is_some() || allowed.is_some() {
+        all.push(quantity("stick_out_mm", allowed, &whole, |_, _| stick_out));
+    }
     for (key, allowed) in [("preheat_c", window(|r| r.preheat_c)), ("interpass_c", window(|r| r.interpass_c))] {
         let measured =
             |allowed| Quantity { key: key.to_owned(), found: None, allowed: Some(allowed), outside: Vec::new() };

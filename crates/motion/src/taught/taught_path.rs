@@ -102,7 +102,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
 
     /// Speed of the tip by the parameter at `u`.
     pub fn tip_rate(&self, u: f64) -> f64 {
-        self.machine.tip_derivatives(&self.piece(u, false).derivatives(u))[0].length()
+        self.machine.tip_derivatives(&self.piece(u, false).derivatives(u), 0.0)[0].length()
     }
 
     /// True if the path has no motion: no two points differ.
@@ -327,7 +327,7 @@ impl<I: Iterator<Item = Joints>> Channels for TaughtPath<'_, I> {
 
     fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
         let d = self.piece(u, before).derivatives(u);
-        channel_derivatives(self.machine, &d, out)[0].length()
+        channel_derivatives(self.machine, 0.0, &d, out)[0].length()
     }
 
     fn asked(&self, _u: f64) -> f64 {

@@ -75,13 +75,24 @@ struct Case {
     reverse: bool,
     rows: Vec<(f64, f64, f64)>,
     speeds: Vec<(f64, f64)>,
+    stick_out_mm: Option<f64>,
 }
 
 fn case() -> impl Strategy<Value = Case> {
     let rows = prop::collection::vec((-3.0..3.0f64, 0.0..5.0f64, -6.0..6.0f64), 1..10);
     let speeds = prop::collection::vec((0.3..1.0f64, 0.3..1.0f64), 1..4);
-    (0..EXAMPLES.len(), (0.0..1.0f64, 0.2..1.1f64, any::<bool>()), rows, speeds).prop_map(
-        |(example, (begin, turns, reverse), rows, speeds)| Case { example, begin, turns, reverse, rows, speeds },
+    let stick_out = prop::option::of(10.0..30.0f64);
+    let ends = (0.0..1.0f64, 0.2..1.1f64, any::<bool>());
+    (0..EXAMPLES.len(), ends, rows, speeds, stick_out).prop_map(
+        |(example, (begin, turns, reverse), rows, speeds, stick_out_mm)| Case {
+            example,
+            begin,
+            turns,
+            reverse,
+            rows,
+            speeds,
+            stick_out_mm,
+        },
     )
 }
 
@@ -92,6 +103,7 @@ impl Case {
             let speeds: Vec<_> = self.speeds.iter().map(|(a, b)| (a * v, b * v)).collect();
             (pass.begin_mm, pass.reverse) = (NonNegative::new(self.begin * seam).unwrap(), self.reverse);
             pass.on_limit = OnLimit::Slow;
+            pass.torch.stick_out_mm = self.stick_out_mm.map(positive);
             spans(pass, self.turns * seam, &speeds);
             let at = |i: usize| seam * i as f64 / self.rows.len() as f64;
             let rows = self.rows.iter().enumerate().map(|(i, r)| [at(i), r.0, r.1, r.2]);
@@ -103,24 +115,28 @@ impl Case {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(cases(10)))]
 
-    /// The tip's rate by the axes is that of the path, and the tip is on the path.
+    /// The arc's rate by the axes is that of the path, and the arc is on the path with any stick-out.
     #[test]
     fn the_rate_of_the_axes_is_that_of_the_bead(case in case(), parts in prop::collection::vec(0.01..0.99f64, 40)) {
         let Planned { welding, machine, motion } = case.planned();
         let path = welding.path(0);
         for s in parts.iter().map(|part| part * path.length()) {
-            prop_assert!((machine.forward(&motion.path.at(s)).point - path.pose(s).point).length() < 1e-8);
+            let tip = machine.forward(&motion.path.at(s));
+            prop_assert!((tip.point - path.pose(s).point).length() < 1e-8);
+            let longer = case.stick_out_mm.map_or(0.0, |own| own - 15.0);
+            prop_assert!((tip.ahead(longer).point - path.line_point(s)).length() < 1e-8);
             let (axes, tip) = (motion.path.tip_rate(&machine, s), path.rate(s));
             prop_assert!((axes - tip).abs() < 2e-6, "{} {}", axes, tip);
         }
     }
 
-    /// By differences of set-points the tip is never faster than requested, and as fast within the profile's reserve if
+    /// By differences of set-points the arc is never faster than requested, and as fast within the profile's reserve if
     /// no limit binds.
     #[test]
     fn the_tip_has_the_asked_speed(case in case()) {
         let Planned { welding, machine, motion } = case.planned();
         let pass = &welding.program.value.passes[0];
+        let drawn_back = welding.path(0).drawn_back();
         let period = 2e-3;
         let sets: Vec<_> = motion.set_points(period).filter(|set| set.profile.v > 0.0).collect();
         let legs = motion.profile.legs();
@@ -130,7 +146,7 @@ proptest! {
         };
         let (mut judged, mut least) = (0.0, f64::INFINITY);
         for w in sets.windows(2) {
-            let [a, b] = [&w[0], &w[1]].map(|set| machine.forward(&set.q).point);
+            let [a, b] = [&w[0], &w[1]].map(|set| machine.forward(&set.q).ahead(drawn_back).point);
             let chord = (b - a).length();
             let ends = [w[0].profile.s, w[1].profile.s];
             let border = pass.spans.iter().any(|span| span.to_mm.get() > ends[0] && span.to_mm.get() <= ends[1]);

@@ -4,11 +4,50 @@ use crate::positive;
 use seamwright_document::NonNegative;
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::{PassMotion, Terms, WeldMotion};
-use seamwright_program::{Finding, OnLimit, Pass, TorchPath};
-use seamwright_weld::Welding;
+use seamwright_program::{AxisPositions, Finding, OnLimit, Pass, TorchPath};
+use seamwright_weld::{MachineAxes, MachineAxis, NoFiles, Outside, Welding, Wrong};
+use std::sync::Arc;
+
+/// The shipped machines, and no files.
+struct Shipped;
+
+impl Outside for Shipped {
+    fn bytes(&self, file: &str) -> std::io::Result<Vec<u8>> {
+        NoFiles.bytes(file)
+    }
+
+    fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong> {
+        NoFiles.table(file)
+    }
+
+    fn tip(&self, machine: &str, axes: &[f64]) -> Result<glam::DVec3, Wrong> {
+        NoFiles.tip(machine, axes)
+    }
+
+    fn axes(&self, machine: &str) -> Result<Arc<dyn MachineAxes>, Wrong> {
+        Ok(Arc::new(ShippedAxes(shipped_machine(machine))))
+    }
+}
+
+#[derive(Debug)]
+struct ShippedAxes(Machine);
+
+impl MachineAxes for ShippedAxes {
+    fn axes(&self) -> Vec<MachineAxis> {
+        Vec::new()
+    }
+
+    fn torch(&self, positions: &AxisPositions) -> seamwright_geometry::Pose {
+        self.0.forward(positions)
+    }
+
+    fn stick_out(&self) -> Option<f64> {
+        self.0.stick_out_mm
+    }
+}
 
 pub(crate) fn read(text: &str) -> Welding {
-    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+    Welding::read_with("job.toml", text, &Shipped).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
 pub(crate) fn read_machine(text: &str) -> Machine {

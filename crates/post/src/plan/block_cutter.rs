@@ -223,7 +223,7 @@ impl Cutter<'_> {
     fn slopes(&self, s: f64, before: bool, rate: f64) -> Speeds {
         let point = self.motion.path.point(s, before);
         let rest = Joints::default();
-        let tip = self.machine.tip_derivatives(&[point.q, point.d1, rest, rest])[0];
+        let tip = self.machine.tip_derivatives(&[point.q, point.d1, rest, rest], 0.0)[0];
         Speeds { q: point.d1.map(|d| d * rate), tip: tip * rate }
     }
 

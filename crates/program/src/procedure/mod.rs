@@ -90,6 +90,9 @@ pub struct Run {
     /// Work angle of the torch as the axes reach it, degrees from the faces' bisector, positive towards the first part.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work_angle_deg: Option<Window>,
+    /// Stick-out, mm: wire between contact tip and arc.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stick_out_mm: Option<Window>,
     /// Temperature before the first pass, degrees Celsius: to be measured, not planned.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub preheat_c: Option<Window>,
@@ -114,11 +117,12 @@ pub struct Run {
 }
 
 /// Ranges with keys of their own: they must not be in `ranges`.
-const OWN_KEYS: [&str; 10] = [
+const OWN_KEYS: [&str; 11] = [
     "speed_mm_s",
     "heat_input_kj_mm",
     "travel_angle_deg",
     "work_angle_deg",
+    "stick_out_mm",
     "preheat_c",
     "interpass_c",
     "bead_width_mm",

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 pub struct Plausibility {
     /// Allowed deviation from the fits, %; 35 if missing.
     pub percent: Positive,
-    /// Wire between contact tip and arc, mm; 15 if missing.
+    /// Stick-out, mm: wire between contact tip and arc, of passes without one of their own; 15 if missing.
     pub stick_out_mm: Positive,
     /// Melting by the arc, mm/(A s), of solid steel wire of 1.2 mm; others melt with the inverse square of the diameter.
     pub melting_by_arc: Positive,
@@ -41,10 +41,10 @@ impl Plausibility {
 
     /// Wire feed at a current, m/min: the melting rate a I + b L I^2 of Lesnewich (Welding Journal 37, 1958, 343s and
     /// 418s), with the rates of steel wire scaled to the diameter.
-    fn wire_feed_m_min(&self, current_a: f64, wire_mm: f64) -> f64 {
+    fn wire_feed_m_min(&self, current_a: f64, wire_mm: f64, stick_out_mm: f64) -> f64 {
         let thinner = WIRE_MM / wire_mm;
         let by_arc = self.melting_by_arc.get() * thinner.powi(2) * current_a;
-        let by_resistance = self.melting_by_resistance.get() * thinner.powi(4) * self.stick_out_mm.get();
+        let by_resistance = self.melting_by_resistance.get() * thinner.powi(4) * stick_out_mm;
         0.06 * (by_arc + by_resistance * current_a.powi(2))
     }
 }
@@ -63,8 +63,9 @@ const MAX_CURRENT_A: f64 = 600.0;
 
 impl Procedure {
     /// Values that are usual at a current: the voltage by the conventional load voltages of IEC 60974-1 (20 + 0.04 I of
-    /// 111 and 121, 10 + 0.04 I of TIG, 14 + 0.05 I of MIG and MAG), and the wire feed of solid steel wire.
-    pub fn expected(&self, current_a: f64) -> Vec<Expected> {
+    /// 111 and 121, 10 + 0.04 I of TIG, 14 + 0.05 I of MIG and MAG), and the wire feed of solid steel wire with this
+    /// stick-out, or that of `[plausibility]`.
+    pub fn expected(&self, current_a: f64, stick_out_mm: Option<f64>) -> Vec<Expected> {
         let line = match self.process.number {
             111 | 121 => Some((20.0, 0.04)),
             141 | 142 => Some((10.0, 0.04)),
@@ -76,7 +77,11 @@ impl Procedure {
         let wire = self.wire_diameter_mm.filter(|_| [121, 135].contains(&self.process.number));
         let feed = wire.map(|wire| Expected {
             name: "wire_feed_m_min",
-            value: self.plausibility.wire_feed_m_min(current_a, wire.get()),
+            value: self.plausibility.wire_feed_m_min(
+                current_a,
+                wire.get(),
+                stick_out_mm.unwrap_or(self.plausibility.stick_out_mm.get()),
+            ),
         });
         voltage.into_iter().chain(feed).collect()
     }
@@ -106,7 +111,7 @@ mod tests {
         ];
         for (process, wire, current, volts, feed) in table {
             let procedure = procedure(process, wire);
-            for expected in procedure.expected(current) {
+            for expected in procedure.expected(current, None) {
                 let found = if expected.name == "voltage_v" { volts } else { feed };
                 let off = 100.0 * (found / expected.value - 1.0).abs();
                 assert!(off < procedure.plausibility.percent.get(), "{process} {wire} {current} {expected:?} {off}");
@@ -117,10 +122,10 @@ mod tests {
     /// 1.2 mm at 200 A and 15 mm: (0.3 * 200 + 5e-5 * 15 * 200^2) mm/s = 90 mm/s.
     #[test]
     fn wire_melts_with_current_and_its_square() {
-        let expected = procedure(135, 1.2).expected(200.0);
+        let expected = procedure(135, 1.2).expected(200.0, None);
         let feed = expected.iter().find(|e| e.name == "wire_feed_m_min").unwrap();
         assert!((feed.value - 5.4).abs() < 1e-9);
         assert!((expected[0].value - 24.0).abs() < 1e-9);
-        assert!(procedure(51, 1.2).expected(200.0).is_empty());
+        assert!(procedure(51, 1.2).expected(200.0, None).is_empty());
     }
 }

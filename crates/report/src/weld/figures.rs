@@ -7,6 +7,7 @@ use super::samples::samples;
 use super::totals::{self, TotalsFigures, Wire};
 use super::{Plots, PostFigures, SimulationCurves};
 use crate::Language;
+use seamwright_document::Positive;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
 use seamwright_motion::{PassClearance, PassHeat, WeldMotion};
@@ -112,6 +113,9 @@ pub struct PassFigures {
     pub bead: Option<usize>,
     /// Minimum and maximum of each process value in the pass, by name.
     pub process_range: BTreeMap<String, (f64, f64)>,
+    /// Stick-out, mm, if it is not the machine's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stick_out_mm: Option<f64>,
     /// Arc energy U I t, kJ; `None` without current and voltage.
     pub arc_energy_kj: Option<f64>,
     /// Length of wire, m; `None` without a wire feed.
@@ -200,6 +204,7 @@ impl WeldReport {
                 role: pass.known_role().map(Role::name),
                 bead: beads.get(i).copied().flatten(),
                 process_range: process_range(pass),
+                stick_out_mm: pass.torch.stick_out_mm.map(Positive::get),
                 arc_energy_kj: totals::arc_energy_kj(pass, planned),
                 wire_m,
                 wire_kg,

@@ -53,6 +53,10 @@ impl WeldReport {
         table = table.number("report-column-speed-mm-s", |pass| {
             short(Some((pass.plan.least_speed_mm_s, pass.plan.greatest_speed_mm_s)))
         });
+        if any(|pass| pass.stick_out_mm.is_some()) {
+            table = table
+                .number("report-column-stick-out", |pass| optional(pass.stick_out_mm.map(|mm| number(mm, language))));
+        }
         // Heat input is the arc energy times the thermal efficiency: one of them is enough for a page.
         if any(|pass| pass.heat_input_kj_mm().is_some()) {
             table = table.number("report-column-heat-input", |pass| short(pass.heat_input_kj_mm()));

@@ -41,7 +41,7 @@ impl<'a> HeadTruth<'a> {
             return None;
         }
         let frame = (self.world.taught)(s);
-        let tip = machine.forward_of(self.number, &sample.q).point;
+        let tip = machine.forward_of(self.number, &sample.q).ahead(self.path.drawn_back()).point;
         let off = frame.components(tip - frame.point) - swing_at(self.path, s, &frame);
         let (joint, _) = self.world.crossing(s, off.x, s)?;
         let (planned, _) = self.world.crossing(s, 0.0, s)?;

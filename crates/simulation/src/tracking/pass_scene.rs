@@ -48,7 +48,7 @@ impl<'a> PassScene<'a> {
                 PassSensors::Leading(leading) => SimulatedSensor::leading(&leading[number], own),
                 PassSensors::Beam(eye) => SimulatedSensor::beam(eye.camera.noise_mm, eye.camera.latency_s, own),
             };
-            SimulatedHead::new(number, self.world(number, seam, seed), eye)
+            SimulatedHead::new(number, self.world(number, seam, seed), self.seams.path().drawn_back(), eye)
         });
         simulated_heads.collect()
     }

@@ -19,6 +19,8 @@ use seamwright_tracking::lead::SeamFrame;
 pub(crate) struct SimulatedHead<'a> {
     number: usize,
     world: World<'a>,
+    /// Distance of the machine's tip behind the arc, mm.
+    drawn_back: f64,
     eye: SimulatedSensor,
 }
 
@@ -52,14 +54,14 @@ impl SimulatedSensor {
 }
 
 impl<'a> SimulatedHead<'a> {
-    pub(super) fn new(number: usize, world: World<'a>, eye: SimulatedSensor) -> Self {
-        Self { number, world, eye }
+    pub(super) fn new(number: usize, world: World<'a>, drawn_back: f64, eye: SimulatedSensor) -> Self {
+        Self { number, world, drawn_back, eye }
     }
 
     /// Runs a period at whose end the axes are at `q`.
     fn step(&mut self, machine: &Machine, orders: &SeamOrders, q: &Joints, report: &mut SensorReport) {
         let (t, s) = (orders.t_s, orders.s_mm);
-        let tip = machine.forward_of(self.number, q).point;
+        let tip = machine.forward_of(self.number, q).ahead(self.drawn_back).point;
         match &mut self.eye {
             SimulatedSensor::Leading(sensor, carried) => {
                 sensor.look(&self.world, t, s, *carried);

@@ -1,6 +1,7 @@
 use super::sectors::Sector;
 use crate::allowed::{at_most, between};
 use crate::attitude::check_angles;
+use crate::stick_out;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
@@ -117,6 +118,9 @@ pub struct Run {
     /// Travel angle, degrees; that of `[torch]` if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub travel_angle_deg: Option<Finite>,
+    /// Stick-out, mm; that of `[torch]` if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stick_out_mm: Option<Positive>,
     /// Weave of the torch; as in `[weld]` if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weave: Option<Weave>,
@@ -186,6 +190,7 @@ pub(crate) struct Asked {
     pub(crate) speed: Positive,
     pub(crate) process: ProcessValues,
     pub(crate) travel_angle_deg: Option<Finite>,
+    pub(crate) stick_out_mm: Option<Positive>,
     pub(crate) weave: Option<Weave>,
     /// Window of its beads.
     pub(crate) window: BeadWindow,
@@ -252,6 +257,9 @@ impl Beads {
         let mut all = weld.process.clone();
         all.extend(run.process.clone());
         check_angles(file, &path, 0.0, run.travel_angle_deg.map_or(0.0, Finite::get))?;
+        if let Some(own) = run.stick_out_mm {
+            stick_out::check(file, &format!("{path}.stick_out_mm"), own)?;
+        }
         let speed = run.speed_mm_s.unwrap_or(weld.speed_mm_s);
         let area = match (run.area_mm2, self.wire_mm) {
             (Some(area), _) if self.adapt != Adapt::WireFeed => area.get(),
@@ -290,6 +298,7 @@ impl Beads {
             speed,
             process: all,
             travel_angle_deg: run.travel_angle_deg,
+            stick_out_mm: run.stick_out_mm,
         })
     }
 

@@ -89,7 +89,6 @@ pub(crate) fn fill(
     let there = || (stack.first..).zip(stack.layers).filter(|(k, _)| present(*k));
     let shares: f64 = there().map(|(_, l)| l.share).sum();
     let scale = (stack.to - stack.from) / shares;
-    let square = section.up.x.atan2(section.up.y);
     let chord = section.chord();
     let mut low = Level::new(section, stack.from);
     for (k, layer) in there() {
@@ -99,6 +98,7 @@ pub(crate) fn fill(
         // At the root the gap between the parts is narrow, and the wire points above it.
         let base = low.height + if low.area > 0.0 { 0.0 } else { ROOT_RISE * (high.height - low.height) };
         let (left, right) = section.slices.edges(base);
+        let opening = section.opening(section.place(0.5 * (left + right), base));
         let middle = section.slices.edges(0.5 * (low.height + high.height));
         let n = layer.beads as f64;
         for index in 0..layer.beads {
@@ -121,7 +121,7 @@ pub(crate) fn fill(
                 layer: k,
                 index,
                 tip: section.place(across, base),
-                lean: square + towards,
+                lean: opening + towards,
                 room: ((to - from) / n).max(0.0),
                 area: layer.share * scale / n,
                 width: size.width,

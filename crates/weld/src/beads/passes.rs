@@ -86,6 +86,9 @@ impl Making<'_> {
         if let Some(travel) = asked.travel_angle_deg {
             pass.torch.travel_angle_deg = travel;
         }
+        if asked.stick_out_mm.is_some() {
+            pass.torch.stick_out_mm = asked.stick_out_mm;
+        }
         if let Some(weave) = &asked.weave {
             pass.weave = Some(weave.clone());
         }

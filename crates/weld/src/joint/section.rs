@@ -263,6 +263,16 @@ impl Section {
         [&self.first, &self.second].map(|edge| edge.last().copied().unwrap_or_default())
     }
 
+    /// Middle of the directions in which a torch at `at` sees out of the groove: angle from the bisector of the faces,
+    /// rad, positive towards the first part. The edges above the point limit it, and beyond the toes the faces.
+    pub fn opening(&self, at: DVec2) -> f64 {
+        let angle = |edge: &[DVec2], sense: f64| {
+            let above = edge.iter().map(|corner| *corner - at).filter(|way| way.dot(self.up) > ON_LINE_MM);
+            above.map(|way| sense * way.x.atan2(way.y)).fold(0.5 * self.dihedral, f64::min)
+        };
+        0.5 * (angle(&self.first, 1.0) - angle(&self.second, -1.0))
+    }
+
     /// The point at (`across`, `height`) along [`Section::across`] and [`Section::up`], mm.
     pub fn place(&self, across: f64, height: f64) -> DVec2 {
         across * self.across() + height * self.up

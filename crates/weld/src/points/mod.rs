@@ -24,6 +24,11 @@ pub trait MachineAxes: fmt::Debug + Send + Sync {
 
     /// Torch tip and direction in the work frame at axis positions, mm or rad.
     fn torch(&self, positions: &AxisPositions) -> Pose;
+
+    /// Wire between the torch's contact tip and its tip, mm, if the machine's file has it.
+    fn stick_out(&self) -> Option<f64> {
+        None
+    }
 }
 
 /// An axis of a machine.
