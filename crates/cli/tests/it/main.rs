@@ -49,4 +49,5 @@ mod taught;
 mod teach;
 mod two_level;
 mod verbs;
+mod vessel_shop;
 mod whole_weld;

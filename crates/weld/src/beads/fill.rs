@@ -59,6 +59,19 @@ impl BeadAt {
     }
 }
 
+/// Distance from the arc beyond which a gas nozzle needs room, mm: a usual stick-out.
+const STICK_OUT_MM: f64 = 15.0;
+/// Part of the free angle that stays between torch and either wall.
+const OFF_WALL: f64 = 0.25;
+
+/// Lean of a torch at `at` in the groove: square to the line from toe to toe, turned as far as the walls need.
+fn lean(section: &Section, at: DVec2) -> f64 {
+    let [low, high] = section.free_angles(at, STICK_OUT_MM);
+    let off = OFF_WALL * (high - low).max(0.0);
+    let square = section.up.x.atan2(section.up.y);
+    square.max(low + off).min(high - off)
+}
+
 /// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height.
 const ROOT_RISE: f64 = 0.35;
 
@@ -98,7 +111,7 @@ pub(crate) fn fill(
         // At the root the gap between the parts is narrow, and the wire points above it.
         let base = low.height + if low.area > 0.0 { 0.0 } else { ROOT_RISE * (high.height - low.height) };
         let (left, right) = section.slices.edges(base);
-        let opening = section.opening(section.place(0.5 * (left + right), base));
+        let square = lean(section, section.place(0.5 * (left + right), base));
         let middle = section.slices.edges(0.5 * (low.height + high.height));
         let n = layer.beads as f64;
         for index in 0..layer.beads {
@@ -121,7 +134,7 @@ pub(crate) fn fill(
                 layer: k,
                 index,
                 tip: section.place(across, base),
-                lean: opening + towards,
+                lean: square + towards,
                 room: ((to - from) / n).max(0.0),
                 area: layer.share * scale / n,
                 width: size.width,

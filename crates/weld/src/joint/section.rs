@@ -263,14 +263,21 @@ impl Section {
         [&self.first, &self.second].map(|edge| edge.last().copied().unwrap_or_default())
     }
 
-    /// Middle of the directions in which a torch at `at` sees out of the groove: angle from the bisector of the faces,
-    /// rad, positive towards the first part. The edges above the point limit it, and beyond the toes the faces.
-    pub fn opening(&self, at: DVec2) -> f64 {
-        let angle = |edge: &[DVec2], sense: f64| {
-            let above = edge.iter().map(|corner| *corner - at).filter(|way| way.dot(self.up) > ON_LINE_MM);
-            above.map(|way| sense * way.x.atan2(way.y)).fold(0.5 * self.dihedral, f64::min)
+    /// The directions in which a torch at `at` sees out of the groove past everything `beyond` that distance (mm), the wire
+    /// being thin before it: angles from the bisector of the faces, rad, positive towards the first part, the smaller one
+    /// first. The edges above the point limit them, and beyond the toes the faces.
+    pub fn free_angles(&self, at: DVec2, beyond: f64) -> [f64; 2] {
+        let (sin, cos) = (0.5 * self.dihedral).sin_cos();
+        let limit = |edge: &[DVec2], sense: f64| {
+            let far = edge.last().map(|toe| *toe + FAR_MM * DVec2::new(sense * sin, cos));
+            let corners: Vec<DVec2> = edge.iter().copied().chain(far).collect();
+            let crossings = corners.windows(2).flat_map(|ends| on_circle(at, beyond, [ends[0], ends[1]]));
+            let points: Vec<DVec2> =
+                edge.iter().copied().filter(|p| p.distance(at) >= beyond).chain(crossings).collect();
+            let ways = points.into_iter().map(|point| point - at).filter(|way| way.dot(self.up) > ON_LINE_MM);
+            ways.map(|way| sense * way.x.atan2(way.y)).fold(0.5 * self.dihedral, f64::min)
         };
-        0.5 * (angle(&self.first, 1.0) - angle(&self.second, -1.0))
+        [-limit(&self.second, -1.0), limit(&self.first, 1.0)]
     }
 
     /// The point at (`across`, `height`) along [`Section::across`] and [`Section::up`], mm.
@@ -426,6 +433,18 @@ fn fillet(faces: &Faces, place: Place, p: &Fillet) -> [Vec<DVec2>; 2] {
         vec![DVec2::ZERO, leg * faces.along[i]]
     };
     [edge(0, Member::First), edge(1, Member::Second)]
+}
+
+/// A way along a face beyond every groove, mm.
+const FAR_MM: f64 = 1e5;
+
+/// Points of a segment at the distance `radius` from `centre`.
+fn on_circle(centre: DVec2, radius: f64, [from, to]: [DVec2; 2]) -> impl Iterator<Item = DVec2> {
+    let (start, way) = (from - centre, to - from);
+    let (a, b, c) = (way.length_squared(), start.dot(way), start.length_squared() - radius * radius);
+    let root = (b * b - a * c).sqrt();
+    let parts = [(-b - root) / a, (-b + root) / a].into_iter().filter(|part| (0.0..=1.0).contains(part));
+    parts.map(move |part| from + part * way)
 }
 
 /// Points nearer to a line than this are on it, mm: far above rounding, and far below what can be cut.

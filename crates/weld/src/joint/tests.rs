@@ -282,8 +282,8 @@ fn a_lap_is_a_fillet_along_the_edge() {
     assert!((s.area() - 0.5 * 5.0 * 6.0).abs() < 1e-9);
 }
 
-/// The middle of the directions in which a ray leaves the groove, by trying them.
-fn opening_by_rays(section: &Section, at: DVec2) -> Option<f64> {
+/// The directions in which a ray from `at` leaves the groove past everything `beyond`, by trying them.
+fn free_by_rays(section: &Section, at: DVec2, beyond: f64) -> Option<[f64; 2]> {
     let half = 0.5 * section.dihedral;
     let face = |sense: f64| DVec2::new(sense * half.sin(), half.cos());
     let mut lines: Vec<[DVec2; 2]> = Vec::new();
@@ -293,7 +293,8 @@ fn opening_by_rays(section: &Section, at: DVec2) -> Option<f64> {
         lines.push([toe, toe + 1e5 * face(sense)]);
     }
     let is_free = |angle: f64| {
-        let way = 1e5 * DVec2::new(angle.sin(), angle.cos());
+        let unit = DVec2::new(angle.sin(), angle.cos());
+        let (at, way) = (at + beyond * unit, 1e5 * unit);
         lines.iter().all(|[a, b]| {
             let (side, other) = ((*b - *a).perp_dot(at - *a), (*b - *a).perp_dot(at + way - *a));
             let (from, to) = (way.perp_dot(*a - at), way.perp_dot(*b - at));
@@ -301,39 +302,36 @@ fn opening_by_rays(section: &Section, at: DVec2) -> Option<f64> {
         })
     };
     let angles: Vec<f64> = (-1500..=1500).map(|k| f64::from(k) * 1e-3).filter(|a| is_free(*a)).collect();
-    Some(0.5 * (angles.first()? + angles.last()?))
+    // One stretch of angles, or the comparison says nothing.
+    let is_one = angles.windows(2).all(|pair| pair[1] - pair[0] < 1.5e-3);
+    Some([*angles.first()?, *angles.last()?]).filter(|_| is_one)
 }
 
 #[test]
-fn the_opening_is_the_middle_of_the_free_rays() {
+fn free_angles_are_those_of_rays_out_of_the_groove() {
     let mut random = Random::new(8);
     let mut tried = 0;
     for _ in 0..cases(1500) {
-        let positive = |v: f64| Positive::new(v).unwrap();
-        let thickness_mm = positive(random.within(6.0, 60.0));
-        let preparation = Preparation::TJ(TJ {
-            thickness_mm,
-            angle_deg: NonNegative::new(random.within(2.0, 20.0)).unwrap(),
-            radius_mm: positive(random.within(3.0, 5.5)),
-            land_mm: NonNegative::default(),
-            root_gap_mm: NonNegative::new(random.within(1.0, 3.0)).unwrap(),
-            root_face_mm: NonNegative::new(random.within(0.5, 2.0)).unwrap(),
-            leg_mm: NonNegative::new(random.within(0.0, 10.0)).unwrap(),
-            prepared: if random.yes() { Member::First } else { Member::Second },
-        });
+        let thickness = random.within(6.0, 60.0);
+        let (angle, radius) = (random.within(2.0, 20.0), random.within(3.0, 5.5));
+        let (face, leg) = (random.within(0.5, 2.0), random.within(0.0, 10.0));
+        let part = if random.yes() { "first" } else { "second" };
+        let joint = joint(&format!(
+            "p.t_j = {{ thickness_mm = {thickness}, angle_deg = {angle}, radius_mm = {radius}, root_gap_mm = 2, \
+             root_face_mm = {face}, leg_mm = {leg}, prepared = \"{part}\" }}\ncap_mm = 1"
+        ));
         let place = Place { dihedral: random.within(60.0, 130.0f64).to_radians(), gap: 2.0, mismatch: 0.0 };
-        let Ok(section) = Section::new(&preparation, 1.0, place) else { continue };
+        let Ok(section) = Section::new(&joint, place) else { continue };
         let (low, high) = section.slices.heights();
         let height = random.within(low + 0.02 * (high - low), high - 0.02 * (high - low));
         let (left, right) = section.slices.edges(height);
         let at = section.place(left + random.within(0.1, 0.9) * (right - left), height);
-        let Some(by_rays) = opening_by_rays(&section, at) else { continue };
+        let beyond = random.within(0.0, 20.0);
+        let Some(by_rays) = free_by_rays(&section, at, beyond) else { continue };
         tried += 1;
-        assert!(
-            (section.opening(at) - by_rays).abs() < 2e-3,
-            "{} for {by_rays} at {at}: {section:?}",
-            section.opening(at)
-        );
+        for (found, by_rays) in section.free_angles(at, beyond).into_iter().zip(by_rays) {
+            assert!((found - by_rays).abs() < 2e-3, "{found} for {by_rays} at {at}, beyond {beyond}: {section:?}");
+        }
     }
     assert!(tried > 500, "{tried}");
 }
