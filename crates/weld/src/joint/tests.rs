@@ -4,7 +4,7 @@ use super::section::{NoGroove, Place, Section};
 use glam::DVec2;
 use proptest::prelude::*;
 use seamwright_program::Joint;
-use seamwright_testkit::Random;
+use seamwright_testkit::{Random, cases};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The joint with the preparation `p` of a text, and its other keys.
