@@ -149,6 +149,8 @@ proptest! {
         t in 3.0..60.0f64, degrees in 20.0..90.0f64, gap in 0.0..4.0f64, root in proptest::option::of(4.0..20.0f64),
         fill_area in 8.0..60.0f64, cap in 0.0..3.0f64, layer in 1.5..5.0f64, fillet in any::<bool>(), psi in 60.0..130.0f64,
     ) {
+        // Wider gaps than the wall are refused.
+        let gap = gap.min(0.9 * t);
         let groove = if fillet { format!("fillet = {{ leg_mm = {t} }}") } else {
             format!("single_v = {{ thickness_mm = {t}, angle_deg = {degrees}, root_gap_mm = {gap} }}")
         };
