@@ -66,6 +66,8 @@ program-bead-column-length = die Spalte hat { $rows ->
 program-path-lengths-increase = die Weglängen müssen zunehmen
 program-torch-behind-face = der Brenner läge hinter einer Flanke
 program-weave-part-above-one = ein Anteil über 1 macht das Pendeln breiter als das der Lage
+program-step-over-without-bead = ein Übergang braucht eine Raupe, von der er ausgeht
+program-step-over-misplaced = der Übergang von { $from } bis { $to } liegt nicht zwischen dem vorigen und dem Ende der Lage
 
 # Joints.
 program-root-face-too-high = der Steg lässt keine Dicke für die Fase

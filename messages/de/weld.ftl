@@ -199,7 +199,7 @@ weld-allowed-taught-turn = bis { $max }: Punkte weiter auseinander oder näher a
 
 # Passes.
 weld-pass-begins-beyond-end = die Lage beginnt hinter dem Ende der Naht
-weld-pass-round-more-than-twice = die Lage geht mehr als zweimal um die Naht
+weld-pass-round-more-than-twice = die Lage geht mit einer Raupe mehr als zweimal um die Naht
 weld-pass-beyond-end = die Lage geht über das Ende der Naht hinaus
 weld-pass-beyond-start = die Lage läuft hinter den Anfang der Naht zurück
 weld-pass-without-seam = die Lage hat keine Naht, an der sie entlangläuft
@@ -289,6 +289,12 @@ weld-allowed-steady-feed = wire_feed_m_min größer als 0 in [weld.process] oder
 weld-deposition-too-large = die Raupe hätte mehr Metall als der Draht
 weld-bead-range-too-large = Raupen behalten über einen solchen Bereich nicht ihre Form
 weld-wall-tilt-too-large = der Draht läge an der Wand
+weld-step-over-needs-closed-seam = ein Übergang zur nächsten Raupe braucht eine rundum geschweißte Naht
+weld-step-over-too-long = der Übergang ist länger als die halbe Naht
+weld-step-over-with-alternate = durch Übergänge verbundene Raupen laufen in einer Richtung
+weld-step-over-with-passes = Lagen über einen Teil der Naht lassen sich nicht durch Übergänge verbinden
+weld-step-over-with-parts = eine Lage mit Übergängen lässt sich nicht in Teilen schweißen
+weld-allowed-no-step-over = kein Übergang, oder eine rundum geschweißte Naht
 weld-station-distance-invalid = unzulässiger Abstand der Stationen
 weld-no-bead-weaves = keine Raupe wird gependelt
 weld-allowed-weave = ein [weld.weave], ein `weave` von [beads.root], [beads.fill] oder [beads.cap], oder ein anderer Wert

@@ -106,6 +106,12 @@ program-torch-behind-face = the torch would lie behind a face
 program-weave-part-above-one = a part above 1 makes the weave wider than that of the pass
     .cause = `weave_part` is the width of the weave as a part of `width_mm`, and this one is above 1.
     .cure = Lower it to 1 or less, or raise `width_mm` of the weave.
+program-step-over-without-bead = a step-over needs a bead from which it leads
+    .cause = The pass has `[[passes.step_overs]]` but no `[passes.bead]`.
+    .cure = Add the first bead as `[passes.bead]`, or delete the step-overs.
+program-step-over-misplaced = the step-over from { $from } to { $to } is not between the one before and the end of the pass
+    .cause = Step-overs follow one another without overlap, and all of them lie within the pass.
+    .cure = Move `at_mm`, or shorten `length_mm`.
 
 # Joints.
 program-root-face-too-high = the root face leaves no thickness to bevel

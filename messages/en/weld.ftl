@@ -355,8 +355,8 @@ weld-allowed-taught-turn = up to { $max }: points farther apart, or nearer to on
 weld-pass-begins-beyond-end = the pass starts beyond the end of the weld
     .cause = `begin_mm` of the pass is greater than the length of the weld.
     .cure = Lower `begin_mm` of `[[passes]]`. After a change of the seam, run `seamwright plan` on the job again.
-weld-pass-round-more-than-twice = the pass goes round the seam more than twice
-    .cause = On a seam welded all round a pass is at most two turns long.
+weld-pass-round-more-than-twice = the pass goes round the seam more than twice on one bead
+    .cause = On a seam welded all round a pass is at most two turns long, and one turn longer for each of its step-overs.
     .cure = Shorten the last span with `to_mm`. Repeat the pass with `repeat` for more turns.
 weld-pass-beyond-end = the pass runs beyond the end of the weld
     .cause = On this seam `begin_mm` plus the length of the spans is greater than the length of the weld.
@@ -541,6 +541,22 @@ weld-bead-range-too-large = beads do not keep their shape over such a range
 weld-wall-tilt-too-large = the wire would lie against the wall
     .cause = `beads.wall_tilt_deg` is greater than 45.
     .cure = Lower `wall_tilt_deg`; the default is 12.
+weld-step-over-needs-closed-seam = a step-over needs a seam welded all round
+    .cause = With a step-over the torch goes round the seam again on the next bead. This seam has ends.
+    .cure = Delete the key, or weld the whole seam: a closed seam without `end_phi_deg`.
+weld-step-over-too-long = the step-over is longer than half of the seam
+    .cause = Step-overs follow one another at every turn. Longer ones would leave no bead between them.
+    .cure = Shorten `beads.step_over_mm`; usual are 50 to 150 mm.
+weld-step-over-with-alternate = beads joined by step-overs run in one direction
+    .cause = `beads.alternate` turns every other pass around, and `beads.step_over_mm` welds the beads without a stop.
+    .cure = Delete one of both keys.
+weld-step-over-with-passes = layers over a part of the seam cannot be joined by step-overs
+    .cause = With `beads.adapt = "passes"` some layers start and end on the seam. A step-over needs beads all round.
+    .cure = Let the speed follow the area with `adapt = "speed"`, or delete `step_over_mm`.
+weld-step-over-with-parts = a pass with step-overs cannot be welded in parts
+    .cause = `order.parts` cuts each pass into parts, and `beads.step_over_mm` welds several beads without a stop.
+    .cure = Set `parts = "whole"`, or delete `beads.step_over_mm`.
+weld-allowed-no-step-over = no step-over, or a seam welded all round
 weld-station-distance-invalid = invalid distance between stations
     .cause = `beads.station_mm` is outside 0.1 to 100 mm.
     .cure = Correct `station_mm`; the default is 5.

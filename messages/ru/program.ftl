@@ -68,6 +68,8 @@ program-bead-column-length = в столбце { $rows ->
 program-path-lengths-increase = длины пути должны возрастать
 program-torch-behind-face = горелка оказалась бы за поверхностью
 program-weave-part-above-one = доля больше 1 делает колебания шире, чем у прохода
+program-step-over-without-bead = переходу нужен валик, от которого он идёт
+program-step-over-misplaced = переход от { $from } до { $to } лежит не между предыдущим и концом прохода
 
 # Joints.
 program-root-face-too-high = притупление не оставляет толщины для скоса

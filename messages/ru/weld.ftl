@@ -194,7 +194,7 @@ weld-allowed-taught-turn = до { $max }: точки дальше друг от 
 
 # Passes.
 weld-pass-begins-beyond-end = проход начинается за концом шва
-weld-pass-round-more-than-twice = проход обходит шов больше двух раз
+weld-pass-round-more-than-twice = проход обходит шов одним валиком больше двух раз
 weld-pass-beyond-end = проход идёт за конец шва
 weld-pass-beyond-start = проход идёт назад за начало шва
 weld-pass-without-seam = у прохода нет шва, вдоль которого идти
@@ -285,6 +285,12 @@ weld-allowed-steady-feed = wire_feed_m_min больше 0 в [weld.process] ил
 weld-deposition-too-large = в валике было бы больше металла, чем в проволоке
 weld-bead-range-too-large = валики не держат форму в таком диапазоне
 weld-wall-tilt-too-large = проволока лежала бы на стенке
+weld-step-over-needs-closed-seam = переход на следующий валик требует шва, завариваемого по всей окружности
+weld-step-over-too-long = переход длиннее половины шва
+weld-step-over-with-alternate = валики, соединённые переходами, идут в одну сторону
+weld-step-over-with-passes = слои на части шва нельзя соединить переходами
+weld-step-over-with-parts = проход с переходами нельзя заваривать по частям
+weld-allowed-no-step-over = без перехода или шов по всей окружности
 weld-station-distance-invalid = недопустимое расстояние между сечениями
 weld-no-bead-weaves = ни один валик не с колебаниями
 weld-allowed-weave = [weld.weave], `weave` в [beads.root], [beads.fill] или [beads.cap], либо другое значение

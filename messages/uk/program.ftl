@@ -68,6 +68,8 @@ program-bead-column-length = у стовпці { $rows ->
 program-path-lengths-increase = довжини шляху мають зростати
 program-torch-behind-face = пальник опинився б за поверхнею
 program-weave-part-above-one = частка понад 1 робить коливання ширшими, ніж у проходу
+program-step-over-without-bead = переходу потрібен валик, від якого він іде
+program-step-over-misplaced = перехід від { $from } до { $to } лежить не між попереднім і кінцем проходу
 
 # Joints.
 program-root-face-too-high = притуплення не лишає товщини для скосу

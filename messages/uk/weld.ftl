@@ -194,7 +194,7 @@ weld-allowed-taught-turn = до { $max }: точки далі одна від о
 
 # Passes.
 weld-pass-begins-beyond-end = прохід починається за кінцем шва
-weld-pass-round-more-than-twice = прохід обходить шов більше двох разів
+weld-pass-round-more-than-twice = прохід обходить шов одним валиком більше двох разів
 weld-pass-beyond-end = прохід іде за кінець шва
 weld-pass-beyond-start = прохід іде назад за початок шва
 weld-pass-without-seam = прохід не має шва, вздовж якого йти
@@ -285,6 +285,12 @@ weld-allowed-steady-feed = wire_feed_m_min більше 0 в [weld.process] аб
 weld-deposition-too-large = валик мав би більше металу, ніж дріт
 weld-bead-range-too-large = валики не тримають форми в такому діапазоні
 weld-wall-tilt-too-large = дріт лежав би на стінці
+weld-step-over-needs-closed-seam = перехід на наступний валик потребує шва, який зварюють по всьому колу
+weld-step-over-too-long = перехід довший за половину шва
+weld-step-over-with-alternate = валики, з’єднані переходами, йдуть в один бік
+weld-step-over-with-passes = шари на частині шва не можна з’єднати переходами
+weld-step-over-with-parts = прохід із переходами не можна зварювати частинами
+weld-allowed-no-step-over = без переходу або шов по всьому колу
 weld-station-distance-invalid = недопустима відстань між перерізами
 weld-no-bead-weaves = жоден валик не з коливаннями
 weld-allowed-weave = [weld.weave], `weave` у [beads.root], [beads.fill] чи [beads.cap], або інше значення

@@ -60,6 +60,8 @@ program-bead-column-length = 该列有 { $rows } 行，s_mm 有 { $wanted } 行
 program-path-lengths-increase = 路径长度必须递增
 program-torch-behind-face = 焊枪会位于表面背后
 program-weave-part-above-one = 大于 1 的比例会使摆动比该焊道的更宽
+program-step-over-without-bead = 过渡需要一条起始焊道
+program-step-over-misplaced = 从 { $from } 到 { $to } 的过渡不在前一过渡与焊道终点之间
 
 # Joints.
 program-root-face-too-high = 钝边没有给坡口留下厚度

@@ -190,7 +190,7 @@ weld-allowed-taught-turn = 不超过 { $max }：点间距更大，或更接近�
 
 # Passes.
 weld-pass-begins-beyond-end = 焊道从焊缝终点之后开始
-weld-pass-round-more-than-twice = 焊道绕焊缝超过两圈
+weld-pass-round-more-than-twice = 焊道在同一位置绕焊缝超过两圈
 weld-pass-beyond-end = 焊道越过焊缝终点
 weld-pass-beyond-start = 焊道退到焊缝起点之前
 weld-pass-without-seam = 焊道没有可沿行的焊缝
@@ -277,6 +277,12 @@ weld-allowed-steady-feed = [weld.process] 或此处 wire_feed_m_min 大于 0，�
 weld-deposition-too-large = 焊道的金属会比焊丝还多
 weld-bead-range-too-large = 焊道在这样的范围内不能保持形状
 weld-wall-tilt-too-large = 焊丝会贴在壁上
+weld-step-over-needs-closed-seam = 过渡到下一焊道需要整圈焊接的焊缝
+weld-step-over-too-long = 过渡长度超过焊缝的一半
+weld-step-over-with-alternate = 由过渡连接的焊道方向必须相同
+weld-step-over-with-passes = 只覆盖部分焊缝的焊层不能由过渡连接
+weld-step-over-with-parts = 带过渡的焊道不能分段焊接
+weld-allowed-no-step-over = 不用过渡，或整圈焊接的焊缝
 weld-station-distance-invalid = 无效的截面间距
 weld-no-bead-weaves = 没有摆动的焊道
 weld-allowed-weave = [weld.weave]，[beads.root]、[beads.fill] 或 [beads.cap] 中的 `weave`，或其他值

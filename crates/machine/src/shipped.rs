@@ -28,7 +28,8 @@ pub const SHIPPED: &[Shipped] = ship![
     "ar1440",
     "ur10e-positioner",
     "irb-2600-rail",
-    "iiwa-14"
+    "iiwa-14",
+    "column-boom"
 ];
 
 /// The shipped machine file called `name`.

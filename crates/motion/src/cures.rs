@@ -296,8 +296,8 @@ impl Trial<'_> {
         let (free, survey) = along_axes(self.held, Request { path, ..self.request }).ok()?;
         let follower = Follower { machine: self.held, path, free: &free };
         let mut joints = JointPath::new(follower, &survey.start).ok()?;
-        if let Some(last) = self.request.last.filter(|_| !follower.is_given()) {
-            joints.turn_towards(self.held, last);
+        if !follower.is_given() {
+            joints.turn_to_start(self.held, &Request { path, ..self.request });
         }
         // Ranges are checked along the path.
         survey.findings.iter().all(|f| f.allowed || f.kind == "range").then_some(joints)

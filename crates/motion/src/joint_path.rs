@@ -3,7 +3,7 @@ mod blended;
 use crate::follower::Follower;
 use crate::stretch::Stretch;
 use seamwright_geometry::{NODES, Series, nodes};
-use seamwright_machine::{Axis, AxisKind, Course, Joints, MAX_AXES, Machine};
+use seamwright_machine::{Axis, AxisKind, Course, Joints, MAX_AXES};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
@@ -197,25 +197,14 @@ impl JointPath {
         Series { c: std::array::from_fn(|k| block[k][axis % LANES]) }
     }
 
-    /// Turns rotary axes by whole turns so that the path starts as near as possible to `before` and stays in their
-    /// ranges.
-    pub(crate) fn turn_towards(&mut self, machine: &Machine, before: &Joints) {
-        let start = self.at(0.0);
-        for (i, axis) in machine.axes.iter().enumerate().filter(|(_, a)| a.kind == AxisKind::Rotary) {
-            let wanted = ((before[i] - start[i]) / TAU).round();
-            let turns = match axis.range {
-                None => wanted,
-                // A table of pitch errors is not periodic: its turns differ.
-                Some(_) if axis.pitch_error.is_some() => 0.0,
-                Some(_) => axis.turns_within(self.extremes(i), wanted).unwrap_or(0.0),
-            };
-            let blocks = self.blocks.iter_mut().skip(i / LANES).step_by(self.blocks_a_panel);
-            blocks.for_each(|block| block[0][i % LANES] += TAU * turns);
-        }
+    /// Adds `turns` whole turns to the positions of rotary axis `i`.
+    pub(crate) fn turn(&mut self, i: usize, turns: f64) {
+        let blocks = self.blocks.iter_mut().skip(i / LANES).step_by(self.blocks_a_panel);
+        blocks.for_each(|block| block[0][i % LANES] += TAU * turns);
     }
 
     /// Minimum and maximum position of axis `i` over [`PLACES`] samples.
-    fn extremes(&self, i: usize) -> RangeInclusive<f64> {
+    pub(crate) fn extremes(&self, i: usize) -> RangeInclusive<f64> {
         let places = (0..=PLACES).map(|k| self.length * k as f64 / PLACES as f64);
         let positions = places.map(|s| self.at(s)[i]);
         let (low, high) = positions.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q), h.max(q)));

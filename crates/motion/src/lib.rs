@@ -86,6 +86,7 @@ mod set_points;
 mod singular;
 mod speed_findings;
 pub mod speed_profile;
+mod start_turn;
 mod stretch;
 mod survey;
 pub mod taught;

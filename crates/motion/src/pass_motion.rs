@@ -53,7 +53,7 @@ pub(crate) struct Request<'a> {
     pub(crate) effort: &'a Effort<'a>,
     /// Procedure whose welding positions take precedence over the preferred ones.
     pub(crate) procedure: Option<&'a Procedure>,
-    /// Positions at the end of the previous pass: rotary axes start on the turn nearest to it.
+    /// Positions at the end of the previous pass: rotary axes start on the turn nearest to it in their range.
     pub(crate) last: Option<&'a Joints>,
     /// False if only a plan is of interest, not the reason for its failure.
     pub(crate) explains: bool,
@@ -137,8 +137,8 @@ impl PassMotion {
                 return Err(findings);
             }
         };
-        if let Some(last) = request.last.filter(|_| !follower.is_given()) {
-            joints.turn_towards(machine, last);
+        if !follower.is_given() {
+            joints.turn_to_start(machine, &request);
             // The survey checked the path before it was turned.
             findings.retain(|f| f.kind != "range");
             findings.extend(range_on_path(machine, &joints, number));

@@ -77,6 +77,7 @@ mod space_seam;
 mod span;
 mod span_value;
 mod spare_axes;
+mod step_over;
 mod taught;
 mod tolerance;
 mod torch;
@@ -135,6 +136,7 @@ pub use space_seam::{Helix, Spline};
 pub use span::Span;
 pub use span_value::{Ramp, SpanValue};
 pub use spare_axes::{Position, SpareAxes, Weights};
+pub use step_over::StepOver;
 pub use taught::Taught;
 pub use tolerance::Tolerance;
 pub use torch::{

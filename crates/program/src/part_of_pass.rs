@@ -22,7 +22,8 @@ impl Pass {
         let within = PathRange { from_mm: from, to_mm: to.min(end) };
         let own = self.spans.iter().filter_map(|span| clipped(span, 0.0, within));
         let spans = own.chain(again).map(|span| moved(span, -from)).collect();
-        Self { begin_mm: begin(self.seam_s(from), turn), spans, ..self.clone() }
+        let (bead, step_overs) = self.step_overs_within(range);
+        Self { begin_mm: begin(self.seam_s(from), turn), bead, step_overs, spans, ..self.clone() }
     }
 
     /// The same pass from its end to its start; on a seam welded all round `turn` is its length, mm.
@@ -38,7 +39,9 @@ impl Pass {
             }
         };
         let spans = self.spans.iter().rev().map(mirrored).collect();
-        Self { begin_mm: begin(self.seam_s(length), turn), reverse: !self.reverse, spans, ..self.clone() }
+        let (bead, step_overs) = self.step_overs_turned();
+        let begin_mm = begin(self.seam_s(length), turn);
+        Self { begin_mm, reverse: !self.reverse, bead, step_overs, spans, ..self.clone() }
     }
 }
 

@@ -9,6 +9,7 @@ use crate::sequence::Sequence;
 use crate::span::Span;
 use crate::span_value::SpanValue;
 use crate::spare_axes::SpareAxes;
+use crate::step_over::StepOver;
 use crate::tolerance::Tolerance;
 use crate::torch::Torch;
 use crate::weave::Weave;
@@ -64,6 +65,10 @@ pub struct Pass {
     /// Position of the bead beside the seam; on the seam if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bead: Option<Bead>,
+    /// Step-overs to the lines of further beads, in the order of travel, on a seam welded all round: all are welded without
+    /// stopping the arc.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub step_overs: Vec<StepOver>,
     /// Weave of the torch; no weave if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weave: Option<Weave>,
@@ -198,6 +203,7 @@ impl Pass {
             ("least_speed_mm_s", self.least_speed_mm_s.is_some()),
             ("torch", self.torch != Torch::default()),
             ("bead", self.bead.is_some()),
+            ("step_overs", !self.step_overs.is_empty()),
             ("weave", self.weave.is_some()),
             ("oscillation", self.oscillation.is_some()),
         ];

@@ -151,6 +151,7 @@ impl Program {
             if let Some(bead) = &pass.bead {
                 bead.check(&document, &format!("passes[{p}].bead"))?;
             }
+            pass.check_step_overs(&document, &format!("passes[{p}]"))?;
             if let Some(weave) = &pass.weave {
                 let (path, process) = (format!("passes[{p}].weave"), &pass.spans[0].process);
                 weave.check(&document, &path, process, Keyed { key: &corner, value: &pass.corner })?;

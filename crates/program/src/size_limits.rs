@@ -18,10 +18,10 @@ pub const MAX_SEAM_MM: f64 = 1e6;
 pub const MAX_TRAVEL_S: f64 = 86_400.0;
 
 impl Pass {
-    /// Rows that it holds: spans, positions of its bead, points.
+    /// Rows that it holds: spans, positions of its beads, points.
     pub fn rows(&self) -> usize {
-        let bead = self.bead.as_ref().map_or(0, |bead| bead.s_mm.len());
-        self.spans.len() + bead + self.points.as_ref().map_or(0, crate::points::Points::count)
+        let beads: usize = self.beads().map(|(bead, _)| bead.s_mm.len()).sum();
+        self.spans.len() + beads + self.points.as_ref().map_or(0, crate::points::Points::count)
     }
 
     /// Time that it travels along the seam at the asked speed, s.

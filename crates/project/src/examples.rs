@@ -45,5 +45,6 @@ pub const EXAMPLES: &[Example] = examples![
     "hillside",
     "thick-saddle",
     "weave",
-    "radiator"
+    "radiator",
+    "narrow-gap-girth"
 ];

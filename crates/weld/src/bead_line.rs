@@ -1,13 +1,41 @@
 use crate::allowed::{at_most, between, on_weld, rounded};
 use crate::pass_keys::PassKeys;
 use crate::periodic_places::repeated;
-use crate::seam::{SeamCurve, SeamPoint};
+use crate::seam::SeamCurve;
 use crate::stretch::Stretch;
-use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_geometry::CubicSpline;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Bead, PathRange, SAME_POSITION_MM, is_before, is_beyond, is_same_position};
+use seamwright_program::{Bead, Keyed, PathRange, SAME_POSITION_MM, is_before, is_beyond, is_same_position};
+
+/// Position of the torch beside the seam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BesideSeam {
+    /// Distance across the bisector towards the first part, mm.
+    pub across: f64,
+    /// Distance along the bisector out of the joint, mm.
+    pub out: f64,
+    /// Addition to the work angle, rad.
+    pub lean: f64,
+    /// Width of the weave as a part of its own.
+    pub weave_part: f64,
+}
+
+impl BesideSeam {
+    /// The seam itself.
+    pub(crate) const ON_SEAM: Self = Self { across: 0.0, out: 0.0, lean: 0.0, weave_part: 1.0 };
+
+    /// Goes `part` of the way to `other`.
+    pub(crate) fn towards(&self, other: &Self, part: f64) -> Self {
+        let between = |a: f64, b: f64| a + part * (b - a);
+        Self {
+            across: between(self.across, other.across),
+            out: between(self.out, other.out),
+            lean: between(self.lean, other.lean),
+            weave_part: between(self.weave_part, other.weave_part),
+        }
+    }
+}
 
 /// Position of a bead beside the seam, by the seam's path length: cubic splines through the rows of a [`Bead`],
 /// periodic on a seam welded all round, natural on any other.
@@ -24,21 +52,22 @@ pub struct BeadLine {
 }
 
 impl BeadLine {
-    /// The line of `bead` of a pass over `stretch` of `seam`; `keys` are those of the pass' values in `file`.
+    /// The line of `bead`, whose key in the pass is `key`, of a pass over `stretch` of `seam`; `keys` are those of the pass'
+    /// values in `file`.
     ///
     /// # Errors
     /// With the key's address: rows beside the weld, or rows that do not reach over the pass.
     pub fn new<T>(
         file: &Document<T>,
         keys: &PassKeys,
-        bead: &Bead,
+        Keyed { key, value: bead }: Keyed<Bead>,
         seam: &SeamCurve,
         stretch: &Stretch,
     ) -> Result<Self, DocumentError> {
         let rows: Vec<f64> = bead.s_mm.iter().map(|s| s.get()).collect();
         let last = rows.len().saturating_sub(1);
         let wrong = |i: usize, code: &'static str, allowed: Message| {
-            Err(file.error_at(&keys.of(&format!("bead.s_mm[{i}]")), Message::new(code), allowed))
+            Err(file.error_at(&keys.of(&format!("{key}.s_mm[{i}]")), Message::new(code), allowed))
         };
         let period = seam.all_round().then(|| seam.length());
         let end = period.unwrap_or(seam.weld_length());
@@ -65,7 +94,7 @@ impl BeadLine {
                 None => CubicSpline::natural(&points),
             };
             let allowed = || Message::new("weld-allowed-path-lengths-increasing");
-            spline.map_err(|e| file.error_at(&keys.of("bead.s_mm"), e.message(), allowed()))
+            spline.map_err(|e| file.error_at(&keys.of(&format!("{key}.s_mm")), e.message(), allowed()))
         };
         let parts: Vec<Finite> = bead.weave_part.iter().filter_map(|part| Finite::new(part.get())).collect();
         Ok(Self {
@@ -78,20 +107,15 @@ impl BeadLine {
         })
     }
 
-    /// The bead's position at a point of the seam, in the seam's frame, mm.
-    pub fn tip(&self, p: &SeamPoint) -> DVec3 {
-        p.point + self.across.at(p.s).0 * p.towards_first + self.out.at(p.s).0 * p.bisector
-    }
-
-    /// Addition to the work angle at path length `s` on the seam, rad.
-    pub fn lean(&self, s: f64) -> f64 {
-        self.lean.at(s).0
-    }
-
-    /// Width of the weave at path length `s` on the seam, as a part of its own.
-    pub fn weave_part(&self, s: f64) -> f64 {
-        // Not clamped, which would make corners: at rows of 0 or 1 it may go slightly beyond.
-        self.weave_part.as_ref().map_or(1.0, |part| part.at(s).0)
+    /// The torch at path length `s` on the seam.
+    pub fn at(&self, s: f64) -> BesideSeam {
+        BesideSeam {
+            across: self.across.at(s).0,
+            out: self.out.at(s).0,
+            lean: self.lean.at(s).0,
+            // Not clamped, which would make corners: at rows of 0 or 1 it may go slightly beyond.
+            weave_part: self.weave_part.as_ref().map_or(1.0, |part| part.at(s).0),
+        }
     }
 
     /// Rows inside `range` of the seam, where third derivatives may jump, mm.

@@ -37,6 +37,7 @@ mod allowed;
 mod angles;
 mod attitude;
 mod bead_line;
+mod bead_path;
 mod beads;
 mod body;
 mod branch;
@@ -70,7 +71,8 @@ mod weld_path;
 mod welding;
 
 pub use attitude::Attitude;
-pub use bead_line::BeadLine;
+pub use bead_line::{BeadLine, BesideSeam};
+pub use bead_path::BeadPath;
 pub use beads::{Adapt, BeadAt, BeadPlan, Beads, Layer, Order, Run};
 pub use job::{Job, Station, Weld};
 pub use joint::{Groove, SeamJoint, Section};

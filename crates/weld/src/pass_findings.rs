@@ -4,7 +4,7 @@ use crate::pass_path::PassPath;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, PathRange, TorchPath, torch_jumps};
 
-/// Number of stations checked along a pass.
+/// Number of stations checked along a pass, or along each turn of one that goes round several times.
 const PLACES: u32 = 720;
 /// Minimum progress of a bead, as a part of the way along the seam: beyond the centre of a bend it goes back.
 const MIN_PROGRESS: f64 = 0.1;
@@ -64,10 +64,12 @@ impl PassPath<'_> {
         cure: &'static str,
         complaint: impl Fn(f64) -> Option<Message>,
     ) -> Vec<Finding> {
-        let step = self.length() / f64::from(PLACES);
+        let turns = (self.length() / self.seam.length()).floor().max(1.0);
+        let count = PLACES * turns as u32;
+        let step = self.length() / f64::from(count);
         let mut findings: Vec<Finding> = Vec::new();
         let mut open = false;
-        for s in (0..=PLACES).map(|i| f64::from(i) * step) {
+        for s in (0..=count).map(|i| f64::from(i) * step) {
             let Some(message) = complaint(s) else {
                 open = false;
                 continue;

@@ -64,7 +64,7 @@ impl PassKeys {
             Source::Listed(i) if key.is_empty() => format!("passes[{i}]"),
             Source::Listed(i) => format!("passes[{i}].{key}"),
             Source::Derived { table, .. } => match key.split(['.', '[']).next() {
-                Some("begin_mm" | "spans" | "bead" | "") | None => (*table).to_owned(),
+                Some("begin_mm" | "spans" | "bead" | "step_overs" | "") | None => (*table).to_owned(),
                 Some(_) => key.to_owned(),
             },
         }

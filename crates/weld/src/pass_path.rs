@@ -1,5 +1,6 @@
 use crate::attitude::Attitude;
-use crate::bead_line::BeadLine;
+use crate::bead_line::BesideSeam;
+use crate::bead_path::BeadPath;
 use crate::joint::SeamJoint;
 use crate::seam::{SeamCurve, SeamPoint};
 use crate::stretch::Stretch;
@@ -22,8 +23,8 @@ pub struct PassPath<'a> {
     pub stretch: Stretch,
     /// Torch angles by the seam's path length.
     pub attitude: Attitude,
-    /// Position of the bead beside the seam, if it has one.
-    pub bead: Option<&'a BeadLine>,
+    /// Position of its beads beside the seam, if it has any.
+    pub bead: Option<&'a BeadPath>,
     /// Weave of the torch about the bead's line, if any.
     pub weaving: Option<Weaving>,
     /// What the stick-out is more than the machine's, mm.
@@ -42,21 +43,31 @@ impl PassPath<'_> {
     pub fn angles(&self, s: f64) -> (f64, f64) {
         let s = self.stretch.seam_s(s);
         let (work, travel) = self.attitude.angles(s);
-        (work + self.bead.map_or(0.0, |bead| bead.lean(s)), travel)
+        (work + self.beside(s).lean, travel)
     }
 
     /// The torch over a point of the seam, in the seam's frame: its tip, without a weave, and the unit vector from there
     /// to the torch.
     pub fn torch_at(&self, p: &SeamPoint) -> (DVec3, DVec3) {
-        let (tip, lean) = self.bead.map_or((p.point, 0.0), |bead| (bead.tip(p), bead.lean(p.s)));
-        (tip, self.attitude.leaning(p, lean, self.stretch.sense))
+        (self.tip_at(p), self.attitude.leaning(p, self.beside(p.s).lean, self.stretch.sense))
+    }
+
+    /// The torch beside the seam at path length `s` of the seam, counted on from turn to turn.
+    fn beside(&self, s: f64) -> BesideSeam {
+        self.bead.map_or(BesideSeam::ON_SEAM, |bead| bead.at(self.stretch.own_s(s), s))
+    }
+
+    /// The torch tip over a point of the seam, in the seam's frame, without a weave, mm.
+    fn tip_at(&self, p: &SeamPoint) -> DVec3 {
+        let beside = self.beside(p.s);
+        p.point + beside.across * p.towards_first + beside.out * p.bisector
     }
 
     /// Offset of the weaving tip from its line at path length `s`, mm: across towards the first part, and along in the
     /// direction of travel. `None` without a weave.
     pub fn woven(&self, s: f64) -> Option<(f64, f64)> {
         let (across, along) = self.weaving.as_ref()?.offset(s);
-        let part = self.bead.map_or(1.0, |bead| bead.weave_part(self.stretch.seam_s(s)));
+        let part = self.beside(self.stretch.seam_s(s)).weave_part;
         Some((part * across, part * along))
     }
 
@@ -90,7 +101,7 @@ impl TorchPath for PassPath<'_> {
     /// Without the attitude, which it does not depend on.
     fn line_point(&self, s: f64) -> DVec3 {
         let p = self.seam_point(s);
-        self.placement.transform_point3(self.bead.map_or(p.point, |bead| bead.tip(&p)))
+        self.placement.transform_point3(self.tip_at(&p))
     }
 
     fn line(&self, s: f64) -> (DVec3, DVec3) {
@@ -102,9 +113,11 @@ impl TorchPath for PassPath<'_> {
     }
 
     fn rate(&self, s: f64) -> f64 {
-        let Some(bead) = self.bead else { return 1.0 };
+        if self.bead.is_none() {
+            return 1.0;
+        }
         let (behind, ahead) = ((s - HALF_MM).max(0.0), (s + HALF_MM).min(self.length()));
-        let tip = |s: f64| bead.tip(&self.seam_point(s));
+        let tip = |s: f64| self.tip_at(&self.seam_point(s));
         (tip(ahead) - tip(behind)).length() / (ahead - behind)
     }
 
@@ -160,10 +173,14 @@ impl PassPath<'_> {
     fn with_weave(&self, of: impl Fn(&Weaving) -> Vec<f64>) -> Vec<f64> {
         let range = self.stretch.range();
         let mut knots = self.seam.knots_within(range);
+        knots.sort_by(f64::total_cmp);
+        let of_seam = knots.len();
         // A position of the torch attitude or of the bead next to one of the seam counts as that one.
-        let more = [self.attitude.knots_within(range), self.bead.map_or(Vec::new(), |bead| bead.knots_within(range))];
+        let more =
+            [self.attitude.knots_within(range), self.bead.map_or(Vec::new(), |bead| bead.knots_within(&self.stretch))];
         for place in more.into_iter().flatten() {
-            if knots.iter().all(|knot| !is_same_position(*knot, place)) {
+            let next = knots[..of_seam].partition_point(|knot| *knot < place);
+            if knots[next.saturating_sub(1)..of_seam.min(next + 1)].iter().all(|knot| !is_same_position(*knot, place)) {
                 knots.push(place);
             }
         }

@@ -5,7 +5,7 @@ use seamwright_document::{Document, DocumentError};
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Pass, PathRange, is_beyond};
 
-/// Maximum number of turns of a pass; more are a mistake.
+/// Maximum number of turns of a pass on one bead; more are a mistake. Each step-over to another bead permits one more.
 const MAX_TURNS: f64 = 2.0;
 
 /// The part of a seam that a pass runs over, one way or the other.
@@ -24,7 +24,7 @@ impl Stretch {
     ///
     /// # Errors
     /// With the key's address: a pass that starts beside the weld or goes on beyond its ends, or goes round a closed
-    /// seam more than twice.
+    /// seam more than twice on one bead. Also step-overs on a seam that is not welded all round.
     pub fn new<T>(file: &Document<T>, keys: &PassKeys, pass: &Pass, seam: &SeamCurve) -> Result<Self, DocumentError> {
         let (begin, length, weld) = (pass.begin_mm.get(), pass.length(), seam.weld_length());
         let sense = if pass.reverse { -1.0 } else { 1.0 };
@@ -32,8 +32,13 @@ impl Stretch {
             let message = Message::new("weld-pass-begins-beyond-end");
             return Err(file.error_at(&keys.of("begin_mm"), message, between(0.0, rounded(weld), Unit::Mm)));
         }
+        if !pass.step_overs.is_empty() && !seam.all_round() {
+            let message = Message::new("weld-step-over-needs-closed-seam");
+            return Err(file.error_at(&keys.of("step_overs"), message, Message::new("weld-allowed-no-step-over")));
+        }
+        let turns = MAX_TURNS + pass.step_overs.len() as f64;
         let (room, code) = match (seam.all_round(), pass.reverse) {
-            (true, _) => (MAX_TURNS * seam.length(), "weld-pass-round-more-than-twice"),
+            (true, _) => (turns * seam.length(), "weld-pass-round-more-than-twice"),
             (false, false) => (weld - begin, "weld-pass-beyond-end"),
             (false, true) => (begin, "weld-pass-beyond-start"),
         };
@@ -62,7 +67,17 @@ impl Stretch {
 
     /// Range on the seam: from the smaller path length to the larger.
     pub fn range(&self) -> PathRange {
-        let end = self.seam_s(self.length);
-        PathRange { from_mm: self.begin.min(end), to_mm: self.begin.max(end) }
+        self.range_of(PathRange::up_to(self.length))
+    }
+
+    /// Range on the seam of a range of the pass' own path length.
+    pub(crate) fn range_of(&self, own: PathRange) -> PathRange {
+        let (a, b) = (self.seam_s(own.from_mm), self.seam_s(own.to_mm));
+        PathRange { from_mm: a.min(b), to_mm: a.max(b) }
+    }
+
+    /// The part of it in a range of the pass' own path length.
+    pub(crate) fn part(&self, own: PathRange) -> Self {
+        Self { begin: self.seam_s(own.from_mm), length: own.to_mm - own.from_mm, ..*self }
     }
 }

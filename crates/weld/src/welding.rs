@@ -1,5 +1,5 @@
 use crate::attitude::Attitude;
-use crate::bead_line::BeadLine;
+use crate::bead_path::BeadPath;
 use crate::beads::{BeadPlan, WeldValues};
 use crate::job::Job;
 use crate::joint::SeamJoint;
@@ -265,7 +265,9 @@ fn on_pass(pass: &Pass, seam: &SeamCurve, range: PathRange) -> Option<PathRange>
     let sense = if pass.reverse { -1.0 } else { 1.0 };
     let own = |i: u32| {
         let s = sense * (from + (to - from) * f64::from(i) / f64::from(PLACES) - pass.begin_mm.get());
-        if seam.all_round() { s.rem_euclid(seam.length()) } else { s }
+        // A range beyond the seam's length is that of a bead in a later turn.
+        let is_turned = seam.all_round() && !(0.0..=pass.length()).contains(&s);
+        if is_turned { s.rem_euclid(seam.length()) } else { s }
     };
     let inside = (0..=PLACES).map(own).filter(|s| (0.0..=pass.length()).contains(s));
     inside.fold(None, |own: Option<PathRange>, s| {
@@ -292,8 +294,8 @@ struct SeamLine {
     stretch: Stretch,
     /// Torch angles by the seam's path length, without the bead's addition.
     attitude: Attitude,
-    /// Position of the bead beside the seam, if it has one.
-    bead: Option<BeadLine>,
+    /// Position of its beads beside the seam, if it has any.
+    bead: Option<BeadPath>,
     /// What the stick-out is more than the machine's, mm.
     drawn_back: f64,
 }
@@ -329,9 +331,8 @@ fn pass_lines(
             let allowed = Message::new("weld-allowed-travel-time").value("max", MAX_TRAVEL_S, Unit::S);
             return Err(program.error_at(&keys.speed(), message, allowed));
         }
-        let bead = |bead| BeadLine::new(program, keys, bead, seam, &stretch);
         let attitude = Attitude::new(program, &keys.of("torch"), &pass.torch, seam)?;
-        let bead = pass.bead.as_ref().map(bead).transpose()?;
+        let bead = BeadPath::new(program, keys, pass, seam, &stretch)?;
         let drawn_back = stick_out::drawn_back(program, &keys.of("torch"), &pass.torch, machine_stick_out)?;
         Ok(PassLine::Seam(Box::new(SeamLine { stretch, attitude, bead, drawn_back })))
     };

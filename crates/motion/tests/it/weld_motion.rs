@@ -2,12 +2,13 @@
 //! obstacles are reported or avoided.
 
 use crate::number;
-use crate::planning::{machine_of, plan_weld, several_passes};
+use crate::planning::{machine_of, plan_weld, read, read_machine, several_passes};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_machine::{Clamped, Joints, Machine};
 use seamwright_motion::{Phase, WeldMotion};
 use seamwright_program::{Finding, TorchPath};
+use seamwright_weld::Welding;
 
 /// Plays the whole motion from home to home and checks every set-point by differences: ranges, speeds, accelerations,
 /// reported rates; the last position.
@@ -67,6 +68,66 @@ fn a_limited_axis_unwinds_between_passes_and_an_endless_one_goes_on() {
     let turned = motion.passes[2].path.at(motion.passes[2].path.length())[c] - motion.passes[0].path.at(0.0)[c];
     assert!(turned.abs() > 6.0 * std::f64::consts::PI, "the table turns on: {turned}");
     check(&machine_5, &motion);
+}
+
+/// A girth of 1000 mm diameter in six passes, on rolls of which `range` gives the end stops.
+fn girth_on_rolls(range: &str, step_over: &str) -> (Machine, Welding) {
+    let welding = read(&format!(
+        "schema = 1\ntitle = \"t\"\nmachine = \"column-boom\"\n[seam.girth]\nradius_mm = 500\ndirection = [1, 0, 0]\n\
+         zero_direction = [0, 0, 1]\n[joint]\n[joint.preparation.single_v]\nthickness_mm = 14\nangle_deg = 50\n\
+         root_gap_mm = 2\nroot_face_mm = 1\n[start]\noverlap_mm = 15\n[beads]\nwire_mm = 3.2\nstation_mm = 50\nwall_tilt_deg = 4\n{step_over}\n\
+         order = \"from_second\"\nroot = {{ layer_mm = 4 }}\nfill = {{ layer_mm = 3 }}\n[weld]\nspeed_mm_s = 8\n[weld.process]\n\
+         wire_feed_m_min = 1.2\n"
+    ));
+    let text = seamwright_machine::shipped("column-boom").unwrap().text;
+    (read_machine(&text.replace("continuous = true", range)), welding)
+}
+
+/// Angles (degrees) by which the rolls turn from the end of each pass to the start of the next.
+fn turns_between(machine: &Machine, motion: &WeldMotion) -> Vec<f64> {
+    let w = machine.axis("w").unwrap();
+    let ends = motion.passes.windows(2).map(|two| two[1].path.at(0.0)[w] - two[0].path.at(two[0].path.length())[w]);
+    ends.map(f64::to_degrees).collect()
+}
+
+#[test]
+fn rolls_turn_on_from_pass_to_pass_and_unwind_only_when_they_must() {
+    for (range, unwound) in [
+        ("continuous = true", 0),
+        ("range_deg = [-3600, 3600]", 0),
+        // All passes just fit, from one end to the other.
+        ("range_deg = [-1300, 1300]", 0),
+        // Two passes between unwindings.
+        ("range_deg = [-550, 550]", 2),
+    ] {
+        let (machine, welding) = girth_on_rolls(range, "");
+        let count = welding.program.value.passes.len();
+        assert_eq!(count, 6, "the ranges are made for six passes");
+        let motion = plan_weld(&machine, &welding, &Clamped::default()).unwrap_or_else(|f| panic!("{range}: {f:?}"));
+        let between = turns_between(&machine, &motion);
+        assert_eq!(between.iter().filter(|by| by.abs() > 180.0).count(), unwound, "{range}: {between:?}");
+        assert_eq!(motion.findings.iter().filter(|f| f.kind == "unwind").count(), unwound, "{range}");
+        check(&machine, &motion);
+    }
+}
+
+#[test]
+fn a_spiral_is_welded_in_one_motion_without_a_stop() {
+    let (machine, welding) = girth_on_rolls("continuous = true", "step_over_mm = 60");
+    let passes = &welding.program.value.passes;
+    let motion = plan_weld(&machine, &welding, &Clamped::default()).unwrap_or_else(|f| panic!("{f:?}"));
+    assert!(motion.passes.len() < 6 && passes.iter().any(|pass| !pass.step_overs.is_empty()));
+    check(&machine, &motion);
+    let w = machine.axis("w").unwrap();
+    for (planned, pass) in motion.passes.iter().zip(passes) {
+        let turned = planned.path.at(planned.path.length())[w] - planned.path.at(0.0)[w];
+        let turns = pass.length() / welding.seam.as_ref().unwrap().length();
+        assert!((turned.abs() / std::f64::consts::TAU - turns).abs() < 1e-3, "{turned} {turns}");
+        // From the acceleration to the deceleration phase the torch keeps its speed.
+        let (least, greatest) = planned.tip_band(&machine);
+        let (low, high) = pass.speeds();
+        assert!(least > 0.98 * low && greatest < 1.02 * high, "{least} {greatest} {low} {high}");
+    }
 }
 
 #[test]

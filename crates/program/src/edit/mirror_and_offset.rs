@@ -5,6 +5,7 @@ use super::report::Report;
 use crate::arc_through::ArcThrough;
 use crate::bead::Bead;
 use crate::points::Along;
+use crate::step_over::BeadShift;
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point};
@@ -252,10 +253,9 @@ impl Offset {
             }
             let pass = &mut draft.pass(self.pass)?.pass;
             let begin = Finite::new(pass.begin_mm.get()).unwrap_or_default();
-            let bead = pass.bead.get_or_insert_with(|| on_the_seam(begin));
-            add(&mut bead.across_mm, beside[0]);
-            add(&mut bead.out_mm, beside[1]);
-            add(&mut bead.work_angle_deg, beside[2]);
+            pass.bead.get_or_insert_with(|| on_the_seam(begin));
+            let [across_mm, out_mm, work_angle_deg] = beside;
+            pass.shift_beads(BeadShift { across_mm, out_mm, work_angle_deg });
             return Ok(Report::new(words).pass(self.pass));
         }
         if beside.iter().any(|by| by.abs() > 0.0) {
@@ -286,8 +286,4 @@ fn on_the_seam(begin: Finite) -> Bead {
         weave_part: Vec::new(),
         area_mm2: vec![NonNegative::default()],
     }
-}
-
-fn add(column: &mut [Finite], by: f64) {
-    column.iter_mut().for_each(|value| *value = Finite::new(value.get() + by).unwrap_or(*value));
 }

@@ -111,6 +111,9 @@ pub struct PassFigures {
     /// Number of its bead in the cross-sections, if every bead is all along the seam.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bead: Option<usize>,
+    /// Number of its last bead, if it welds several with step-overs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub last_bead: Option<usize>,
     /// Minimum and maximum of each process value in the pass, by name.
     pub process_range: BTreeMap<String, (f64, f64)>,
     /// Stick-out, mm, if it is not the machine's.
@@ -202,7 +205,8 @@ impl WeldReport {
                 name: pass.name.clone(),
                 copy: program.copy_name(pass.copy).map(str::to_owned),
                 role: pass.known_role().map(Role::name),
-                bead: beads.get(i).copied().flatten(),
+                bead: beads.get(i).and_then(|beads| beads.first),
+                last_bead: beads.get(i).and_then(|beads| beads.last),
                 process_range: process_range(pass),
                 stick_out_mm: pass.torch.stick_out_mm.map(Positive::get),
                 arc_energy_kj: totals::arc_energy_kj(pass, planned),
@@ -254,9 +258,17 @@ impl PassFigures {
     }
 }
 
-/// Returns the number of each pass' bead in the cross-sections: they count the beads at a station in the order of
+/// Numbers of the beads of a pass in the cross-sections.
+#[derive(Debug, Clone, Copy, Default)]
+struct BeadNumbers {
+    first: Option<usize>,
+    /// `None` if it welds one bead.
+    last: Option<usize>,
+}
+
+/// Returns the numbers of each pass' beads in the cross-sections: they count the beads at a station in the order of
 /// welding. Empty where some beads are not all along the seam, as then the numbers differ along it.
-fn bead_numbers(welding: &Welding) -> Vec<Option<usize>> {
+fn bead_numbers(welding: &Welding) -> Vec<BeadNumbers> {
     if welding.plan.as_ref().is_none_or(|plan| plan.parts.iter().any(|parts| !parts.is_empty())) {
         return Vec::new();
     }
@@ -264,11 +276,20 @@ fn bead_numbers(welding: &Welding) -> Vec<Option<usize>> {
     let mut numbers = Vec::new();
     for pass in &welding.program.value.passes {
         // A tack lies on the line of the root without being it.
-        let bead = pass.bead.as_ref().filter(|_| pass.role != Some(Role::Tack));
-        if let Some(new) = bead.filter(|bead| !known.contains(bead)) {
-            known.push(new);
-        }
-        numbers.push(bead.and_then(|bead| known.iter().position(|other| *other == bead)).map(|i| i + 1));
+        let beads = pass.beads().filter(|_| pass.role != Some(Role::Tack)).map(|(bead, _)| bead);
+        let of_pass: Vec<usize> = beads
+            .map(|bead| {
+                let old = known.iter().position(|other| *other == bead);
+                old.unwrap_or_else(|| {
+                    known.push(bead);
+                    known.len() - 1
+                }) + 1
+            })
+            .collect();
+        numbers.push(BeadNumbers {
+            first: of_pass.first().copied(),
+            last: of_pass.last().copied().filter(|_| of_pass.len() > 1),
+        });
     }
     numbers
 }

@@ -37,7 +37,7 @@ pub(super) fn map(welding: &Welding, language: Language) -> Option<WeldMap> {
         length_mm,
         round,
         marks: if round { marks(seam, language) } else { Vec::new() },
-        rows: rows.iter().map(|row| row.drawn(language)).collect(),
+        rows: rows.iter().map(|row| row.drawn(length_mm, language)).collect(),
     })
 }
 
@@ -68,13 +68,15 @@ impl Row<'_> {
         is_tack || (pass.bead == last.bead && self.passes.iter().all(is_beside))
     }
 
-    fn drawn(&self, language: Language) -> MapRow {
+    /// Returns the row on a seam of this length: of a pass of several beads all round one turn, where it starts, to where
+    /// it stops.
+    fn drawn(&self, length: f64, language: Language) -> MapRow {
         let (_, first) = self.passes[0];
         let all: Vec<usize> = self.passes.iter().map(|(number, _)| *number).collect();
         let name = self.passes.iter().fold(first.name.as_str(), |name, (_, pass)| common(name, &pass.name));
         let piece = |(number, pass): &(usize, &Pass)| MapPiece {
             start_mm: pass.seam_s(0.0),
-            stop_mm: pass.seam_s(pass.length()),
+            stop_mm: pass.seam_s(pass.length() - pass.step_overs.len() as f64 * length),
             label: number.to_string(),
         };
         MapRow {

@@ -44,7 +44,10 @@ impl WeldReport {
         names.dedup();
         let mut table = Table::of(language, &self.passes);
         if any(|pass| pass.bead.is_some()) {
-            table = table.number("report-column-bead", |pass| optional(pass.bead.map(|bead| bead.to_string())));
+            table = table.number("report-column-bead", |pass| {
+                let last = pass.last_bead.map_or(String::new(), |last| format!("–{last}"));
+                optional(pass.bead.map(|bead| format!("{bead}{last}")))
+            });
         }
         for name in names {
             let value = |pass: &&PassFigures| pass.process_range.get(name).map(|r| Range::from(*r).text(language));

@@ -1,11 +1,12 @@
 use super::sectors::Sector;
-use crate::allowed::{at_most, between};
+use crate::allowed::{at_most, between, rounded};
 use crate::attitude::check_angles;
+use crate::seam::SeamCurve;
 use crate::stick_out;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{BeadWindow, Keyed, Pass, Procedure, ProcessValues, Role, Weave, check_process};
+use seamwright_program::{BeadWindow, Keyed, Pass, Procedure, ProcessValues, Role, Weave, check_process, is_beyond};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_4;
 
@@ -48,6 +49,11 @@ pub struct Beads {
     /// Distance between the starts of successive passes on a closed seam, mm.
     #[serde(default = "stagger")]
     pub stagger_mm: NonNegative,
+    /// Length of seam over which the torch steps over from one bead to the next without stopping the arc, mm, on a seam
+    /// welded all round: beads of the same role that follow one another are one pass, but for the root. Without it each
+    /// bead is a pass of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub step_over_mm: Option<Positive>,
     /// Every other pass runs against the direction of the weld.
     #[serde(default)]
     pub alternate: bool,
@@ -205,6 +211,9 @@ fn role_of(run: &str) -> Role {
     }
 }
 
+/// Maximum length of a step-over as a part of the seam: longer ones would meet.
+const MAX_STEP_OVER: f64 = 0.5;
+
 /// No bead is wider than this many times its layer's height, or narrower than its inverse: far beyond all windows, so
 /// that only mistakes are refused.
 const MAX_WIDTH_TO_HEIGHT: f64 = 100.0;
@@ -319,6 +328,16 @@ impl Beads {
 
     /// Checks the settings that do not depend on the groove. Fails with the key's address.
     pub(crate) fn check<T>(&self, file: &Document<T>) -> Result<(), DocumentError> {
+        if self.step_over_mm.is_some() {
+            if self.alternate {
+                let message = Message::new("weld-step-over-with-alternate");
+                return Err(file.error_at("beads.alternate", message, Message::verbatim("false")));
+            }
+            if self.adapt == Adapt::Passes {
+                let allowed = Message::verbatim("\"speed\", \"wire_feed\", \"weave_width\"");
+                return Err(file.error_at("beads.adapt", Message::new("weld-step-over-with-passes"), allowed));
+            }
+        }
         if self.deposition.get() > 1.0 {
             let allowed = Message::new("document-more-than-up-to").value("min", 0.0, Unit::One);
             let allowed = allowed.value("max", 1.0, Unit::One);
@@ -339,6 +358,21 @@ impl Beads {
         if !(0.1..=100.0).contains(&self.station_mm.get()) {
             let message = Message::new("weld-station-distance-invalid");
             return Err(file.error_at("beads.station_mm", message, between(0.1, 100.0, Unit::Mm)));
+        }
+        Ok(())
+    }
+
+    /// Checks the step-over against the seam. Fails with the key's address: a seam that is not welded all round, and
+    /// step-overs longer than half of it.
+    pub(crate) fn check_step_over<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<(), DocumentError> {
+        let Some(length) = self.step_over_mm.map(Positive::get) else { return Ok(()) };
+        let wrong = |code, allowed| Err(file.error_at("beads.step_over_mm", Message::new(code), allowed));
+        if !seam.all_round() {
+            return wrong("weld-step-over-needs-closed-seam", Message::new("weld-allowed-no-step-over"));
+        }
+        let most = MAX_STEP_OVER * seam.length();
+        if is_beyond(length, most) {
+            return wrong("weld-step-over-too-long", at_most(rounded(most), Unit::Mm));
         }
         Ok(())
     }

@@ -84,6 +84,21 @@ impl Breach {
     }
 }
 
+/// The pass that lays a bead.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct BeadPlace {
+    /// Its number, from 1.
+    pub(crate) pass: usize,
+    /// Length of the turns before the bead in a pass of several beads, mm.
+    pub(crate) before_mm: f64,
+}
+
+impl Default for BeadPlace {
+    fn default() -> Self {
+        Self { pass: 1, before_mm: 0.0 }
+    }
+}
+
 /// A value that is wrong at some stations: the first and the last of them, and the worst.
 struct Wrong<T> {
     range: PathRange,
@@ -93,16 +108,22 @@ struct Wrong<T> {
 
 impl BeadPlan {
     /// Beads whose area differs more than the runs allow from their run's, beads outside their windows, and layers that
-    /// are not as high as asked for. `pass_of` gives the number of a bead's pass.
-    pub(crate) fn findings(&self, runs: &Runs, pass_of: impl Fn(usize) -> usize) -> Vec<Finding> {
+    /// are not as high as asked for. `place_of` gives the place of a bead in its pass.
+    pub(crate) fn findings(&self, runs: &Runs, place_of: impl Fn(usize) -> BeadPlace) -> Vec<Finding> {
         let mut findings = Vec::new();
         for b in 0..self.count() {
             let asked = runs.of(self.layers[self.beads[b].layer].role);
-            findings.extend(self.area_finding(b, asked, runs.most, pass_of(b)));
-            findings.extend(self.window_finding(b, asked, pass_of(b)));
+            let BeadPlace { pass, before_mm } = place_of(b);
+            let mut of_bead: Vec<Finding> = self.area_finding(b, asked, runs.most, pass).into_iter().collect();
+            of_bead.extend(self.window_finding(b, asked, pass));
             if self.beads[b].index == 0 {
-                findings.extend(self.layer_finding(b, asked, pass_of(b)));
+                of_bead.extend(self.layer_finding(b, asked, pass));
             }
+            for finding in &mut of_bead {
+                finding.from_mm += before_mm;
+                finding.to_mm += before_mm;
+            }
+            findings.extend(of_bead);
         }
         findings
     }

@@ -3,7 +3,7 @@
 //! Layers are chosen once, so that beads keep their areas, heights and windows all along the seam (`layers.rs`, with the
 //! section of a bead in `shape.rs`). At every station of the seam the beads then fill the groove there (`fill.rs`). Each keeps its share of the area.
 //! Speed or wire feed follows, or layers end where there is less to fill (`plan.rs`). Each bead becomes a pass of the
-//! program (`passes.rs`).
+//! program, or several beads all round the seam become one, with step-overs between them (`passes.rs`).
 //!
 //! **Layers from areas.** The area of a section is quadratic in the height between corners of the edges (`joint`), so
 //! the height of a layer follows from its area in closed form. A bead keeps its share of the area all along the seam.
@@ -30,7 +30,9 @@ pub use plan::BeadPlan;
 
 use crate::joint::SeamJoint;
 use crate::seam::SeamCurve;
+use findings::BeadPlace;
 use layers::Runs;
+use passes::PassOfBeads;
 use seamwright_document::{Document, DocumentError};
 use seamwright_message::Message;
 use seamwright_program::{Finding, Pass};
@@ -82,14 +84,21 @@ impl Beads {
             file.error_at(&key, why.message(), allowed)
         })?;
         let sectors = Sectors::new(file, self, seam, weld.process)?;
+        self.check_step_over(file, seam)?;
         let all = passes::passes(&plan, self, &runs, &sectors, seam, template);
-        if self.adapt == Adapt::WeaveWidth && all.iter().all(|(pass, _)| pass.weave.is_none()) {
+        if self.adapt == Adapt::WeaveWidth && all.iter().all(|of| of.pass.weave.is_none()) {
             let allowed = Message::new("weld-allowed-weave");
             return Err(file.error_at("beads.adapt", Message::new("weld-no-bead-weaves"), allowed));
         }
-        let number = |bead: usize| all.iter().position(|(_, b)| *b == bead).map_or(1, |i| i + 1);
-        let findings = plan.findings(&runs, number);
-        let passes = all.into_iter().map(|(pass, _)| pass).collect();
+        let place = |bead: usize| {
+            let found = |(i, of): (usize, &PassOfBeads)| {
+                let turn = of.beads.iter().position(|other| *other == bead)?;
+                Some(BeadPlace { pass: i + 1, before_mm: turn as f64 * seam.length() })
+            };
+            all.iter().enumerate().find_map(found).unwrap_or_default()
+        };
+        let findings = plan.findings(&runs, place);
+        let passes = all.into_iter().map(|of| of.pass).collect();
         Ok(Filled { plan, passes, findings })
     }
 }

@@ -287,6 +287,19 @@ impl BeadPlan {
         }
     }
 
+    /// True if the groove was measured before layer `layer`, and after the ones below it.
+    pub(crate) fn starts_stage(&self, layer: usize) -> bool {
+        layer > 0 && self.stages.iter().any(|stage| stage.first == layer)
+    }
+
+    /// Distance between the wires of two beads (as counted at a station) at path length `s`, mm: linear between
+    /// stations.
+    pub(crate) fn distance(&self, a: usize, b: usize, s: f64) -> f64 {
+        let (before, after, part) = self.around(s);
+        let tip = |bead: usize| self.at_station(before)[bead].tip.lerp(self.at_station(after)[bead].tip, part);
+        tip(a).distance(tip(b))
+    }
+
     /// The beads of a section at any station of the seam in the order of welding, without absent ones.
     pub fn in_order(&self, section: &Section, s: f64) -> Vec<BeadAt> {
         let mut beads = Vec::new();

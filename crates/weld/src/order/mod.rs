@@ -99,6 +99,10 @@ pub(crate) fn ordered(
     let j = &job.value;
     let order = j.order.unwrap_or_default();
     order.check_parts(job, seam)?;
+    if order.parts != Parts::Whole && j.beads.as_ref().is_some_and(|beads| beads.step_over_mm.is_some()) {
+        let message = Message::new("weld-step-over-with-parts");
+        return Err(job.error_at("order.parts", message, Message::verbatim("\"whole\"")));
+    }
     let named = Naming { copies, one: passes.len() == 1 };
     let mut ordering = Ordering { seam, order, places: places(copies), named, last: None, done: Vec::new() };
     // Counted before they are made: tacks and welds together are the passes of the program.

@@ -99,9 +99,15 @@ impl<'a> Metal<'a> {
     fn deposits(&self, station: &Station, copy: usize, before: usize) -> Vec<Deposit> {
         let mut all: Vec<Deposit> = Vec::new();
         let section = &station.section;
-        for (i, (pass, stretch)) in self.program.passes.iter().zip(&self.stretches).enumerate() {
-            let (Some(bead), Some(stretch)) = (&pass.bead, stretch) else { continue };
-            if pass.copy != copy || !self.covers(stretch, station.p.s) {
+        let passes =
+            self.program.passes.iter().zip(&self.stretches).enumerate().filter(|(_, (pass, _))| pass.copy == copy);
+        let beads = passes.flat_map(|(i, (pass, stretch))| {
+            let of_pass =
+                stretch.iter().flat_map(|stretch| pass.beads().map(|(bead, range)| (bead, stretch.part(range))));
+            of_pass.map(move |(bead, stretch)| (i, bead, stretch))
+        });
+        for (i, bead, stretch) in beads {
+            if !self.covers(&stretch, station.p.s) {
                 continue;
             }
             let [across, out, area] = at(bead, station.p.s, self.seam);

@@ -79,7 +79,9 @@ fn tacks_and_welds_are_counted_together() {
     assert_eq!(read(&job.replace("count = 8", "count = 6")).program.value.passes.len(), 10_000);
     // Of tacks in a groove each has the rows of the root bead: counted before they are made.
     let groove = line(3000.0, "square = { thickness_mm = 3, root_gap_mm = 1 }", "fill = { area_mm2 = 3 }");
-    let e = refusal(&format!("{groove}{ROWS}[tacks]\nlength_mm = 1\ncount = 7\n"));
+    // Rows that are alike would be one.
+    let gaps = "[[joint.fit_up]]\ns_mm = 0\nroot_gap_mm = 1\n[[joint.fit_up]]\ns_mm = 3000\nroot_gap_mm = 1.2\n";
+    let e = refusal(&format!("{groove}{ROWS}{gaps}[tacks]\nlength_mm = 1\ncount = 7\n"));
     assert!(e.key == "tacks" && e.message.code == "weld-too-many-rows", "{e}");
 }
 

@@ -14,6 +14,7 @@ mod points;
 mod random_jobs;
 mod short_sequences;
 mod space;
+mod spiral;
 mod spline;
 mod stations;
 mod t_joint;
