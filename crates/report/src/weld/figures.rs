@@ -110,6 +110,9 @@ pub struct PassFigures {
     /// Number of its bead in the cross-sections, if every bead is all along the seam.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bead: Option<usize>,
+    /// Minimum and maximum weld toe angle of its bead along the seam, degrees, if every bead is all along the seam.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub toe_deg: Option<(f64, f64)>,
     /// Minimum and maximum of each process value in the pass, by name.
     pub process_range: BTreeMap<String, (f64, f64)>,
     /// Arc energy U I t, kJ; `None` without current and voltage.
@@ -199,6 +202,7 @@ impl WeldReport {
                 copy: program.copy_name(pass.copy).map(str::to_owned),
                 role: pass.known_role().map(Role::name),
                 bead: beads.get(i).copied().flatten(),
+                toe_deg: beads.get(i).copied().flatten().and_then(|bead| toe_deg(welding, bead)),
                 process_range: process_range(pass),
                 arc_energy_kj: totals::arc_energy_kj(pass, planned),
                 wire_m,
@@ -247,6 +251,15 @@ impl PassFigures {
         let quantities = self.procedure.iter().flat_map(|procedure| &procedure.quantities);
         quantities.filter(|q| q.key == "heat_input_kj_mm").find_map(|q| q.found)
     }
+}
+
+/// Returns minimum and maximum weld toe angle along the seam of a bead, by its number in the cross-sections.
+fn toe_deg(welding: &Welding, number: usize) -> Option<(f64, f64)> {
+    let plan = welding.plan.as_ref()?;
+    let bead = *plan.order.get(number.checked_sub(1)?)?;
+    let toes = (0..plan.stations.len()).map(|i| plan.at_station(i)[bead].toes);
+    let angles = toes.flat_map(|toes| [toes.second, toes.first]).map(f64::to_degrees);
+    angles.fold(None, |ends: Option<(f64, f64)>, a| ends.map_or(Some((a, a)), |(l, h)| Some((l.min(a), h.max(a)))))
 }
 
 /// Returns the number of each pass' bead in the cross-sections: they count the beads at a station in the order of

@@ -46,6 +46,10 @@ impl WeldReport {
         if any(|pass| pass.bead.is_some()) {
             table = table.number("report-column-bead", |pass| optional(pass.bead.map(|bead| bead.to_string())));
         }
+        if any(|pass| pass.toe_deg.is_some()) {
+            let toe = |pass: &&PassFigures| optional(pass.toe_deg.map(|(least, _)| number(least.round(), language)));
+            table = table.number("report-column-toe-deg", toe);
+        }
         for name in names {
             let value = |pass: &&PassFigures| pass.process_range.get(name).map(|r| Range::from(*r).text(language));
             table = table.column(value_names::value(language, name), true, |pass| optional(value(pass)));

@@ -1,5 +1,6 @@
 use super::layers::Layer;
 use super::shape::{LayerShape, Level};
+use super::toes::{LayerToes, Toes};
 use crate::joint::Section;
 use glam::DVec2;
 
@@ -35,6 +36,8 @@ pub struct BeadAt {
     pub width: f64,
     /// Height of its section, mm.
     pub height: f64,
+    /// Angles at its toes.
+    pub toes: Toes,
     /// Mean height of its layer, mm.
     pub layer_height: f64,
     /// Areas of groove and cap below its layer, and with it, mm^2.
@@ -52,6 +55,7 @@ impl BeadAt {
             area: between(self.area, other.area),
             width: between(self.width, other.width),
             height: between(self.height, other.height),
+            toes: self.toes.towards(&other.toes, part),
             layer_height: between(self.layer_height, other.layer_height),
             filled: (between(self.filled.0, other.filled.0), between(self.filled.1, other.filled.1)),
             ..*self
@@ -96,6 +100,7 @@ pub(crate) fn fill(
         let high = Level::new(section, low.area + layer.share * scale);
         let shape = LayerShape::new(&low, &high, chord);
         let size = shape.bead(layer.beads, laying.spacing);
+        let toes = LayerToes::new(section, &shape, &high, layer.beads, laying.spacing);
         // At the root the gap between the parts is narrow, and the wire points above it.
         let base = low.height + if low.area > 0.0 { 0.0 } else { ROOT_RISE * (high.height - low.height) };
         let (left, right) = section.slices.edges(base);
@@ -126,6 +131,7 @@ pub(crate) fn fill(
                 area: layer.share * scale / n,
                 width: size.width,
                 height: size.height,
+                toes: toes.of(index, layer.beads),
                 layer_height: shape.height,
                 filled: (low.area, high.area),
             });

@@ -1,4 +1,5 @@
-//! Findings against beads: areas that a run cannot have, sections outside their windows, layers of another height.
+//! Findings against beads: areas that a run cannot have, sections outside their windows, steep toes, layers of another
+//! height.
 
 use super::file::Asked;
 use super::fill::BeadAt;
@@ -6,7 +7,7 @@ use super::layers::{Runs, excess};
 use super::plan::BeadPlan;
 use super::shape::BeadSize;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, PathRange};
+use seamwright_program::{FilletOrButt, Finding, PathRange, PositionLimits};
 
 /// A quantity of a bead's section that has a window.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,6 +85,15 @@ impl Breach {
     }
 }
 
+/// Angles at a toe are compared to this, degrees: a vertical wall has 90 to rounding.
+const TOE_ROUNDING_DEG: f64 = 1e-6;
+
+/// A toe angle below its minimum, degrees.
+struct SteepToe {
+    angle: f64,
+    min: f64,
+}
+
 /// A value that is wrong at some stations: the first and the last of them, and the worst.
 struct Wrong<T> {
     range: PathRange,
@@ -100,6 +110,7 @@ impl BeadPlan {
             let asked = runs.of(self.layers[self.beads[b].layer].role);
             findings.extend(self.area_finding(b, asked, runs.most, pass_of(b)));
             findings.extend(self.window_finding(b, asked, pass_of(b)));
+            findings.extend(self.toe_finding(b, asked, pass_of(b)));
             if self.beads[b].index == 0 {
                 findings.extend(self.layer_finding(b, asked, pass_of(b)));
             }
@@ -109,8 +120,13 @@ impl BeadPlan {
 
     /// The stations at which bead `b` has a `fault`, of which the one with the largest logarithm is the worst.
     fn wrong<T>(&self, b: usize, fault: impl Fn(&BeadAt) -> Option<(f64, T)>) -> Option<Wrong<T>> {
+        self.wrong_at(b, |_, bead| fault(bead))
+    }
+
+    /// The same with a `fault` that depends on the station.
+    fn wrong_at<T>(&self, b: usize, fault: impl Fn(usize, &BeadAt) -> Option<(f64, T)>) -> Option<Wrong<T>> {
         let at = |i: usize| Some(&self.at_station(i)[b]).filter(|bead| bead.area > 0.0);
-        let all = (0..self.stations.len()).filter_map(|i| Some((i, fault(at(i)?)?)));
+        let all = (0..self.stations.len()).filter_map(|i| Some((i, fault(i, at(i)?)?)));
         let mut found: Option<(Wrong<T>, f64)> = None;
         for (i, (size, fault)) in all {
             let s = self.stations[i];
@@ -157,6 +173,33 @@ impl BeadPlan {
         let message = wrong.worst.message(&self.at_station(wrong.station)[b], self.stations[wrong.station]);
         let finding = Finding::error("bead", message, pass, wrong.range, wrong.worst.cure());
         Some(Finding { allowed: !asked.window.is_binding, ..finding })
+    }
+
+    /// Toes of the cap on the parts that are steeper than the quality level allows. Valleys between beads are no toes.
+    fn toe_finding(&self, b: usize, asked: &Asked, pass: usize) -> Option<Finding> {
+        let layer = self.layers[self.beads[b].layer];
+        // A root or a fill bead may be the only layer.
+        if self.beads[b].layer + 1 != self.layers.len() {
+            return None;
+        }
+        let index = self.beads[b].index;
+        let (on_second, on_first) = (index == 0, index + 1 == layer.beads);
+        let fillet_up_to = PositionLimits::default().fillet_up_to_deg.get();
+        let steep = |i: usize, bead: &BeadAt| {
+            let toes = [(on_second, bead.toes.second), (on_first, bead.toes.first)];
+            let angle = toes.iter().filter(|(is_on_part, _)| *is_on_part).map(|(_, angle)| angle.to_degrees());
+            let angle = angle.fold(f64::INFINITY, f64::min);
+            let is_fillet = self.dihedrals[i].to_degrees() <= fillet_up_to;
+            let min = asked.window.min_toe_deg(if is_fillet { FilletOrButt::Fillet } else { FilletOrButt::Butt });
+            (angle < min - TOE_ROUNDING_DEG).then(|| (min - angle, SteepToe { angle, min }))
+        };
+        let wrong = self.wrong_at(b, steep)?;
+        let message = Message::new("weld-bead-toe-steep")
+            .quantity("angle", wrong.worst.angle, Unit::Deg, 0)
+            .quantity("s", self.stations[wrong.station], Unit::Mm, 0)
+            .quantity("min", wrong.worst.min, Unit::Deg, 0);
+        let finding = Finding::error("bead", message, pass, wrong.range, Message::new("weld-cure-bead-toe"));
+        Some(Finding { allowed: asked.window.given_toe_deg.is_none(), ..finding })
     }
 
     fn layer_finding(&self, b: usize, asked: &Asked, pass: usize) -> Option<Finding> {

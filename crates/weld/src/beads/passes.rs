@@ -104,7 +104,7 @@ impl Making<'_> {
         let on_seam = |s: f64| run.begin + sense * s;
         let follows_feed = self.beads.adapt != Adapt::WireFeed && asked.area_from_wire;
         let value = |s: f64| {
-            let ratio = self.plan.area(run.bead, on_seam(s)).map_or(1.0, |area| area / asked.area);
+            let ratio = self.plan.area(run.bead, on_seam(s)).map_or(1.0, |area| asked.wire_part(area));
             // More wire fills the same area at a higher speed.
             let feed = if follows_feed { self.sectors.factor(WIRE_FEED, on_seam(s)) } else { 1.0 };
             if self.beads.adapt == Adapt::WireFeed { ratio } else { feed / ratio }

@@ -20,19 +20,24 @@ struct File {
     beads: Beads,
 }
 
-struct Planned {
-    seam: SeamCurve,
-    joint: SeamJoint,
-    plan: BeadPlan,
-    runs: Runs,
+pub(super) struct Planned {
+    pub(super) seam: SeamCurve,
+    pub(super) joint: SeamJoint,
+    pub(super) plan: BeadPlan,
+    pub(super) runs: Runs,
 }
 
 fn plan(text: &str) -> Planned {
-    let file = Document::<File>::read("f.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    try_plan(text).unwrap_or_else(|e| panic!("{e}: {text}"))
+}
+
+/// Plans the beads of a file, or returns the words of its refusal.
+pub(super) fn try_plan(text: &str) -> Result<Planned, String> {
+    let file = Document::<File>::read("f.toml", text).map_err(|e| e.to_string())?;
     let f = &file.value;
-    let seam = SeamCurve::new(&file, &f.seam, &f.start).unwrap();
-    let joint = SeamJoint::new(&file, &f.joint, &seam).unwrap_or_else(|e| panic!("{e}"));
-    let weld = WeldValues { speed_mm_s: Positive::TEN, process: &ProcessValues::new(), procedure: None, weave: None };
+    let seam = SeamCurve::new(&file, &f.seam, &f.start).map_err(|e| e.to_string())?;
+    let joint = SeamJoint::new(&file, &f.joint, &seam).map_err(|e| e.to_string())?;
+    let weld = WeldValues { speed_mm_s: Positive::TEN, process: &ProcessValues::new(), procedure: None, weave: None, insert_mm2: 0.0 };
     let run = |name, run| f.beads.asked(&file, name, run, &weld).unwrap();
     let runs = Runs {
         root: f.beads.root.as_ref().map(|r| run("root", r)),
@@ -41,8 +46,8 @@ fn plan(text: &str) -> Planned {
         spacing: f.beads.spacing_to_width.get(),
         most: f.beads.most_percent.get() / 100.0,
     };
-    let plan = BeadPlan::new(&seam, &joint, &f.beads, &runs).unwrap();
-    Planned { seam, joint, plan, runs }
+    let plan = BeadPlan::new(&seam, &joint, &f.beads, &runs).map_err(|e| e.to_string())?;
+    Ok(Planned { seam, joint, plan, runs })
 }
 
 const HILLSIDE: &str = "[seam.nozzle]\nradius_mm = 250\n[seam.nozzle.body.cylinder]\nradius_mm = 800\n\
@@ -50,7 +55,7 @@ const HILLSIDE: &str = "[seam.nozzle]\nradius_mm = 250\n[seam.nozzle.body.cylind
     root_face_mm = 1\nleg_mm = 6\n[beads]\nroot = { area_mm2 = 15 }\nfill = { area_mm2 = 22 }\n\
     cap = { area_mm2 = 18 }\n";
 
-fn shoelace(points: &[glam::DVec2]) -> f64 {
+pub(super) fn shoelace(points: &[glam::DVec2]) -> f64 {
     0.5 * (0..points.len()).map(|i| points[i].perp_dot(points[(i + 1) % points.len()])).sum::<f64>()
 }
 

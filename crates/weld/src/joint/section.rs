@@ -240,6 +240,22 @@ impl Section {
         first.distance(second)
     }
 
+    /// Directions of the first and the second part's boundary beyond `height` along [`Section::up`]: of the wall of the
+    /// groove, or of the surface at the toes.
+    pub(crate) fn beyond(&self, height: f64) -> [DVec2; 2] {
+        let (sin, cos) = (0.5 * self.dihedral).sin_cos();
+        let surfaces = [DVec2::new(sin, cos), DVec2::new(-sin, cos)];
+        let (low, high) = self.slices.heights();
+        if height >= high - ON_LINE_MM * (high - low).max(1.0) {
+            return surfaces;
+        }
+        let wall = |edge: &[DVec2], surface: DVec2| {
+            let rises = |w: &&[DVec2]| w[0].dot(self.up) <= height && height < w[1].dot(self.up);
+            edge.windows(2).rfind(rises).map_or(surface, |w| (w[1] - w[0]).normalize_or(surface))
+        };
+        [wall(&self.first, surfaces[0]), wall(&self.second, surfaces[1])]
+    }
+
     /// Unit vector to a sensor that sees the faces beside the groove and the edges at the toes as little slanted as
     /// possible.
     pub fn view(&self) -> DVec2 {
