@@ -98,10 +98,12 @@ mod tests {
         // y'' = -p - x / l^2 with y = 0 at both ends: the curvature p is that of the parabola of this slope.
         let p = 2.0 * slope / width;
         let second = |i: i32| -p - x(i) / l2;
-        let shoot = |start: f64| (0..n).fold((0.0, start), |(y, d), i| {
-            let middle = 0.5 * (second(i) + second(i + 1));
-            (y + h * d + 0.5 * h * h * middle, d + h * middle)
-        });
+        let shoot = |start: f64| {
+            (0..n).fold((0.0, start), |(y, d), i| {
+                let middle = 0.5 * (second(i) + second(i + 1));
+                (y + h * d + 0.5 * h * h * middle, d + h * middle)
+            })
+        };
         // The end's height is linear in the start's slope.
         let (zero, one) = (shoot(0.0).0, shoot(1.0).0);
         let start = -zero / (one - zero);

@@ -21,9 +21,9 @@ mod random_joints;
 mod refusal;
 mod sectors;
 mod shape;
-mod toes;
 #[cfg(test)]
 mod tests;
+mod toes;
 
 pub(crate) use file::WeldValues;
 pub use file::{Adapt, Beads, Order, Run};

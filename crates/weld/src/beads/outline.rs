@@ -40,35 +40,14 @@ impl Flank {
     }
 }
 
-/// A surface at evenly spaced parts of the width: areas below it, and its points, mm.
-struct Surface {
-    areas: Vec<f64>,
-    points: Vec<DVec2>,
-}
+/// Areas below a surface at evenly spaced parts of the width.
+struct Surface(Vec<f64>);
 
 impl Surface {
-    fn new(section: &Section, areas: Vec<f64>) -> Self {
-        let points = areas.iter().enumerate().map(|(i, area)| section.point(part(i), *area)).collect();
-        Self { areas, points }
-    }
-
-    /// The sample before a part of the width, and the part of the way to the next one.
-    fn cell(part: f64) -> (usize, f64) {
+    fn at(&self, part: f64) -> f64 {
         let x = part.clamp(0.0, 1.0) * SAMPLES as f64;
         let i = (x.floor() as usize).min(SAMPLES - 1);
-        (i, x - i as f64)
-    }
-
-    fn area(&self, part: f64) -> f64 {
-        let (i, rest) = Self::cell(part);
-        self.areas[i] + (self.areas[i + 1] - self.areas[i]) * rest
-    }
-
-    /// The point at a part of the width, on the line between its samples: so the beads below and above share one line,
-    /// also where the groove's width jumps between two samples.
-    fn point(&self, part: f64) -> DVec2 {
-        let (i, rest) = Self::cell(part);
-        self.points[i].lerp(self.points[i + 1], rest)
+        self.0[i] + (self.0[i + 1] - self.0[i]) * (x - i as f64)
     }
 }
 
@@ -84,7 +63,7 @@ impl Section {
         let mut layers: Vec<usize> = beads.iter().map(|bead| bead.layer).collect();
         layers.sort_unstable();
         layers.dedup();
-        let mut below = Surface::new(self, vec![0.0; SAMPLES + 1]);
+        let mut below = Surface(vec![0.0; SAMPLES + 1]);
         for layer in layers {
             // From the second part to the first, each with its rank in the order of welding.
             let mut row: Vec<usize> = (0..beads.len()).filter(|i| beads[*i].layer == layer).collect();
@@ -131,16 +110,16 @@ impl Section {
         } else {
             values.iter_mut().for_each(|v| *v += wanted - mean);
         }
-        for (value, under) in values.iter_mut().zip(&below.areas) {
+        for (value, under) in values.iter_mut().zip(&below.0) {
             *value = value.max(*under);
         }
-        Surface::new(self, values)
+        Surface(values)
     }
 
     /// The boundaries of a row of beads of equal area between two surfaces, from the second part to the first.
     fn flanks(&self, row: &[usize], bead: &BeadAt, below: &Surface, above: &Surface) -> Vec<Flank> {
         let count = row.len();
-        let thick: Vec<f64> = above.areas.iter().zip(&below.areas).map(|(a, b)| a - b).collect();
+        let thick: Vec<f64> = above.0.iter().zip(&below.0).map(|(a, b)| a - b).collect();
         let sums: Vec<f64> = thick
             .windows(2)
             .scan(0.0, |sum, pair| {
@@ -179,9 +158,9 @@ impl Section {
     /// The outline between two flanks and two surfaces.
     fn around(&self, [second, first]: [Flank; 2], below: &Surface, above: &Surface) -> Vec<DVec2> {
         let mut outline = self.side(first, below, above);
-        outline.extend(along(above, first.part(1.0), second.part(1.0)));
+        outline.extend(self.along(above, first.part(1.0), second.part(1.0)));
         outline.extend(self.side(second, below, above).into_iter().rev());
-        outline.extend(along(below, second.part(0.0), first.part(0.0)));
+        outline.extend(self.along(below, second.part(0.0), first.part(0.0)));
         outline.dedup_by(|a, b| a.distance_squared(*b) < 1e-18);
         outline
     }
@@ -191,17 +170,14 @@ impl Section {
         let at = |k: usize| {
             let height = k as f64 / FLANK as f64;
             let part = flank.part(height);
-            match k {
-                0 => below.point(part),
-                FLANK => above.point(part),
-                _ => self.point(part, below.area(part) + (above.area(part) - below.area(part)) * height),
-            }
+            let (low, high) = (below.at(part), above.at(part));
+            self.point(part, low + (high - low) * height)
         };
         let is_wall = flank.at <= 0.0 || flank.at >= 1.0;
         if !is_wall {
             return (0..=FLANK).map(at).collect();
         }
-        let [low, high] = [below, above].map(|surface| self.slices.height_of(surface.area(flank.at)));
+        let [low, high] = [below.at(flank.at), above.at(flank.at)].map(|area| self.slices.height_of(area));
         let edge =
             |(height, (left, right)): (f64, (f64, f64))| self.place(if flank.at <= 0.0 { left } else { right }, height);
         let mut side = vec![at(0)];
@@ -209,16 +185,16 @@ impl Section {
         side.push(at(FLANK));
         side
     }
-}
 
-/// A surface between two parts of the width, in either sense.
-fn along(surface: &Surface, from: f64, to: f64) -> Vec<DVec2> {
-    let (low, high) = (from.min(to), from.max(to));
-    let mut parts = vec![low];
-    parts.extend((0..=SAMPLES).map(part).filter(|x| *x > low && *x < high));
-    parts.push(high);
-    if from > to {
-        parts.reverse();
+    /// A surface between two parts of the width, in either sense.
+    fn along(&self, surface: &Surface, from: f64, to: f64) -> Vec<DVec2> {
+        let (low, high) = (from.min(to), from.max(to));
+        let mut parts = vec![low];
+        parts.extend((0..=SAMPLES).map(part).filter(|x| *x > low && *x < high));
+        parts.push(high);
+        if from > to {
+            parts.reverse();
+        }
+        parts.into_iter().map(|x| self.point(x, surface.at(x))).collect()
     }
-    parts.into_iter().map(|x| surface.point(x)).collect()
 }

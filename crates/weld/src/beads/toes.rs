@@ -24,6 +24,8 @@ pub struct Toes {
     pub second: f64,
     /// On the side of the first part.
     pub first: f64,
+    /// The part of these angles at the parts that the convexity of the face takes: a flat face would have more by this.
+    pub(crate) convexity: f64,
 }
 
 impl Toes {
@@ -34,7 +36,11 @@ impl Toes {
 
     pub(super) fn towards(&self, other: &Self, part: f64) -> Self {
         let between = |a: f64, b: f64| a + (b - a) * part;
-        Self { second: between(self.second, other.second), first: between(self.first, other.first) }
+        Self {
+            second: between(self.second, other.second),
+            first: between(self.first, other.first),
+            convexity: between(self.convexity, other.convexity),
+        }
     }
 }
 
@@ -58,6 +64,7 @@ impl LayerToes {
         let parts = Toes {
             first: turn(first, rise * up - run * across),
             second: turn(rise * up + run * across, second),
+            convexity: face,
         };
         Self { parts, valley: PI - 2.0 * wave.atan() }
     }
@@ -67,6 +74,7 @@ impl LayerToes {
         Toes {
             second: if index == 0 { self.parts.second } else { self.valley },
             first: if index + 1 == count { self.parts.first } else { self.valley },
+            convexity: self.parts.convexity,
         }
     }
 }

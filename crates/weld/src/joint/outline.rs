@@ -173,9 +173,14 @@ impl SeamJoint {
                 (-half, 0.0),
                 (-HEAD * half, 0.0),
             ],
-            InsertKind::J => {
-                &[(-half, -head), (HEAD * half, -head), (HEAD * half, 0.0), (half, 0.0), (half, height), (-half, height)]
-            }
+            InsertKind::J => &[
+                (-half, -head),
+                (HEAD * half, -head),
+                (HEAD * half, 0.0),
+                (half, 0.0),
+                (half, height),
+                (-half, height),
+            ],
             InsertKind::Y => &[
                 (-HEAD * half, -head),
                 (0.0, -0.5 * head),
