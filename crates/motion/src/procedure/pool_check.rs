@@ -59,7 +59,7 @@ pub(crate) fn finding(procedure: Option<&Procedure>, planned: PlannedPass, perio
 /// True for passes of a consumable electrode or wire: beams have no limit, and tacks no bead of their own.
 fn is_arc_bead(role: Option<Role>, procedure: Option<&Procedure>) -> bool {
     let is_laid = !matches!(role, Some(Role::Tack | Role::Cosmetic));
-    // Without a limit of width there is none of the pool.
+    // Beams have no limit of width, and no pool that sags.
     let window = BeadWindow::new(procedure, Role::Fill, None);
     is_laid && window.max_unwoven_mm.is_finite()
 }

@@ -9,6 +9,7 @@ use super::{Plots, PostFigures, SimulationCurves};
 use crate::Language;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
+use seamwright_motion::procedure::PassProcedure;
 use seamwright_motion::{PassClearance, PassHeat, WeldMotion};
 use seamwright_program::{Bead, Finding, Joint, Pass, Role, Seam};
 use seamwright_simulation::Summary;
@@ -110,7 +111,8 @@ pub struct PassFigures {
     /// Number of its bead in the cross-sections, if every bead is all along the seam.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bead: Option<usize>,
-    /// Minimum and maximum weld toe angle of its bead along the seam, degrees, if every bead is all along the seam.
+    /// Minimum and maximum of the smaller weld toe angle of its bead along the seam, degrees, if every bead is all along
+    /// the seam: with a procedure and without a weave as it sags in its position, otherwise in flat position.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub toe_deg: Option<(f64, f64)>,
     /// Minimum and maximum of each process value in the pass, by name.
@@ -202,7 +204,11 @@ impl WeldReport {
                 copy: program.copy_name(pass.copy).map(str::to_owned),
                 role: pass.known_role().map(Role::name),
                 bead: beads.get(i).copied().flatten(),
-                toe_deg: beads.get(i).copied().flatten().and_then(|bead| toe_deg(welding, bead)),
+                toe_deg: beads
+                    .get(i)
+                    .copied()
+                    .flatten()
+                    .and_then(|bead| toe_deg(welding, bead, pass, motion.procedure.get(i))),
                 process_range: process_range(pass),
                 arc_energy_kj: totals::arc_energy_kj(pass, planned),
                 wire_m,
@@ -253,13 +259,21 @@ impl PassFigures {
     }
 }
 
-/// Returns minimum and maximum weld toe angle along the seam of a bead, by its number in the cross-sections.
-fn toe_deg(welding: &Welding, number: usize) -> Option<(f64, f64)> {
-    let plan = welding.plan.as_ref()?;
+/// Returns minimum and maximum of the smaller toe angle along the seam of a bead, by its number in the cross-sections.
+fn toe_deg(welding: &Welding, number: usize, pass: &Pass, held: Option<&PassProcedure>) -> Option<(f64, f64)> {
+    let (plan, seam) = (welding.plan.as_ref()?, welding.seam.as_ref()?);
     let bead = *plan.order.get(number.checked_sub(1)?)?;
-    let toes = (0..plan.stations.len()).map(|i| plan.at_station(i)[bead].toes);
-    let angles = toes.flat_map(|toes| [toes.second, toes.first]).map(f64::to_degrees);
-    angles.fold(None, |ends: Option<(f64, f64)>, a| ends.map_or(Some((a, a)), |(l, h)| Some((l.min(a), h.max(a)))))
+    let inclinations = held.filter(|_| pass.weave.is_none()).map_or(&[][..], |held| &held.inclinations);
+    let flat = (0..plan.stations.len()).map(|i| plan.at_station(i)[bead].toes.min());
+    let sagged = inclinations.iter().map(|(s, at)| {
+        let on_seam = pass.seam_s(*s);
+        let s = if seam.all_round() { on_seam.rem_euclid(seam.length()) } else { on_seam };
+        let station = plan.stations.partition_point(|station| *station <= s).max(1) - 1;
+        plan.at_station(station)[bead].min_toe_in(*at)
+    });
+    let grow = |ends: Option<(f64, f64)>, a: f64| Some(ends.map_or((a, a), |(l, h)| (l.min(a), h.max(a))));
+    let ends = if inclinations.is_empty() { flat.fold(None, grow) } else { sagged.fold(None, grow) };
+    ends.map(|(least, greatest)| (least.to_degrees(), greatest.to_degrees()))
 }
 
 /// Returns the number of each pass' bead in the cross-sections: they count the beads at a station in the order of

@@ -3,7 +3,7 @@ use crate::{Gallery, Language, SectionDrawing};
 use glam::DVec2;
 use seamwright_message::{Message, Unit};
 use seamwright_program::Role;
-use seamwright_weld::{BeadAt, BeadPlan, Section, Toes, Welding};
+use seamwright_weld::{BeadAt, BeadPlan, Section, Welding};
 
 /// Draws cross-sections of the joint at path lengths `places` (mm), with planned beads and the torch in each of them.
 /// Omits stations without a groove.
@@ -43,12 +43,12 @@ fn torch_note(welding: &Welding, s: f64, language: Language) -> Option<String> {
     Some(message.in_language(language))
 }
 
-/// Returns the toe angles of the last layer on both parts.
-fn cap_toes(plan: &BeadPlan, beads: &[BeadAt]) -> Option<Toes> {
+/// Returns the toe angles (rad) of the last layer on the second and the first part.
+fn cap_toes(plan: &BeadPlan, beads: &[BeadAt]) -> Option<[f64; 2]> {
     let last = beads.iter().map(|bead| bead.layer).max()?;
     let count = plan.layers[last].beads;
     let at = |index: usize| beads.iter().find(|bead| bead.layer == last && bead.index == index);
-    Some(Toes { second: at(0)?.toes.second, first: at(count - 1)?.toes.first })
+    Some([at(0)?.toes.second, at(count - 1)?.toes.first])
 }
 
 fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawing> {
@@ -76,10 +76,10 @@ fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawi
         false => note.message("area", area(Unit::Mm2)),
     };
     let toes = here.as_ref().and_then(|(plan, beads)| cap_toes(plan, beads));
-    let toes = toes.map_or_else(String::new, |toes| {
+    let toes = toes.map_or_else(String::new, |[second, first]| {
         let message = Message::new("report-section-toes")
-            .significant("second", toes.second.to_degrees(), Unit::Deg, 3)
-            .significant("first", toes.first.to_degrees(), Unit::Deg, 3);
+            .significant("second", second.to_degrees(), Unit::Deg, 3)
+            .significant("first", first.to_degrees(), Unit::Deg, 3);
         message.in_language(language)
     });
     Some(SectionDrawing {

@@ -3,6 +3,7 @@ use super::shape::{LayerShape, Level};
 use super::toes::{LayerToes, Toes};
 use crate::joint::Section;
 use glam::DVec2;
+use seamwright_program::Inclination;
 
 /// Arrangement of beads in their layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +46,13 @@ pub struct BeadAt {
 }
 
 impl BeadAt {
+    /// The smaller toe angle (rad) of the bead laid without a weave on a weld of this inclination: it sags to its lower
+    /// toe.
+    pub fn min_toe_in(&self, at: Inclination) -> f64 {
+        let face = self.toes.convexity;
+        self.toes.min() - ((face.tan() + at.sag(self.width)).atan() - face)
+    }
+
     /// This bead changed to `other` by a part of the way.
     pub(crate) fn towards(&self, other: &Self, part: f64) -> Self {
         let between = |a: f64, b: f64| a + (b - a) * part;
@@ -63,7 +71,9 @@ impl BeadAt {
     }
 }
 
-/// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height.
+/// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height. Chosen so
+/// that the arc reaches both root faces in the examples; `tests.rs` checks on random grooves that the target lies between the
+/// walls.
 const ROOT_RISE: f64 = 0.35;
 
 /// Layers between two areas of the filled section.

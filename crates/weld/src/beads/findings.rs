@@ -30,7 +30,7 @@ pub(crate) struct Breach {
 }
 
 /// Factor by which a layer's height may differ from the wanted one without a finding: a groove of one and a half layers
-/// takes one or two.
+/// takes one or two. Not tuned; of the fill layers of `random_joints.rs` about one in ten is beyond it.
 const WHOLE_LAYERS: f64 = 1.5;
 
 /// Width that a bead alone in its layer gains by melting both walls, mm, up to its own width: 1 mm of each. Without it

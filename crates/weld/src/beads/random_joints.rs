@@ -103,8 +103,10 @@ struct Census {
     outside: usize,
     steep: usize,
     areas_off: usize,
-    /// Heights of fill layers as a part of the wanted one.
+    /// Heights of fill layers over the first as a part of the wanted one.
     heights: Vec<f64>,
+    /// Difference of an outline's area from its bead's, percent.
+    drawn: Vec<f64>,
 }
 
 impl Census {
@@ -117,10 +119,13 @@ impl Census {
         self.steep += other.steep;
         self.areas_off += other.areas_off;
         self.heights.extend(&other.heights);
+        self.drawn.extend(&other.drawn);
     }
 
     fn row(&mut self, name: &str) -> String {
         self.heights.sort_by(f64::total_cmp);
+        self.drawn.sort_by(f64::total_cmp);
+        let drawn = self.drawn.get(self.drawn.len() * 19 / 20).copied().unwrap_or(f64::NAN);
         let height = |part: f64| {
             let last = self.heights.len().saturating_sub(1);
             self.heights.get((part * last as f64) as usize).copied().unwrap_or(f64::NAN)
@@ -128,7 +133,7 @@ impl Census {
         let of = |count: usize, all: usize| 100.0 * count as f64 / all.max(1) as f64;
         let planned = self.joints - self.refused;
         format!(
-            "{name:14} {:6} {:7} {:9.1} {:8} {:9.2} {:9.2} {:9.2} {:6.2} {:6.2} {:6.2}",
+            "{name:14} {:6} {:7} {:9.1} {:8} {:9.2} {:9.2} {:9.2} {drawn:9.2} {:6.2} {:6.2} {:6.2}",
             self.joints,
             self.refused,
             of(self.without_finding, planned),
@@ -187,7 +192,10 @@ fn check(planned: &Planned, text: &str, census: &mut Census) {
         }
         if i == 2 {
             let there = plan.in_order(&section, *s);
-            let covered: f64 = section.outlines(&there).iter().map(|o| shoelace(o)).sum();
+            let areas: Vec<f64> = section.outlines(&there).iter().map(|o| shoelace(o)).collect();
+            let off = |(drawn, bead): (&f64, &BeadAt)| 100.0 * (drawn / bead.area - 1.0).abs();
+            census.drawn.extend(areas.iter().zip(&there).map(off));
+            let covered: f64 = areas.iter().sum();
             let most = if overhangs(&section) { OVERHANG } else { 1e-3 };
             assert!((covered / sum - 1.0).abs() < most, "{covered} for {sum}: {text}");
         }
@@ -235,7 +243,7 @@ fn census(first: u32, joints: u32) -> Census {
         }
     }
     println!(
-        "kind           joints refused no-find-%    beads outside-%   area-%   steep-%   height of fill layers p5 p50 p95"
+        "kind           joints refused no-find-%    beads outside-%   area-%   steep-%   drawn-%   height of fill layers p5 p50 p95"
     );
     let mut all = Census::default();
     for (kind, census) in &mut by_kind {

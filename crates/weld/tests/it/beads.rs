@@ -299,7 +299,11 @@ fn an_insert_is_part_of_the_root_bead() {
             let section = joint.section(&welding.seam().at(s)).unwrap();
             let wire: f64 = passes.iter().filter_map(|pass| deposited(pass, s, turn)).sum();
             let root = if is_fused_alone { area } else { insert };
-            assert!((wire + root - section.total()).abs() < 0.01 * section.total(), "{wire} {root} {}", section.total());
+            assert!(
+                (wire + root - section.total()).abs() < 0.01 * section.total(),
+                "{wire} {root} {}",
+                section.total()
+            );
             let drawn = joint.insert(&section).unwrap();
             assert!(drawn.iter().all(|p| p.x.abs() <= 0.5 * section.gap));
         }
