@@ -16,8 +16,6 @@ mod layers;
 mod outline;
 mod passes;
 mod plan;
-#[cfg(test)]
-mod random_joints;
 mod refusal;
 mod sectors;
 mod shape;

@@ -1,5 +1,7 @@
 //! Beads over random grooves: areas, order and positions, against independent sums.
 
+mod random_joints;
+
 use super::layers::{Opening, Runs, layers};
 use super::{BeadPlan, Beads, WeldValues};
 use crate::joint::{SeamJoint, Section};

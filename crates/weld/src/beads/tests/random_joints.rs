@@ -1,8 +1,8 @@
 //! Beads of random joints of every preparation, 3 to 80 mm thick: on these none of the constants of `layers.rs` and
 //! `outline.rs` was tuned.
 
-use super::BeadAt;
-use super::tests::{Planned, shoelace, try_plan};
+use super::super::BeadAt;
+use super::{Planned, shoelace, try_plan};
 use crate::joint::Section;
 use seamwright_program::{FilletOrButt, Role};
 use seamwright_testkit::{Random, cases};
