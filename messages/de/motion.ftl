@@ -193,7 +193,9 @@ motion-cooling-unbounded = der Brenner hält mit Lichtbogen an: die Abkühlzeit 
 motion-cure-cooling-slow = Wärmeeinbringung oder Zwischenlagentemperatur senken
 motion-cure-cooling-fast = Wärmeeinbringung oder Vorwärmung erhöhen
 motion-preheat-low = die Anweisung wärmt auf { $found } vor; EN 1011-2 (Verfahren B) verlangt { $needed }
+motion-pool-too-large = die Raupe hat { $area } bei s = { $s } in Position { $position }; ohne Pendeln bleiben höchstens { $max } an ihrem Platz
 motion-cure-preheat-low = die Untergrenze von preheat_c und interpass_c auf { $needed } anheben
+motion-cure-pool = kleinere Raupen (höhere Geschwindigkeit, weniger Draht) oder Pendeln, oder das Werkstück näher zur Wannenlage drehen
 motion-preheat-range = die Vorwärmung ist extrapoliert: Verfahren B der EN 1011-2 gilt für CET 0,2 bis 0,5 %, 10 bis 90 mm, 1 bis 20 ml Wasserstoff in 100 g und 0,5 bis 4 kJ/mm
 motion-interpass-wait = wartet { $time }, bis die Naht abgekühlt ist
 motion-interpass-thickness = das Warten auf die Zwischenlagentemperatur braucht die Dicke der Teile

@@ -635,6 +635,7 @@ panel-finding-joint = Stoß außerhalb der Norm
 panel-finding-least-speed = Langsamer, als die Anweisung erlaubt
 panel-finding-oscillation = Oszillation lässt Lücken
 panel-finding-plausible = Wert ist nicht plausibel
+panel-finding-pool = Raupe zu groß für ihre Position
 panel-finding-preheat = Vorwärmung zu niedrig
 panel-finding-path = Weicht von der Naht ab
 panel-finding-procedure = Außerhalb der WPS-Grenzen

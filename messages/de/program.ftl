@@ -185,6 +185,13 @@ program-run-passes-twice = der Eintrag nennt seine Lagen zweimal
 program-run-names = entweder name = "tack", "root", "fill" oder "cap", oder passes = "1", "2-5" und so weiter
 program-run-without-position = der Eintrag erlaubt keine Schweißposition
 program-run-positions = eine oder mehrere; ohne den Schlüssel sind alle erlaubt
+program-toe-angle-too-large = flacher als bündig mit dem Bauteil kann keine Naht sein
+program-insert-without-root-faces = diese Fuge nimmt kein Einlegeteil auf
+program-allowed-insert = ein Einlegeteil in einem Stumpfstoß mit side = "face" und ohne Badsicherung
+program-insert-area-missing = der Querschnitt des Einlegeteils fehlt
+program-allowed-insert-area = area_mm2, oder kind = "ring" oder "rectangular"
+program-insert-too-high = das Einlegeteil wäre so hoch wie die Wand
+program-insert-gap = ein { $width } breites Einlegeteil passt nicht in einen Stegabstand von { $gap }
 program-not-a-process-value = das ist kein Prozesswert
 program-beside-ranges = { $key } neben `ranges`
 program-ranges-in-table = Bereiche von Prozesswerten in [runs.ranges] schreiben

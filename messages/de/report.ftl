@@ -105,6 +105,7 @@ report-column-heat-input = Wärmeeinbringung, kJ/mm
 report-column-length-mm = Länge, mm
 report-column-wire-m = Draht, m
 report-column-bead = Raupe im Schnitt
+report-column-toe-deg = Nahtübergangswinkel, °
 report-column-weld-metal-kg = Schweißgut, kg
 report-column-wait-before-s = Warten davor, s
 report-column-group = Gruppe (ISO/TR 15608)
@@ -364,6 +365,7 @@ report-sections = { $title }: { $n ->
        *[other] { $n } Querschnitte
     }
 report-section-note = Winkel { $dihedral }, Fläche { $area }
+report-section-toes = , Übergangswinkel { $second } und { $first }
 report-area-with-cap = { $groove } + { $cap }
 report-section-torch = Brenner: Arbeitswinkel { $work }, Schlepp-/Stechwinkel { $travel }
 report-caption-sections = Querschnitte entlang der Naht, alle in einem Maßstab, die Fläche des zweiten Teils waagerecht oder die Oberseite des Stumpfstoßes oben: Raupen in der Reihenfolge des Schweißens und wohin der Draht in jeder zeigt; die Fläche ist die der Fuge und der Überhöhung darüber.

@@ -224,9 +224,11 @@ weld-bead-width-out-of-window = die Raupe wäre { $width } breit bei s = { $s } 
 weld-bead-height-out-of-window = die Raupe wäre { $height } hoch bei s = { $s } und { $width } breit; erlaubte Höhe: { $min } bis { $max }
 weld-bead-ratio-out-of-window = die Raupe wäre { $width } breit und { $height } hoch bei s = { $s }: ein Verhältnis von { $ratio }; erlaubt: { $min } bis { $max }
 weld-bead-too-wide-without-weave = die Raupe wäre ohne Pendeln { $width } breit und { $height } hoch bei s = { $s }; erlaubt: bis { $max }
+weld-bead-toe-steep = der Nahtübergangswinkel der Decklage wäre { $angle } bei s = { $s }; erlaubt: { $min } oder mehr
 weld-layer-height-not-kept = die Lage wäre { $height } hoch bei s = { $s } statt { $wanted }: Raupen von { $area } füllen sie anders
 weld-cure-bead-window = layer_mm oder Querschnitt des Laufs (Geschwindigkeit, Drahtvorschub) ändern, adapt = "passes", oder ein anderes Fenster in der Schweißanweisung
 weld-cure-weave-or-smaller-beads = dem Lauf ein Pendeln geben, oder kleinere Raupen (höhere Geschwindigkeit, weniger Draht)
+weld-cure-bead-toe = cap_mm senken, spacing_to_width näher an 2/3, oder flachere Decklagenraupen (Pendeln, kleinerer Querschnitt)
 weld-cure-layer-height = layer_mm näher an diese Höhe setzen, oder den Querschnitt des Laufs ändern (Geschwindigkeit, Drahtvorschub)
 
 # Joints.
@@ -283,6 +285,8 @@ weld-allowed-travel-angle-once = kein solcher Schlüssel, oder kein [[torch.at]]
 weld-area-with-wire-feed = eine angegebene Fläche folgt nicht dem Drahtvorschub
 weld-allowed-no-area-with-wire-feed = kein solcher Schlüssel bei adapt = "wire_feed"
 weld-bead-area-missing = die Querschnittsfläche einer Raupe fehlt
+weld-insert-without-root = ein Einlegeteil braucht einen Wurzellauf, der es aufschmilzt
+weld-allowed-insert-root = `root` in [beads], oder kein Einlegeteil
 weld-allowed-bead-area = area_mm2, oder beads.wire_mm und wire_feed_m_min
 weld-bead-area-needs-steady-feed = die Querschnittsfläche einer Raupe braucht einen festen Drahtvorschub
 weld-allowed-steady-feed = wire_feed_m_min größer als 0 in [weld.process] oder hier, oder area_mm2

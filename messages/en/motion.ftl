@@ -341,7 +341,11 @@ motion-cure-cooling-fast = raise the heat input or the preheat
 motion-preheat-low = the procedure preheats to { $found }; EN 1011-2 (method B) asks for { $needed }
     .cause = Carbon equivalent CET, thickness, hydrogen and heat input ask for more preheat than the minimum of `preheat_c` or `interpass_c` in the run.
     .cure = Raise that minimum, or take a filler metal with less hydrogen or a higher heat input.
+motion-pool-too-large = the bead has { $area } at s = { $s } in position { $position }; without a weave up to { $max } stays in place
+    .cause = More metal is liquid than surface tension holds against gravity in this position: the bead sags, overlaps its lower toe or drips. The limit is that of the position, or `max_unwoven_mm2` of the procedure's run.
+    .cure = Use smaller beads with a higher speed or less wire, or a weave. Or turn the work nearer to flat position. A qualified procedure may give its own `max_unwoven_mm2`.
 motion-cure-preheat-low = raise the minimum of preheat_c and interpass_c to { $needed }
+motion-cure-pool = use smaller beads (higher speed, less wire) or a weave, or turn the work nearer to flat position
 motion-preheat-range = the preheat is extrapolated: method B of EN 1011-2 is for CET 0.2 to 0.5 %, 10 to 90 mm, 1 to 20 ml hydrogen in 100 g and 0.5 to 4 kJ/mm
 motion-interpass-wait = waits { $time } until the weld has cooled
 motion-interpass-thickness = the wait for the interpass temperature needs the thickness of the parts

@@ -635,6 +635,7 @@ panel-finding-joint = Joint beside its standard
 panel-finding-least-speed = Slower than the WPS allows
 panel-finding-oscillation = Oscillation leaves gaps
 panel-finding-plausible = Value is not plausible
+panel-finding-pool = Bead too large for its position
 panel-finding-preheat = Preheat too low
 panel-finding-path = Deviates from the seam
 panel-finding-procedure = Outside WPS limits

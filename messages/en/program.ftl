@@ -357,6 +357,23 @@ program-run-without-position = the run allows no welding position
     .cause = `positions` is an empty list.
     .cure = List the qualified positions, such as `["PA", "PC"]`, or delete the key.
 program-run-positions = one or more; without the key all are allowed
+program-toe-angle-too-large = a weld cannot be flatter than flush with its part
+    .cause = `min_toe_angle_deg` is more than 180. The angle lies between the surface of the part and the face of the weld, through the air.
+    .cure = Give 90 to 150, or delete the key to take the limit of `quality_level`.
+program-insert-without-root-faces = this joint takes no consumable insert
+    .cause = An insert lies between the root faces of a butt joint that is welded from its face. Corner joints, flare joints, edges on a face, the back and joints with a backing have no such root.
+    .cure = Delete `[joint.insert]`, or describe a butt joint without `[joint.backing]`.
+program-allowed-insert = an insert in a butt joint with side = "face" and no backing
+program-insert-area-missing = the area of the insert is missing
+    .cause = The section of a T, J or Y is not the product of `width_mm` and `height_mm`.
+    .cure = Give `area_mm2` from the maker's data sheet, or weigh a piece: mass divided by length and density.
+program-allowed-insert-area = area_mm2, or kind = "ring" or "rectangular"
+program-insert-too-high = the insert would be as high as the wall
+    .cause = `height_mm` of `[joint.insert]` is not less than `thickness_mm` of the preparation.
+    .cure = Correct `height_mm`: usual inserts are 1.6 to 5 mm high.
+program-insert-gap = an insert { $width } wide does not fit in a root gap of { $gap }
+    .cause = The root faces are nearer than the insert is wide, or the insert lies so loose that it does not fuse to both of them.
+    .cure = Give the gap with the insert in place, or choose an insert of another width. Joints that were fitted up too wide are tacked again.
 program-not-a-process-value = this is not a process value
     .cause = `[runs.ranges]` contains a key that has its place in the run itself, such as `speed_mm_s` or `heat_input_kj_mm`.
     .cure = Move the key out of `[runs.ranges]` into `[[runs]]`.

@@ -105,6 +105,7 @@ report-column-heat-input = Heat input, kJ/mm
 report-column-length-mm = Length, mm
 report-column-wire-m = Wire, m
 report-column-bead = Bead in section
+report-column-toe-deg = Toe angle, °
 report-column-weld-metal-kg = Weld metal, kg
 report-column-wait-before-s = Wait before, s
 report-column-group = Group (ISO/TR 15608)
@@ -364,6 +365,7 @@ report-sections = { $title }: { $n ->
        *[other] { $n } cross-sections
     }
 report-section-note = dihedral { $dihedral }, area { $area }
+report-section-toes = , toe angles { $second } and { $first }
 report-area-with-cap = { $groove } + { $cap }
 report-section-torch = torch: work angle { $work }, travel angle { $travel }
 report-caption-sections = Cross-sections along the seam at one scale, with the second part's face level or a butt joint's face up: beads in the order of welding, and the wire's direction in each. The area is that of the groove and of the cap above it.

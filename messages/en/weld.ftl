@@ -412,11 +412,15 @@ weld-bead-ratio-out-of-window = the bead would be { $width } wide and { $height 
 weld-bead-too-wide-without-weave = the bead would be { $width } wide and { $height } high at s = { $s } without a weave; allowed: up to { $max }
     .cause = The arc does not melt a groove so wide without a weave. The limit is that of the procedure, or the usual one of process and wire.
     .cure = Give the run a `weave`, or a smaller area, so that more beads lie side by side. Or set `max_unwoven_mm` of the procedure's run.
+weld-bead-toe-steep = the toe angle of the cap would be { $angle } at s = { $s }; allowed: { $min } or more
+    .cause = The cap is too high for its width, so its face meets the part at a notch. The limit is `min_toe_angle_deg` of the procedure's run, or that of its `quality_level` by ISO 5817, no. 505. 180° is flush.
+    .cure = Lower `cap_mm` of `[joint]`, or set `spacing_to_width` of `[beads]` nearer to 2/3. Wider and flatter cap beads need a weave or a smaller area.
 weld-layer-height-not-kept = the layer would be { $height } high at s = { $s } instead of { $wanted }: beads of { $area } fill it otherwise
     .cause = The run's area, the windows of its beads and the groove leave no layers of this height.
     .cure = Set `layer_mm` nearer to this height, or change the run's area (speed, wire feed) in `[beads]`.
 weld-cure-bead-window = use another layer_mm or area of the run (speed, wire feed), adapt = "passes", or another window in the procedure
 weld-cure-weave-or-smaller-beads = give the run a weave, or smaller beads (higher speed, less wire)
+weld-cure-bead-toe = lower cap_mm, set spacing_to_width nearer to 2/3, or use flatter cap beads (weave, smaller area)
 weld-cure-layer-height = set layer_mm nearer to this height, or change the run's area (speed, wire feed)
 
 # Joints.
@@ -527,6 +531,10 @@ weld-allowed-no-area-with-wire-feed = no such key with adapt = "wire_feed"
 weld-bead-area-missing = the area of a bead is missing
     .cause = The run has no `area_mm2`, and `[beads]` has no `wire_mm` to calculate it from.
     .cure = Give `beads.wire_mm` and `wire_feed_m_min` in `weld.process`, or `area_mm2` of the run.
+weld-insert-without-root = a consumable insert needs a root pass that fuses it
+    .cause = The job has `[joint.insert]` and `[beads]`, but no `root` in `[beads]`.
+    .cure = Add `root` with current, voltage and speed. Without `wire_feed_m_min` the insert is the only filler.
+weld-allowed-insert-root = `root` in [beads], or no insert
 weld-allowed-bead-area = area_mm2, or beads.wire_mm and a wire_feed_m_min
 weld-bead-area-needs-steady-feed = the area of a bead needs a steady wire feed
     .cause = `wire_feed_m_min` is missing, 0, or a ramp.

@@ -198,7 +198,9 @@ motion-cooling-unbounded = горелка останавливается с ду
 motion-cure-cooling-slow = уменьшите погонную энергию или межслойную температуру
 motion-cure-cooling-fast = увеличьте погонную энергию или подогрев
 motion-preheat-low = процедура требует подогрев { $found }; EN 1011-2 (метод B) — { $needed }
+motion-pool-too-large = валик имеет { $area } на s = { $s } в положении { $position }; без колебаний удерживается до { $max }
 motion-cure-preheat-low = повысьте минимум preheat_c и interpass_c до { $needed }
+motion-cure-pool = меньшие валики (выше скорость, меньше проволоки) или колебания, либо повернуть деталь ближе к нижнему положению
 motion-preheat-range = подогрев экстраполирован: метод B по EN 1011-2 — для CET 0,2–0,5 %, 10–90 мм, 1–20 мл водорода на 100 г и 0,5–4 кДж/мм
 motion-interpass-wait = ожидание { $time }, пока шов остынет
 motion-interpass-thickness = для ожидания межслойной температуры нужна толщина деталей

@@ -635,6 +635,7 @@ panel-finding-joint = Соединение вне стандарта
 panel-finding-least-speed = Медленнее, чем допускает технология
 panel-finding-oscillation = Колебания оставляют пропуски
 panel-finding-plausible = Значение неправдоподобно
+panel-finding-pool = Валик велик для положения
 panel-finding-preheat = Подогрев слишком низкий
 panel-finding-path = Отклонение от шва
 panel-finding-procedure = Вне пределов WPS

@@ -190,6 +190,13 @@ program-run-passes-twice = проход технологии дважды ука
 program-run-names = либо name = "tack", "root", "fill" или "cap", либо passes = "1", "2-5" и так далее
 program-run-without-position = проход технологии не разрешает ни одного положения сварки
 program-run-positions = одно или несколько; без ключа разрешены все
+program-toe-angle-too-large = шов не может быть площе, чем вровень с деталью
+program-insert-without-root-faces = в это соединение вставка не ставится
+program-allowed-insert = вставка в стыковом соединении с side = "face" и без подкладки
+program-insert-area-missing = нет площади сечения вставки
+program-allowed-insert-area = area_mm2 либо kind = "ring" или "rectangular"
+program-insert-too-high = вставка была бы не ниже стенки
+program-insert-gap = вставка шириной { $width } не подходит к зазору { $gap }
 program-not-a-process-value = это не параметр процесса
 program-beside-ranges = { $key } рядом с `ranges`
 program-ranges-in-table = пределы параметров процесса пишите в [runs.ranges]

@@ -219,9 +219,11 @@ weld-bead-width-out-of-window = валик имел бы ширину { $width }
 weld-bead-height-out-of-window = валик имел бы высоту { $height } на s = { $s } и ширину { $width }; разрешённая высота: от { $min } до { $max }
 weld-bead-ratio-out-of-window = валик имел бы ширину { $width } и высоту { $height } на s = { $s }: отношение { $ratio }; разрешено от { $min } до { $max }
 weld-bead-too-wide-without-weave = без колебаний валик имел бы ширину { $width } и высоту { $height } на s = { $s }; разрешено до { $max }
+weld-bead-toe-steep = угол перехода облицовочного слоя был бы { $angle } на s = { $s }; разрешено { $min } и больше
 weld-layer-height-not-kept = слой имел бы высоту { $height } на s = { $s } вместо { $wanted }: валики по { $area } заполняют его иначе
 weld-cure-bead-window = изменить layer_mm или площадь прохода (скорость, подача проволоки), adapt = "passes" или окно в технологической карте
 weld-cure-weave-or-smaller-beads = задать проходу колебания или меньшие валики (выше скорость, меньше проволоки)
+weld-cure-bead-toe = уменьшить cap_mm, приблизить spacing_to_width к 2/3 или сделать валики облицовки площе (колебания, меньшая площадь)
 weld-cure-layer-height = приблизить layer_mm к этой высоте или изменить площадь прохода (скорость, подача проволоки)
 
 # Joints.
@@ -279,6 +281,8 @@ weld-allowed-travel-angle-once = без этого ключа или без [[to
 weld-area-with-wire-feed = заданная площадь не следует за подачей проволоки
 weld-allowed-no-area-with-wire-feed = без этого ключа при adapt = "wire_feed"
 weld-bead-area-missing = не хватает площади валика
+weld-insert-without-root = вставке нужен корневой проход, который её расплавит
+weld-allowed-insert-root = `root` в [beads] либо без вставки
 weld-allowed-bead-area = area_mm2 или beads.wire_mm и wire_feed_m_min
 weld-bead-area-needs-steady-feed = площадь валика требует постоянной подачи проволоки
 weld-allowed-steady-feed = wire_feed_m_min больше 0 в [weld.process] или здесь, либо area_mm2

@@ -198,7 +198,9 @@ motion-cooling-unbounded = пальник зупиняється з дугою: 
 motion-cure-cooling-slow = зменште погонну енергію або міжшарову температуру
 motion-cure-cooling-fast = збільште погонну енергію або підігрів
 motion-preheat-low = процедура вимагає підігрів { $found }; EN 1011-2 (метод B) — { $needed }
+motion-pool-too-large = валик має { $area } на s = { $s } у положенні { $position }; без коливань утримується до { $max }
 motion-cure-preheat-low = підвищте мінімум preheat_c та interpass_c до { $needed }
+motion-cure-pool = менші валики (вища швидкість, менше дроту) або коливання, чи повернути деталь ближче до нижнього положення
 motion-preheat-range = підігрів екстрапольовано: метод B за EN 1011-2 — для CET 0,2–0,5 %, 10–90 мм, 1–20 мл водню на 100 г та 0,5–4 кДж/мм
 motion-interpass-wait = очікування { $time }, доки шов охолоне
 motion-interpass-thickness = для очікування міжшарової температури потрібна товщина деталей

@@ -635,6 +635,7 @@ panel-finding-joint = З'єднання поза стандартом
 panel-finding-least-speed = Повільніше, ніж дозволяє технологія
 panel-finding-oscillation = Коливання лишають пропуски
 panel-finding-plausible = Значення неправдоподібне
+panel-finding-pool = Валик завеликий для положення
 panel-finding-preheat = Підігрів занизький
 panel-finding-path = Відхилення від шва
 panel-finding-procedure = Поза межами WPS

@@ -190,6 +190,13 @@ program-run-passes-twice = прохід технології двічі вказ
 program-run-names = або name = "tack", "root", "fill" чи "cap", або passes = "1", "2-5" і так далі
 program-run-without-position = прохід технології не дозволяє жодного положення зварювання
 program-run-positions = одне або кілька; без ключа дозволено всі
+program-toe-angle-too-large = шов не може бути пласкішим, ніж урівень із деталлю
+program-insert-without-root-faces = у це з'єднання вставка не ставиться
+program-allowed-insert = вставка в стиковому з'єднанні з side = "face" і без підкладки
+program-insert-area-missing = немає площі перерізу вставки
+program-allowed-insert-area = area_mm2 або kind = "ring" чи "rectangular"
+program-insert-too-high = вставка була б не нижчою за стінку
+program-insert-gap = вставка завширшки { $width } не підходить до зазору { $gap }
 program-not-a-process-value = це не параметр процесу
 program-beside-ranges = { $key } поруч із `ranges`
 program-ranges-in-table = межі параметрів процесу пишіть у [runs.ranges]

@@ -219,9 +219,11 @@ weld-bead-width-out-of-window = валик мав би ширину { $width } �
 weld-bead-height-out-of-window = валик мав би висоту { $height } на s = { $s } і ширину { $width }; дозволена висота: від { $min } до { $max }
 weld-bead-ratio-out-of-window = валик мав би ширину { $width } і висоту { $height } на s = { $s }: відношення { $ratio }; дозволено від { $min } до { $max }
 weld-bead-too-wide-without-weave = без коливань валик мав би ширину { $width } і висоту { $height } на s = { $s }; дозволено до { $max }
+weld-bead-toe-steep = кут переходу лицьового шару був би { $angle } на s = { $s }; дозволено { $min } і більше
 weld-layer-height-not-kept = шар мав би висоту { $height } на s = { $s } замість { $wanted }: валики по { $area } заповнюють його інакше
 weld-cure-bead-window = змінити layer_mm або площу проходу (швидкість, подача дроту), adapt = "passes" або вікно в технологічній карті
 weld-cure-weave-or-smaller-beads = задати проходу коливання або менші валики (вища швидкість, менше дроту)
+weld-cure-bead-toe = зменшити cap_mm, наблизити spacing_to_width до 2/3 або зробити валики лицьового шару пласкішими (коливання, менша площа)
 weld-cure-layer-height = наблизити layer_mm до цієї висоти або змінити площу проходу (швидкість, подача дроту)
 
 # Joints.
@@ -279,6 +281,8 @@ weld-allowed-travel-angle-once = без цього ключа або без [[to
 weld-area-with-wire-feed = задана площа не змінюється з подачею дроту
 weld-allowed-no-area-with-wire-feed = без цього ключа при adapt = "wire_feed"
 weld-bead-area-missing = бракує площі валика
+weld-insert-without-root = вставці потрібен кореневий прохід, який її розплавить
+weld-allowed-insert-root = `root` у [beads] або без вставки
 weld-allowed-bead-area = area_mm2 або beads.wire_mm і wire_feed_m_min
 weld-bead-area-needs-steady-feed = площа валика потребує сталої подачі дроту
 weld-allowed-steady-feed = wire_feed_m_min більше 0 в [weld.process] або тут, чи area_mm2

@@ -184,7 +184,9 @@ motion-cooling-unbounded = 焊枪带弧停住：冷却时间无上限；允许 {
 motion-cure-cooling-slow = 降低热输入或层间温度
 motion-cure-cooling-fast = 提高热输入或预热温度
 motion-preheat-low = 规程预热至 { $found }；EN 1011-2（方法 B）要求 { $needed }
+motion-pool-too-large = 焊道在 s = { $s } 处面积为 { $area }，位置 { $position }；不摆动时最多能保持 { $max }
 motion-cure-preheat-low = 将 preheat_c 和 interpass_c 的下限提高到 { $needed }
+motion-cure-pool = 采用更小的焊道（更高速度、更少焊丝）或摆动，或将工件转到更接近平焊的位置
 motion-preheat-range = 预热为外推值：EN 1011-2 方法 B 适用于 CET 0.2 至 0.5 %、10 至 90 mm、每 100 g 氢 1 至 20 ml、0.5 至 4 kJ/mm
 motion-interpass-wait = 等待 { $time }，直到焊缝冷却
 motion-interpass-thickness = 等待层间温度需要工件厚度

@@ -635,6 +635,7 @@ panel-finding-joint = 接头超出标准
 panel-finding-least-speed = 低于工艺最低速度
 panel-finding-oscillation = 摆动留有间隙
 panel-finding-plausible = 数值不合理
+panel-finding-pool = 焊道对该位置过大
 panel-finding-preheat = 预热温度过低
 panel-finding-path = 偏离焊缝
 panel-finding-procedure = 超出 WPS 范围

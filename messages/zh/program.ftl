@@ -170,6 +170,13 @@ program-run-passes-twice = 条目两次指明焊道
 program-run-names = name = "tack"、"root"、"fill" 或 "cap"，或 passes = "1"、"2-5" 等
 program-run-without-position = 条目不允许任何焊接位置
 program-run-positions = 一个或多个；没有此键则全部允许
+program-toe-angle-too-large = 焊缝不可能比与母材齐平更平
+program-insert-without-root-faces = 此接头不能放置熔化嵌条
+program-allowed-insert = 对接接头中的嵌条，side = "face" 且无衬垫
+program-insert-area-missing = 缺少嵌条的截面积
+program-allowed-insert-area = area_mm2，或 kind = "ring" 或 "rectangular"
+program-insert-too-high = 嵌条的高度不小于壁厚
+program-insert-gap = 宽 { $width } 的嵌条不适合 { $gap } 的根部间隙
 program-not-a-process-value = 这不是工艺参数
 program-beside-ranges = { $key }，与 `ranges` 并列
 program-ranges-in-table = 工艺参数范围写在 [runs.ranges]

@@ -215,9 +215,11 @@ weld-bead-width-out-of-window = 焊道在 s = { $s } 处宽 { $width }、高 { $
 weld-bead-height-out-of-window = 焊道在 s = { $s } 处高 { $height }、宽 { $width }；允许高度 { $min } 至 { $max }
 weld-bead-ratio-out-of-window = 焊道在 s = { $s } 处宽 { $width }、高 { $height }，宽高比 { $ratio }；允许 { $min } 至 { $max }
 weld-bead-too-wide-without-weave = 不摆动时焊道在 s = { $s } 处宽 { $width }、高 { $height }；允许不超过 { $max }
+weld-bead-toe-steep = 盖面焊趾角在 s = { $s } 处为 { $angle }；允许 { $min } 或更大
 weld-layer-height-not-kept = 层在 s = { $s } 处高 { $height }，而不是 { $wanted }：{ $area } 的焊道填充结果不同
 weld-cure-bead-window = 改变 layer_mm 或该道的面积（速度、送丝），adapt = "passes"，或工艺规程中的范围
 weld-cure-weave-or-smaller-beads = 给该道加摆动，或更小的焊道（更高速度、更少焊丝）
+weld-cure-bead-toe = 减小 cap_mm，使 spacing_to_width 更接近 2/3，或采用更平的盖面焊道（摆动、更小面积）
 weld-cure-layer-height = 使 layer_mm 接近此高度，或改变该道的面积（速度、送丝）
 
 # Joints.
@@ -271,6 +273,8 @@ weld-allowed-travel-angle-once = 没有此键，或没有 [[torch.at]]
 weld-area-with-wire-feed = 给定的面积不随送丝变化
 weld-allowed-no-area-with-wire-feed = adapt = "wire_feed" 时没有此键
 weld-bead-area-missing = 缺少焊道面积
+weld-insert-without-root = 嵌条需要一道将其熔化的打底焊道
+weld-allowed-insert-root = [beads] 中的 `root`，或不用嵌条
 weld-allowed-bead-area = area_mm2，或 beads.wire_mm 和 wire_feed_m_min
 weld-bead-area-needs-steady-feed = 焊道面积需要恒定送丝
 weld-allowed-steady-feed = [weld.process] 或此处 wire_feed_m_min 大于 0，或 area_mm2

@@ -3,7 +3,7 @@ use crate::effort::{Effort, Watch};
 use crate::pass_clearance::{PassClearance, pass_clearance};
 use crate::pass_motion::{PassMotion, Request};
 use crate::pass_time::{MAX_PASS_S, at_most};
-use crate::procedure::{PassProcedure, PlannedPass};
+use crate::procedure::{PassProcedure, PlannedPass, pool_check};
 use crate::redundancy::{Clearance, holding};
 use crate::set_points::{Phase, SetPoint};
 use crate::speed_profile::ProfilePoint;
@@ -135,6 +135,25 @@ impl WeldMotion {
             })
             .collect();
         self.findings.extend(self.procedure.iter().flat_map(|p| p.findings.iter().cloned()));
+    }
+
+    /// Compares the beads of the planned `passes` of `machine` with what surface tension holds in their positions, or what
+    /// `procedure` permits. Each bead that is larger gives a warning. `period` is the length of a seam welded all round,
+    /// mm.
+    pub fn check_pools(
+        &mut self,
+        procedure: Option<&Procedure>,
+        machine: &Machine,
+        passes: &[(&dyn TorchPath, &Pass)],
+        period: Option<f64>,
+    ) {
+        let planned = (1..).zip(passes).zip(&self.passes);
+        let findings: Vec<Finding> = planned
+            .filter_map(|((number, &(path, pass)), motion)| {
+                pool_check::finding(procedure, PlannedPass { machine, path, pass, number, motion }, period)
+            })
+            .collect();
+        self.findings.extend(findings);
     }
 
     /// Adds the transfer move before pass `i`, counted from 0, or home after the last.

@@ -15,7 +15,7 @@ use std::borrow::Cow;
 pub struct Finding {
     /// Short kind, stable for programs: `reach`, `range`, `speed`, `attitude`, `access`, `singular`, `jump`, `hold`,
     /// `pulses`, `steps`, `pace`, `stop`, `blend`, `least_speed`, `time`, `turn`, `bead`, `joint`, `procedure`,
-    /// `plausible`, `preheat`, `cooling`, `interpass`.
+    /// `plausible`, `pool`, `preheat`, `cooling`, `interpass`.
     pub kind: Cow<'static, str>,
     /// Description of the fault, with the value found and the value allowed.
     pub message: Message,

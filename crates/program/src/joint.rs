@@ -1,5 +1,6 @@
 //! Joints: how the edges are prepared and how they were fitted up.
 
+use crate::insert::Insert;
 use crate::preparation::Preparation;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
@@ -21,6 +22,9 @@ pub struct Joint {
     /// Backing behind the root.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub backing: Option<Backing>,
+    /// Consumable insert in the root gap, fused by the root pass.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub insert: Option<Insert>,
     /// Groove angle and root gap by the dihedral angle, linear in between, of an edge that stands on a face; they replace
     /// those of the preparation.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -190,6 +194,7 @@ impl Joint {
         self.preparation.check(file, &format!("{path}.preparation"))?;
         self.check_back(file, path)?;
         self.check_gaps(file, path)?;
+        self.check_insert(file, path)?;
         self.check_fit_up(file, path)?;
         self.check_at_dihedral(file, path)
     }

@@ -51,6 +51,7 @@ mod copies;
 pub mod edit;
 mod finding;
 mod finding_groups;
+mod insert;
 mod interpass;
 mod joint;
 mod keyed;
@@ -97,6 +98,7 @@ pub use consumables::{Consumables, Costs};
 pub use copies::SeamCopy;
 pub use finding::{Finding, Severity, finding_data};
 pub use finding_groups::{FindingGroup, FindingPlace, group_findings};
+pub use insert::{Insert, InsertKind, MAX_INSERT_PLAY_MM};
 pub use interpass::Interpass;
 pub use joint::{
     AtDihedral, Backing, BackingKind, FilletOrButt, FitUp, Gouge, Joint, JointStandard, RimJoint, WeldedSide,
@@ -123,8 +125,8 @@ pub use preparation::{
 };
 pub use procedure::{
     BeadWindow, ButtLimits, Expected, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, Plausibility,
-    PositionLimits, PositionStretch, Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window,
-    shipped_procedure,
+    PositionLimits, PositionStretch, Procedure, QualityLevel, Run, ShippedProcedure, WeldingPosition, WeldingProcess,
+    Window, shipped_procedure,
 };
 pub use process::{ProcessValue, ProcessValues, check_process, check_process_name, check_process_value};
 pub use program::{Program, check_metals};

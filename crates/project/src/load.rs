@@ -425,7 +425,9 @@ impl Loaded {
                 motion.hold_to(procedure, machine, &passes);
             }
             let seam = self.welding.seam.as_ref();
-            motion.cool(program, seam.filter(|seam| seam.all_round()).map(SeamCurve::length));
+            let period = seam.filter(|seam| seam.all_round()).map(SeamCurve::length);
+            motion.check_pools(program.procedure.as_ref(), machine, &passes, period);
+            motion.cool(program, period);
             if !around.is_empty() {
                 motion.findings.extend(self.part_not_watched());
             }

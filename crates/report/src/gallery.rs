@@ -38,6 +38,8 @@ pub struct SectionDrawing {
     pub groove: Vec<[f64; 2]>,
     /// Beads in the order of welding: outline, and colour number from 1.
     pub beads: Vec<(Vec<[f64; 2]>, usize)>,
+    /// The consumable insert before it is fused; empty without one.
+    pub insert: Vec<[f64; 2]>,
     /// Wire target in each bead, or at the seam, and the direction back to the torch.
     pub torches: Vec<([f64; 2], [f64; 2])>,
 }
@@ -125,6 +127,9 @@ impl SectionDrawing {
             for (bead, _) in &self.beads {
                 svg.path("bead-edge", &outline(bead));
             }
+            if !self.insert.is_empty() {
+                svg.path("insert", &outline(&self.insert));
+            }
             let long = 0.09 * frame.w;
             for (tip, back) in &self.torches {
                 let (x, y) = place(tip);
@@ -180,6 +185,7 @@ mod tests {
             torch_note: "work angle 5 degrees".to_owned(),
             parts: vec![square(0.0, 0.0, 20.0), square(-20.0, 0.0, 20.0)],
             groove: square(-5.0, -10.0, 10.0),
+            insert: Vec::new(),
             beads: vec![(square(-5.0, -10.0, 5.0), 1), (square(0.0, -5.0, 5.0), 3)],
             torches: vec![([0.0, -10.0], [0.0, 1.0])],
         };

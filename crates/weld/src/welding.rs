@@ -87,6 +87,7 @@ impl Welding {
                 process: &j.weld.process,
                 procedure: procedure.as_ref().map(|p| &p.value),
                 weave: j.weld.weave.as_ref(),
+                insert_mm2: joint.joint().insert.map_or(0.0, |insert| insert.area_mm2()),
             };
             let filled = beads.filled(job, &seam, joint, &values, &weld)?;
             program.passes = filled.passes;

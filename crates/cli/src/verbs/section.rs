@@ -10,7 +10,8 @@ use seamwright_report::{Drawing as _, Language, sections};
 use seamwright_weld::Welding;
 
 const HEADER: &str = "s_mm,phi_deg,dihedral_deg,groove_mm2,cap_mm2,bead,role,layer,bead_in_layer,across_mm,out_mm,\
-    work_angle_deg,area_mm2,width_mm,height_mm,torch_work_angle_deg,torch_travel_angle_deg";
+    work_angle_deg,area_mm2,width_mm,height_mm,torch_work_angle_deg,torch_travel_angle_deg,\
+    toe_second_deg,toe_first_deg";
 /// Number of columns about a bead.
 const OF_BEAD: usize = 10;
 
@@ -44,7 +45,8 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
         let beads = welding.plan.as_ref().map(|plan| (plan, plan.in_order(&section, s)));
         let Some((plan, beads)) = beads else {
             let empty = [Cell::Empty; OF_BEAD];
-            return rows.row(&[head, empty.to_vec(), torch(welding, None, (s, 0.0)).to_vec()].concat());
+            let toes = [Cell::Empty; 2];
+            return rows.row(&[head, empty.to_vec(), torch(welding, None, (s, 0.0)).to_vec(), toes.to_vec()].concat());
         };
         beads.iter().zip(1..).try_for_each(|(bead, number)| {
             let mut cells = head.clone();
@@ -53,6 +55,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
             let values = [bead.tip.x, bead.tip.y, bead.lean.to_degrees(), bead.area, bead.width, bead.height];
             cells.extend(values.map(Cell::Number));
             cells.extend(torch(welding, Some(plan.layers[bead.layer].role), (s, bead.lean)));
+            cells.extend([bead.toes.second, bead.toes.first].map(|angle| Cell::Number(angle.to_degrees())));
             rows.row(&cells)
         })
     })?;

@@ -29,7 +29,10 @@ fn the_torchs_angles_are_drawn_and_listed() {
     }
     assert!(column(&leaning.0, "torch_travel_angle_deg").iter().all(|angle| (angle - 8.0).abs() < 1e-9));
     // New columns follow the old ones.
-    assert_eq!(leaning.0.0[13..], ["width_mm", "height_mm", "torch_work_angle_deg", "torch_travel_angle_deg"]);
+    let torch = ["width_mm", "height_mm", "torch_work_angle_deg", "torch_travel_angle_deg"];
+    assert_eq!(leaning.0.0[13..], [torch.as_slice(), &["toe_second_deg", "toe_first_deg"]].concat());
+    assert!(column(&upright.0, "toe_first_deg").iter().all(|angle| (45.0..=180.0).contains(angle)));
+    assert!(upright.1.contains("toe angles"));
 }
 
 #[test]

@@ -9,6 +9,7 @@ mod findings;
 mod inclination;
 mod planned_pass;
 mod plausibility;
+pub(crate) mod pool_check;
 mod window_check;
 
 pub use planned_pass::{PlannedPass, Quantity};

@@ -1,4 +1,5 @@
-use super::{Procedure, Run, Window};
+use super::{Procedure, QualityLevel, Run, Window};
+use crate::joint::FilletOrButt;
 use crate::pass::Role;
 use seamwright_document::Positive;
 
@@ -9,7 +10,8 @@ use seamwright_document::Positive;
 ///   each process (root 10 mm at most, fill layers 6 mm, split above 16 mm);
 /// - width to height of at least 1 in fill and cap layers: deeper beads tend to crack along their middle on cooling;
 /// - the width of a bead without a weave: ten diameters of a gas-shielded wire, six of a submerged one, 8 mm for TIG,
-///   three diameters of a covered electrode.
+///   three diameters of a covered electrode;
+/// - the angle at the toes of a cap: that of the procedure's quality level by ISO 5817, or of level C.
 ///
 /// Beams have none.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +24,10 @@ pub struct BeadWindow {
     pub width_to_height: [f64; 2],
     /// Maximum width without a weave, mm.
     pub max_unwoven_mm: f64,
+    /// Quality level of the weld.
+    pub quality_level: QualityLevel,
+    /// Minimum weld toe angle, degrees, if the procedure gives one.
+    pub given_toe_deg: Option<f64>,
     /// True if the procedure gives any of these for the role: then a bead outside is an error, otherwise a warning.
     pub is_binding: bool,
 }
@@ -35,7 +41,8 @@ impl BeadWindow {
     pub fn new(procedure: Option<&Procedure>, role: Role, wire_mm: Option<Positive>) -> Self {
         let process = procedure.map_or(USUAL_PROCESS, |p| p.process.number);
         let wire = wire_mm.or_else(|| procedure?.wire_diameter_mm).map_or(USUAL_WIRE_MM, Positive::get);
-        let usual = Self::usual(process, role, wire);
+        let quality_level = procedure.map_or_else(QualityLevel::default, |p| p.quality_level);
+        let usual = Self { quality_level, ..Self::usual(process, role, wire) };
         procedure.and_then(|p| p.run_named(role)).map_or(usual, |run| usual.narrowed(run))
     }
 
@@ -45,6 +52,8 @@ impl BeadWindow {
             height_mm,
             width_to_height,
             max_unwoven_mm,
+            quality_level: QualityLevel::default(),
+            given_toe_deg: None,
             is_binding: false,
         };
         let is_root = matches!(role, Role::Root | Role::Tack);
@@ -61,6 +70,11 @@ impl BeadWindow {
         }
     }
 
+    /// Minimum weld toe angle of a cap on a joint of this kind, degrees.
+    pub fn min_toe_deg(&self, joint: FilletOrButt) -> f64 {
+        self.given_toe_deg.unwrap_or_else(|| self.quality_level.min_toe_deg(joint))
+    }
+
     fn narrowed(self, run: &Run) -> Self {
         let ends = |window: Option<Window>, usual: [f64; 2]| window.map_or(usual, |w| <[f64; 2]>::from(w.ends()));
         Self {
@@ -68,6 +82,8 @@ impl BeadWindow {
             height_mm: ends(run.bead_height_mm, self.height_mm),
             width_to_height: ends(run.bead_width_to_height, self.width_to_height),
             max_unwoven_mm: run.max_unwoven_mm.map_or(self.max_unwoven_mm, Positive::get),
+            quality_level: self.quality_level,
+            given_toe_deg: run.min_toe_angle_deg.map(Positive::get),
             is_binding: run.bead_width_mm.is_some()
                 || run.bead_height_mm.is_some()
                 || run.bead_width_to_height.is_some()

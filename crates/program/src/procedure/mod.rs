@@ -3,9 +3,11 @@
 mod bead_window;
 mod pass_numbers;
 mod plausibility;
+mod pool;
 mod position;
 mod power;
 mod shipped;
+mod toe_angle;
 mod welding_process;
 mod window;
 
@@ -14,6 +16,7 @@ pub use pass_numbers::PassNumbers;
 pub use plausibility::{Expected, Plausibility};
 pub use position::{ButtLimits, FilletLimits, Inclination, PositionLimits, PositionStretch, WeldingPosition};
 pub use shipped::{PROCEDURES, ShippedProcedure, shipped_procedure};
+pub use toe_angle::QualityLevel;
 pub use welding_process::WeldingProcess;
 pub use window::{Outside, Window};
 
@@ -22,7 +25,7 @@ use crate::pass::{Pass, Role};
 use crate::process::{check_process_name, check_process_units, check_process_value};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive, SchemaVersion};
-use seamwright_message::Message;
+use seamwright_message::{Message, Unit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -55,6 +58,9 @@ pub struct Procedure {
     /// Kind of weld, for its positions: a groove on a nozzle is a butt weld. If missing by the angle between the faces.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint: Option<FilletOrButt>,
+    /// Quality level of ISO 5817, for the angle at the toes of the cap; C if missing.
+    #[serde(default, skip_serializing_if = "QualityLevel::is_usual")]
+    pub quality_level: QualityLevel,
     /// Limits of each welding position.
     #[serde(default, skip_serializing_if = "PositionLimits::is_usual")]
     pub position_limits: PositionLimits,
@@ -111,13 +117,20 @@ pub struct Run {
     /// Maximum width of a bead without a weave, mm; if missing the usual one of the process and its wire.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_unwoven_mm: Option<Positive>,
+    /// Minimum weld toe angle, degrees: between the surface of the part and the face of the cap, 180 if flush. If
+    /// missing that of the quality level.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub min_toe_angle_deg: Option<Positive>,
+    /// Maximum area of a bead without a weave, mm^2; if missing what surface tension holds in its welding position.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_unwoven_mm2: Option<Positive>,
     /// Ranges of the pass's process values, by the names that the job gives them, like `current_a`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub ranges: BTreeMap<String, Window>,
 }
 
 /// Ranges with keys of their own: they must not be in `ranges`.
-const OWN_KEYS: [&str; 11] = [
+const OWN_KEYS: [&str; 13] = [
     "speed_mm_s",
     "heat_input_kj_mm",
     "travel_angle_deg",
@@ -129,7 +142,12 @@ const OWN_KEYS: [&str; 11] = [
     "bead_height_mm",
     "bead_width_to_height",
     "max_unwoven_mm",
+    "min_toe_angle_deg",
+    "max_unwoven_mm2",
 ];
+
+/// Toe angle of a weld that is flush with its part, degrees.
+const MAX_TOE_DEG: f64 = 180.0;
 
 impl Run {
     /// True if it is for `pass`, the program's `number`th.
@@ -149,6 +167,12 @@ impl Run {
         if self.positions.as_ref().is_some_and(Vec::is_empty) {
             let message = Message::new("program-run-without-position");
             return Err(file.error_at(&format!("{path}.positions"), message, Message::new("program-run-positions")));
+        }
+        if self.min_toe_angle_deg.is_some_and(|angle| angle.get() > MAX_TOE_DEG) {
+            let allowed = Message::new("document-more-than-up-to").value("min", 0.0, Unit::Deg);
+            let allowed = allowed.value("max", MAX_TOE_DEG, Unit::Deg);
+            let key = format!("{path}.min_toe_angle_deg");
+            return Err(file.error_at(&key, Message::new("program-toe-angle-too-large"), allowed));
         }
         for (name, window) in &self.ranges {
             let key = format!("{path}.ranges.{name}");

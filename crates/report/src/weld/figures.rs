@@ -10,6 +10,7 @@ use crate::Language;
 use seamwright_document::Positive;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
+use seamwright_motion::procedure::PassProcedure;
 use seamwright_motion::{PassClearance, PassHeat, WeldMotion};
 use seamwright_program::{Bead, Finding, Joint, Pass, Role, Seam};
 use seamwright_simulation::Summary;
@@ -114,6 +115,10 @@ pub struct PassFigures {
     /// Number of its last bead, if it welds several with step-overs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub last_bead: Option<usize>,
+    /// Minimum and maximum of the smaller weld toe angle of its bead along the seam, degrees, if every bead is all along
+    /// the seam: with a procedure and without a weave as it sags in its position, otherwise in flat position.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub toe_deg: Option<(f64, f64)>,
     /// Minimum and maximum of each process value in the pass, by name.
     pub process_range: BTreeMap<String, (f64, f64)>,
     /// Stick-out, mm, if it is not the machine's.
@@ -207,6 +212,10 @@ impl WeldReport {
                 role: pass.known_role().map(Role::name),
                 bead: beads.get(i).and_then(|beads| beads.first),
                 last_bead: beads.get(i).and_then(|beads| beads.last),
+                toe_deg: beads
+                    .get(i)
+                    .and_then(|beads| beads.first.filter(|_| beads.last.is_none()))
+                    .and_then(|bead| toe_deg(welding, bead, pass, motion.procedure.get(i))),
                 process_range: process_range(pass),
                 stick_out_mm: pass.torch.stick_out_mm.map(Positive::get),
                 arc_energy_kj: totals::arc_energy_kj(pass, planned),
@@ -256,6 +265,23 @@ impl PassFigures {
         let quantities = self.procedure.iter().flat_map(|procedure| &procedure.quantities);
         quantities.filter(|q| q.key == "heat_input_kj_mm").find_map(|q| q.found)
     }
+}
+
+/// Returns minimum and maximum of the smaller toe angle along the seam of a bead, by its number in the cross-sections.
+fn toe_deg(welding: &Welding, number: usize, pass: &Pass, held: Option<&PassProcedure>) -> Option<(f64, f64)> {
+    let (plan, seam) = (welding.plan.as_ref()?, welding.seam.as_ref()?);
+    let bead = *plan.order.get(number.checked_sub(1)?)?;
+    let inclinations = held.filter(|_| pass.weave.is_none()).map_or(&[][..], |held| &held.inclinations);
+    let flat = (0..plan.stations.len()).map(|i| plan.at_station(i)[bead].toes.min());
+    let sagged = inclinations.iter().map(|(s, at)| {
+        let on_seam = pass.seam_s(*s);
+        let s = if seam.all_round() { on_seam.rem_euclid(seam.length()) } else { on_seam };
+        let station = plan.stations.partition_point(|station| *station <= s).max(1) - 1;
+        plan.at_station(station)[bead].min_toe_in(*at)
+    });
+    let grow = |ends: Option<(f64, f64)>, a: f64| Some(ends.map_or((a, a), |(l, h)| (l.min(a), h.max(a))));
+    let ends = if inclinations.is_empty() { flat.fold(None, grow) } else { sagged.fold(None, grow) };
+    ends.map(|(least, greatest)| (least.to_degrees(), greatest.to_degrees()))
 }
 
 /// Numbers of the beads of a pass in the cross-sections.

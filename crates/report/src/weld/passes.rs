@@ -49,6 +49,10 @@ impl WeldReport {
                 optional(pass.bead.map(|bead| format!("{bead}{last}")))
             });
         }
+        if any(|pass| pass.toe_deg.is_some()) {
+            let toe = |pass: &&PassFigures| optional(pass.toe_deg.map(|(least, _)| number(least.round(), language)));
+            table = table.number("report-column-toe-deg", toe);
+        }
         for name in names {
             let value = |pass: &&PassFigures| pass.process_range.get(name).map(|r| Range::from(*r).text(language));
             table = table.column(value_names::value(language, name), true, |pass| optional(value(pass)));

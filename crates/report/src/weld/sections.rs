@@ -43,6 +43,14 @@ fn torch_note(welding: &Welding, s: f64, language: Language) -> Option<String> {
     Some(message.in_language(language))
 }
 
+/// Returns the toe angles (rad) of the last layer on the second and the first part.
+fn cap_toes(plan: &BeadPlan, beads: &[BeadAt]) -> Option<[f64; 2]> {
+    let last = beads.iter().map(|bead| bead.layer).max()?;
+    let count = plan.layers[last].beads;
+    let at = |index: usize| beads.iter().find(|bead| bead.layer == last && bead.index == index);
+    Some([at(0)?.toes.second, at(count - 1)?.toes.first])
+}
+
 fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawing> {
     let (seam, joint) = (welding.seam.as_ref()?, welding.joint.as_ref()?);
     let point = seam.at(s);
@@ -67,9 +75,16 @@ fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawi
         }
         false => note.message("area", area(Unit::Mm2)),
     };
+    let toes = here.as_ref().and_then(|(plan, beads)| cap_toes(plan, beads));
+    let toes = toes.map_or_else(String::new, |[second, first]| {
+        let message = Message::new("report-section-toes")
+            .significant("second", second.to_degrees(), Unit::Deg, 3)
+            .significant("first", first.to_degrees(), Unit::Deg, 3);
+        message.in_language(language)
+    });
     Some(SectionDrawing {
         title: at.in_language(language) + &point.phi.map_or_else(String::new, |phi| format!(", {}", angle(phi))),
-        note: note.in_language(language),
+        note: note.in_language(language) + &toes,
         parts: joint.metal(&section).into_iter().map(outline).collect(),
         groove: outline(section.first.iter().chain(section.second.iter().rev()).copied().collect()),
         beads: here
@@ -79,6 +94,7 @@ fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawi
                 drawn.map(|(line, bead)| (outline(line), colour(plan.layers[bead.layer].role))).collect::<Vec<_>>()
             })
             .collect(),
+        insert: joint.insert(&section).map_or_else(Vec::new, outline),
         torch_note: torch_note(welding, s, language).unwrap_or_default(),
         torches: torches(welding, here.as_ref(), s)
             .iter()

@@ -4,6 +4,8 @@ use seamwright_simulation::groove::Campaign;
 
 /// Seeds of the parts; sensor, distortions and estimate were developed on those below 100.
 const SEEDS: std::ops::Range<u64> = 1000..1020;
+/// Seeds of parts that were made after the estimate was finished.
+const FRESH: std::ops::Range<u64> = 7300..7320;
 
 /// Cap errors of 95 % of the stations are below `most`, mm, where those of the drawing's plan are above 1.5 mm.
 fn check(campaign: &Campaign, most: f64) {
@@ -24,4 +26,10 @@ fn scans_between_layers_keep_the_cap() {
 #[ignore = "minutes: run by make soak"]
 fn twenty_distorted_nozzles_keep_their_cap() {
     check(&Campaign::run(SEEDS).unwrap_or_else(|e| panic!("{e}")), 0.5);
+}
+
+#[test]
+#[ignore = "minutes: run by make soak"]
+fn twenty_fresh_nozzles_keep_their_cap() {
+    check(&Campaign::run(FRESH).unwrap_or_else(|e| panic!("{e}")), 0.5);
 }

@@ -181,6 +181,8 @@ pub(crate) struct WeldValues<'a> {
     pub(crate) procedure: Option<&'a Procedure>,
     /// Its weave.
     pub(crate) weave: Option<&'a Weave>,
+    /// Area of the consumable insert that the root pass fuses, mm^2; 0 without one.
+    pub(crate) insert_mm2: f64,
 }
 
 /// Settings of a run.
@@ -188,6 +190,8 @@ pub(crate) struct WeldValues<'a> {
 pub(crate) struct Asked {
     /// Area of a bead, mm^2.
     pub(crate) area: f64,
+    /// The part of it that is a consumable insert, mm^2.
+    pub(crate) insert: f64,
     /// True if the area follows from the wire.
     pub(crate) area_from_wire: bool,
     /// Height of a layer, mm.
@@ -200,6 +204,23 @@ pub(crate) struct Asked {
     pub(crate) weave: Option<Weave>,
     /// Window of its beads.
     pub(crate) window: BeadWindow,
+}
+
+/// A root pass over an insert lays at least this part of its wire: speed or wire feed do not change without bounds where
+/// the insert alone nearly fills the root.
+const MIN_WIRE_PART: f64 = 0.2;
+
+impl Asked {
+    /// The metal that the wire adds to a bead of `area` (mm^2), as a part of what it adds to the run's; 1 where an
+    /// insert is the only filler.
+    pub(crate) fn wire_part(&self, area: f64) -> f64 {
+        let wire = self.area - self.insert;
+        match self.insert > 0.0 {
+            true if wire <= 0.0 => 1.0,
+            true => ((area - self.insert) / wire).max(MIN_WIRE_PART),
+            false => area / self.area,
+        }
+    }
 }
 
 /// The role of the beads of a run.
@@ -247,6 +268,11 @@ fn check_window<T>(
     Ok(())
 }
 
+/// Maximum wire feed of process values; 0 without one.
+fn fed(process: &ProcessValues) -> f64 {
+    process.get(WIRE_FEED).map_or(0.0, |feed| feed.ends().0.max(feed.ends().1))
+}
+
 impl Beads {
     /// Settings of the run `name`: its own values over those of `weld`. Fails with the key's address: no area, or an
     /// area and a wire.
@@ -270,7 +296,9 @@ impl Beads {
             stick_out::check(file, &format!("{path}.stick_out_mm"), own)?;
         }
         let speed = run.speed_mm_s.unwrap_or(weld.speed_mm_s);
+        let insert = if role_of(name) == Role::Root { weld.insert_mm2 } else { 0.0 };
         let area = match (run.area_mm2, self.wire_mm) {
+            (None, _) if insert > 0.0 && fed(&all) == 0.0 => 0.0,
             (Some(area), _) if self.adapt != Adapt::WireFeed => area.get(),
             (Some(_), _) => {
                 let message = Message::new("weld-area-with-wire-feed");
@@ -282,12 +310,8 @@ impl Beads {
                 return Err(file.error_at(&path, message, Message::new("weld-allowed-bead-area")));
             }
             (None, Some(wire)) => {
-                let feed = all
-                    .get(WIRE_FEED)
-                    .filter(|feed| !feed.is_ramp())
-                    .map(|feed| feed.ends().0)
-                    .filter(|feed| *feed > 0.0);
-                let Some(feed) = feed else {
+                let feed = all.get(WIRE_FEED).filter(|feed| !feed.is_ramp()).map(|feed| feed.ends().0);
+                let Some(feed) = feed.filter(|feed| *feed > 0.0) else {
                     let message = Message::new("weld-bead-area-needs-steady-feed");
                     return Err(file.error_at(&path, message, Message::new("weld-allowed-steady-feed")));
                 };
@@ -295,6 +319,7 @@ impl Beads {
                 wire_area * (feed * 1000.0 / 60.0) * self.deposition.get() / speed.get()
             }
         };
+        let area = area + insert;
         let layer = run.layer_mm.get();
         let window = BeadWindow::new(weld.procedure, role_of(name), self.wire_mm);
         check_window(file, &path, &window, (area, layer))?;
@@ -302,6 +327,7 @@ impl Beads {
             window,
             weave: run.weave.clone().or_else(|| weld.weave.cloned()),
             area,
+            insert,
             area_from_wire: run.area_mm2.is_none(),
             layer,
             speed,

@@ -1,7 +1,9 @@
 use super::layers::Layer;
 use super::shape::{LayerShape, Level};
+use super::toes::{LayerToes, Toes};
 use crate::joint::Section;
 use glam::DVec2;
+use seamwright_program::Inclination;
 
 /// Arrangement of beads in their layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +37,8 @@ pub struct BeadAt {
     pub width: f64,
     /// Height of its section, mm.
     pub height: f64,
+    /// Angles at its toes.
+    pub toes: Toes,
     /// Mean height of its layer, mm.
     pub layer_height: f64,
     /// Areas of groove and cap below its layer, and with it, mm^2.
@@ -42,6 +46,13 @@ pub struct BeadAt {
 }
 
 impl BeadAt {
+    /// The smaller toe angle (rad) of the bead laid without a weave on a weld of this inclination: it sags to its lower
+    /// toe.
+    pub fn min_toe_in(&self, at: Inclination) -> f64 {
+        let face = self.toes.convexity;
+        self.toes.min() - ((face.tan() + at.sag(self.width)).atan() - face)
+    }
+
     /// This bead changed to `other` by a part of the way.
     pub(crate) fn towards(&self, other: &Self, part: f64) -> Self {
         let between = |a: f64, b: f64| a + (b - a) * part;
@@ -52,6 +63,7 @@ impl BeadAt {
             area: between(self.area, other.area),
             width: between(self.width, other.width),
             height: between(self.height, other.height),
+            toes: self.toes.towards(&other.toes, part),
             layer_height: between(self.layer_height, other.layer_height),
             filled: (between(self.filled.0, other.filled.0), between(self.filled.1, other.filled.1)),
             ..*self
@@ -72,7 +84,9 @@ fn lean(section: &Section, at: DVec2) -> f64 {
     square.max(low + off).min(high - off)
 }
 
-/// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height.
+/// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height. Chosen so
+/// that the arc reaches both root faces in the examples; `tests.rs` checks on random grooves that the target lies between the
+/// walls.
 const ROOT_RISE: f64 = 0.35;
 
 /// Layers between two areas of the filled section.
@@ -108,6 +122,7 @@ pub(crate) fn fill(
         let high = Level::new(section, low.area + layer.share * scale);
         let shape = LayerShape::new(&low, &high, chord);
         let size = shape.bead(layer.beads, laying.spacing);
+        let toes = LayerToes::new(section, &shape, &high, layer.beads, laying.spacing);
         // At the root the gap between the parts is narrow, and the wire points above it.
         let base = low.height + if low.area > 0.0 { 0.0 } else { ROOT_RISE * (high.height - low.height) };
         let (left, right) = section.slices.edges(base);
@@ -139,6 +154,7 @@ pub(crate) fn fill(
                 area: layer.share * scale / n,
                 width: size.width,
                 height: size.height,
+                toes: toes.of(index, layer.beads),
                 layer_height: shape.height,
                 filled: (low.area, high.area),
             });

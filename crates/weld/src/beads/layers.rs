@@ -63,13 +63,21 @@ const LEVELS_PER_LAYER: f64 = 6.0;
 const MIN_LEVELS: f64 = 12.0;
 /// Maximum number of layers between two levels: a bound of time.
 const MAX_EDGES: f64 = 50_000.0;
-/// Maximum height of a layer, as a multiple of the largest wanted one.
+/// Maximum height of a layer, as a multiple of the largest wanted one. Checked on `random_joints.rs`: 5 % of the fill layers
+/// are more than 1.64 times as high as wanted, so it rarely binds.
 const MAX_LAYER: f64 = 2.0;
-/// A layer has this many beads more or less than its area asks for.
+/// A layer has this many beads more or less than its area asks for. More would be outside `most_percent` in layers of
+/// up to three beads.
 const MORE_OR_LESS: i32 = 1;
 /// Cost of a bead outside a window, beside that of deviations within: 5 % outside as much as 2.7 times the area.
+///
+/// Tuned on the jobs of `examples/`. Checked on 1,000 joints of `random_joints.rs`: a quarter or four times of it and of
+/// [`HEIGHT`] leave 4.3 to 7.8 % of the beads outside, these values 5.7 %.
 const OUTSIDE: f64 = 400.0;
 /// Cost of a layer's height beside that of its beads' area: the area follows from wire and speed, the height is a wish.
+///
+/// Tuned and checked as [`OUTSIDE`]: 90 % of the fill layers are 0.81 to 1.64 times as high as wanted; 0.77 to 1.75 with a
+/// quarter of it, 0.83 to 1.50 with four times, but then more areas are off.
 const HEIGHT: f64 = 0.5;
 
 /// A section of which a part is filled already.

@@ -21,12 +21,14 @@ mod sectors;
 mod shape;
 #[cfg(test)]
 mod tests;
+mod toes;
 
 pub(crate) use file::WeldValues;
 pub use file::{Adapt, Beads, Order, Run};
 pub use fill::BeadAt;
 pub use layers::Layer;
 pub use plan::BeadPlan;
+pub use toes::Toes;
 
 use crate::joint::SeamJoint;
 use crate::seam::SeamCurve;
@@ -70,6 +72,10 @@ impl Beads {
             }
             self.asked(file, name, run, weld)
         };
+        if weld.insert_mm2 > 0.0 && self.root.is_none() {
+            let allowed = Message::new("weld-allowed-insert-root");
+            return Err(file.error_at("joint.insert", Message::new("weld-insert-without-root"), allowed));
+        }
         let fill = asked("fill", &self.fill)?;
         let runs = Runs {
             root: self.root.as_ref().map(|run| asked("root", run)).transpose()?,

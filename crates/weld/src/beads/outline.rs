@@ -14,8 +14,13 @@ const SAMPLES: usize = 192;
 /// Points of a flank.
 const FLANK: usize = 16;
 /// Height of a fill layer's waves as a part of its height: shallow, as valleys are filled.
+///
+/// This, [`VALLEY`] and [`UNDER`] are for drawing only: areas, layers and toe angles do not depend on them. They were chosen by
+/// eye on the examples and checked on `random_joints.rs`: the column `drawn-%` is the 95th percentile of the difference
+/// between an outline's area and its bead's.
 const WAVE: f64 = 0.1;
-/// Depth of the valleys in a cap of several beads as a part of the cap's height.
+/// Depth of the valleys in a cap of several beads as a part of the cap's height. The model of `toes.rs` has 0.14 of a bead's
+/// height at the default spacing.
 const VALLEY: f64 = 0.3;
 /// Part of its parabola's half width by which an earlier bead lies under a later one; the rest is melted again.
 const UNDER: f64 = 0.5;

@@ -173,7 +173,7 @@ impl Making<'_> {
     /// path length as a multiple of that along a bead.
     fn deposit(&self, asked: &Asked, run: &Run, s: f64) -> Deposit {
         let on_seam = run.on_seam(s);
-        let part = |bead: usize| self.plan.area(bead, on_seam).map_or(1.0, |area| area / asked.area);
+        let part = |bead: usize| self.plan.area(bead, on_seam).map_or(1.0, |area| asked.wire_part(area));
         let Some((k, step)) = run.step_at(s) else {
             return Deposit { area: part(run.beads[run.steps.len()]), travel: 1.0 };
         };

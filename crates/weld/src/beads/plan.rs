@@ -16,6 +16,8 @@ pub struct BeadPlan {
     pub stations: Vec<f64>,
     /// Area of groove and cap at the stations, mm^2.
     pub totals: Vec<f64>,
+    /// Dihedral angle of the faces at the stations, rad.
+    pub(crate) dihedrals: Vec<f64>,
     /// Parts of the seam on which a layer is, by layer: empty where it is all along.
     pub parts: Vec<Vec<(f64, f64)>>,
     /// The beads at all stations, station by station, [`BeadPlan::count`] each, also those that are not there (area 0).
@@ -170,6 +172,7 @@ impl BeadPlan {
             layers,
             stations,
             totals,
+            dihedrals: sections.iter().map(|section| section.dihedral).collect(),
             beads: Vec::new(),
             order: Vec::new(),
             stages: vec![stage],

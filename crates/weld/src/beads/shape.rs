@@ -51,6 +51,8 @@ pub(crate) struct LayerShape {
     top: f64,
     /// Height in its middle, mm: more than the mean one by a cap.
     middle: f64,
+    /// Slope of its cap at the toes.
+    crown: f64,
 }
 
 /// Width and height of a bead, mm.
@@ -69,7 +71,23 @@ impl LayerShape {
             height: rise + over / chord,
             top: high.width,
             middle: rise + 1.5 * over / chord,
+            crown: 6.0 * high.over / (chord * chord),
         }
+    }
+
+    /// Slope of its cap at the toes.
+    pub(crate) fn crown(&self) -> f64 {
+        self.crown
+    }
+
+    /// Slope at the valleys between `count` beads side by side; 0 where the next bead fills them.
+    pub(crate) fn wave(&self, count: usize, spacing: f64) -> f64 {
+        if count == 1 {
+            return 0.0;
+        }
+        let BeadSize { width, height } = self.bead(count, spacing);
+        let crest = height * (1.0 - 2.0 / (3.0 * spacing));
+        (12.0 * crest / (spacing * width)).max(0.0)
     }
 
     /// Each of `count` beads side by side, `spacing` of their widths apart.

@@ -1,5 +1,7 @@
 //! Beads over random grooves: areas, order and positions, against independent sums.
 
+mod random_joints;
+
 use super::findings::BeadPlace;
 use super::layers::{Opening, Runs, layers};
 use super::{BeadPlan, Beads, WeldValues};
@@ -21,19 +23,30 @@ struct File {
     beads: Beads,
 }
 
-struct Planned {
-    seam: SeamCurve,
-    joint: SeamJoint,
-    plan: BeadPlan,
-    runs: Runs,
+pub(super) struct Planned {
+    pub(super) seam: SeamCurve,
+    pub(super) joint: SeamJoint,
+    pub(super) plan: BeadPlan,
+    pub(super) runs: Runs,
 }
 
 fn plan(text: &str) -> Planned {
-    let file = Document::<File>::read("f.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    try_plan(text).unwrap_or_else(|e| panic!("{e}: {text}"))
+}
+
+/// Plans the beads of a file, or returns the words of its refusal.
+pub(super) fn try_plan(text: &str) -> Result<Planned, String> {
+    let file = Document::<File>::read("f.toml", text).map_err(|e| e.to_string())?;
     let f = &file.value;
-    let seam = SeamCurve::new(&file, &f.seam, &f.start).unwrap();
-    let joint = SeamJoint::new(&file, &f.joint, &seam).unwrap_or_else(|e| panic!("{e}"));
-    let weld = WeldValues { speed_mm_s: Positive::TEN, process: &ProcessValues::new(), procedure: None, weave: None };
+    let seam = SeamCurve::new(&file, &f.seam, &f.start).map_err(|e| e.to_string())?;
+    let joint = SeamJoint::new(&file, &f.joint, &seam).map_err(|e| e.to_string())?;
+    let weld = WeldValues {
+        speed_mm_s: Positive::TEN,
+        process: &ProcessValues::new(),
+        procedure: None,
+        weave: None,
+        insert_mm2: 0.0,
+    };
     let run = |name, run| f.beads.asked(&file, name, run, &weld).unwrap();
     let runs = Runs {
         root: f.beads.root.as_ref().map(|r| run("root", r)),
@@ -42,8 +55,8 @@ fn plan(text: &str) -> Planned {
         spacing: f.beads.spacing_to_width.get(),
         most: f.beads.most_percent.get() / 100.0,
     };
-    let plan = BeadPlan::new(&seam, &joint, &f.beads, &runs).unwrap();
-    Planned { seam, joint, plan, runs }
+    let plan = BeadPlan::new(&seam, &joint, &f.beads, &runs).map_err(|e| e.to_string())?;
+    Ok(Planned { seam, joint, plan, runs })
 }
 
 const HILLSIDE: &str = "[seam.nozzle]\nradius_mm = 250\n[seam.nozzle.body.cylinder]\nradius_mm = 800\n\
@@ -56,7 +69,7 @@ fn place(bead: usize) -> BeadPlace {
     BeadPlace { pass: bead + 1, before_mm: 0.0 }
 }
 
-fn shoelace(points: &[glam::DVec2]) -> f64 {
+pub(super) fn shoelace(points: &[glam::DVec2]) -> f64 {
     0.5 * (0..points.len()).map(|i| points[i].perp_dot(points[(i + 1) % points.len()])).sum::<f64>()
 }
 
@@ -272,8 +285,10 @@ fn beads_of_random_joints_keep_their_windows_or_say_so() {
                 // Alone in its layer it is as wide as the groove.
                 let wide = bead.width <= w.width_mm[1].min(w.max_unwoven_mm) + 1e-6
                     && (layer.beads == 1 || bead.width >= w.width_mm[0] - 1e-6);
-                let kept =
-                    wide && within(w.height_mm, bead.height) && within(w.width_to_height, bead.width / bead.height);
+                // There it melts 1 mm of each wall.
+                let melted = if layer.beads == 1 { bead.width.min(2.0) } else { 0.0 };
+                let ratio = (bead.width + melted) / bead.height;
+                let kept = wide && within(w.height_mm, bead.height) && within(w.width_to_height, ratio);
                 let area = within([0.75 * run.area, 1.25 * run.area], bead.area);
                 let reported = |code: &str| found.iter().any(|f| f.pass == b + 1 && f.message.code.starts_with(code));
                 assert!(kept || reported("weld-bead-"), "{bead:?} {text}");

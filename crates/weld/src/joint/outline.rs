@@ -2,11 +2,14 @@ use super::SeamJoint;
 use super::section::{Place, Section};
 use glam::DVec2;
 use seamwright_document::NonNegative;
-use seamwright_program::{Fillet, Joint, Lap, Member, Preparation, TBevel, TDoubleBevel, TJ, WeldedSide};
+use seamwright_program::{Fillet, InsertKind, Joint, Lap, Member, Preparation, TBevel, TDoubleBevel, TJ, WeldedSide};
 use std::f64::consts::TAU;
 
 /// Thickness of a part that the preparation does not give, as a part of the groove's size.
 const UNKNOWN: f64 = 0.7;
+/// Width of the head of a T, J or Y on the inside as a part of its stem, and its height as a part of the stem's, as drawn.
+const HEAD: f64 = 2.2;
+const HEAD_HEIGHT: f64 = 0.4;
 /// Extent of the drawn parts beyond the groove, as a part of its size.
 const BEYOND: f64 = 1.0;
 
@@ -150,6 +153,45 @@ impl SeamJoint {
         let foot = -wall / section.dihedral.sin() * along[1 - i];
         let (up, down) = (width * along[i], -thickness * out[i]);
         Some(vec![foot, foot + up, foot + up + down, foot + down])
+    }
+
+    /// Outline of the consumable insert in a section before it is fused, mm, schematic for its kind; `None` without one.
+    pub fn insert(&self, section: &Section) -> Option<Vec<DVec2>> {
+        let insert = self.joint().insert?;
+        let (half, height) = (0.5 * insert.width_mm.get(), insert.height_mm.get());
+        let root = section.root();
+        let head = HEAD_HEIGHT * height;
+        let points: &[(f64, f64)] = match insert.kind {
+            InsertKind::Ring | InsertKind::Rectangular => &[(-half, 0.0), (half, 0.0), (half, height), (-half, height)],
+            InsertKind::InvertedT => &[
+                (-HEAD * half, -head),
+                (HEAD * half, -head),
+                (HEAD * half, 0.0),
+                (half, 0.0),
+                (half, height),
+                (-half, height),
+                (-half, 0.0),
+                (-HEAD * half, 0.0),
+            ],
+            InsertKind::J => &[
+                (-half, -head),
+                (HEAD * half, -head),
+                (HEAD * half, 0.0),
+                (half, 0.0),
+                (half, height),
+                (-half, height),
+            ],
+            InsertKind::Y => &[
+                (-HEAD * half, -head),
+                (0.0, -0.5 * head),
+                (HEAD * half, -head),
+                (half, 0.0),
+                (half, height),
+                (-half, height),
+                (-half, 0.0),
+            ],
+        };
+        Some(points.iter().map(|(x, y)| root + DVec2::new(*x, *y)).collect())
     }
 
     /// Rotation (rad, counter-clockwise) that draws a section as in a handbook: a butt joint with its face up,

@@ -34,6 +34,8 @@ pub struct Section {
     pub cap: f64,
     /// Height of the cap, mm.
     pub cap_height: f64,
+    /// True for a first and a second part whose surface goes on round beyond its toe.
+    rounds: [bool; 2],
 }
 
 /// Position of the parts at one station.
@@ -200,7 +202,12 @@ impl Section {
             }
             _ => butt(&faces, place, butt_edges(joint, place), joint.depth_mm())?,
         };
-        Self::between(place, first, second, joint.cap_mm.get())
+        let rounds = match preparation {
+            Preparation::FlareBevel(p) => [p.round == Member::First, p.round == Member::Second],
+            Preparation::FlareV(_) => [true; 2],
+            _ => [false; 2],
+        };
+        Ok(Self { rounds, ..Self::between(place, first, second, joint.cap_mm.get())? })
     }
 
     fn between(place: Place, first: Vec<DVec2>, second: Vec<DVec2>, cap_height: f64) -> Result<Self, NoGroove> {
@@ -216,7 +223,7 @@ impl Section {
         let slices = Slices::new(&corners, up).filter(|_| turns > 0.0).ok_or(NoGroove::Empty)?;
         let cap = 2.0 / 3.0 * chord.length() * cap_height;
         let Place { dihedral, gap, .. } = place;
-        Ok(Self { dihedral, gap, first, second, up, slices, cap, cap_height })
+        Ok(Self { dihedral, gap, first, second, up, slices, cap, cap_height, rounds: [false; 2] })
     }
 
     /// Area of the groove up to the line from toe to toe, mm^2.
@@ -238,6 +245,25 @@ impl Section {
     pub fn chord(&self) -> f64 {
         let [first, second] = self.toes();
         first.distance(second)
+    }
+
+    /// Directions of the first and the second part's boundary beyond `height` along [`Section::up`]: of the wall of the
+    /// groove, or of the surface at the toes.
+    pub(crate) fn beyond(&self, height: f64) -> [DVec2; 2] {
+        let (sin, cos) = (0.5 * self.dihedral).sin_cos();
+        let last =
+            |edge: &[DVec2], plane: DVec2| edge.windows(2).last().map_or(plane, |w| (w[1] - w[0]).normalize_or(plane));
+        let surface = |i: usize, edge: &[DVec2], plane: DVec2| if self.rounds[i] { last(edge, plane) } else { plane };
+        let surfaces = [surface(0, &self.first, DVec2::new(sin, cos)), surface(1, &self.second, DVec2::new(-sin, cos))];
+        let (low, high) = self.slices.heights();
+        if height >= high - ON_LINE_MM * (high - low).max(1.0) {
+            return surfaces;
+        }
+        let wall = |edge: &[DVec2], surface: DVec2| {
+            let rises = |w: &&[DVec2]| w[0].dot(self.up) <= height && height < w[1].dot(self.up);
+            edge.windows(2).rfind(rises).map_or(surface, |w| (w[1] - w[0]).normalize_or(surface))
+        };
+        [wall(&self.first, surfaces[0]), wall(&self.second, surfaces[1])]
     }
 
     /// Unit vector to a sensor that sees the faces beside the groove and the edges at the toes as little slanted as

@@ -373,6 +373,7 @@ mod tests {
                 side: WeldedSide::Face,
                 gouge: None,
                 backing: None,
+                insert: None,
                 at_dihedral: Vec::new(),
                 standard: None,
                 cap_mm: some(1.0),

@@ -108,7 +108,10 @@ fn what_is_deposited_fills_the_joint_within_one_percent() {
     ] {
         let welding = read(&changed(HILLSIDE, &changes));
         assert!(off(&welding) < 0.01, "{changes:?}: {}", off(&welding));
-        assert!(welding.findings().is_empty(), "{changes:?}: {:#?}", welding.findings());
+        // Where the faces are nearly square, a convex cap of two beads is steep at its toes.
+        let findings = welding.findings();
+        let others = findings.iter().filter(|f| f.message.code != "weld-bead-toe-steep").count();
+        assert_eq!(others, 0, "{changes:?}: {findings:#?}");
     }
 }
 
@@ -292,4 +295,66 @@ fn sectors_change_every_pass_by_the_position_on_the_seam() {
     assert_eq!(key("current_a = 0.92, ", "power_w = 0.92, "), "beads.sectors[1].factors.power_w");
     assert_eq!(key("current_a = 0.92, ", ""), "beads.sectors[1].factors");
     assert_eq!(key("alternate = true", "adapt = \"wire_feed\""), "beads.sectors[0].factors.wire_feed_m_min");
+}
+
+/// A pipe with a ring of filler metal in its root gap.
+fn with_insert(root: &str) -> String {
+    ORBITAL
+        .replace(
+            "root_gap_mm = 2\nroot_face_mm = 1\n",
+            "root_gap_mm = 2.5\nroot_face_mm = 1\n[joint.insert]\nkind = \"ring\"\nwidth_mm = 2.4\nheight_mm = 3.2\n",
+        )
+        .replace("alternate = true\n", &format!("root = {{ layer_mm = 3, {root} }}\n"))
+        .split("[[beads.sectors]]")
+        .next()
+        .unwrap()
+        .to_owned()
+        + "[weld]\nspeed_mm_s = 5\n[weld.process]\ncurrent_a = 200\nvoltage_v = 22\nwire_feed_m_min = 6\n"
+}
+
+/// The insert is metal of the root bead: wire adds the rest, or nothing at one speed.
+#[test]
+fn an_insert_is_part_of_the_root_bead() {
+    let insert = 2.4 * 3.2;
+    for (root, is_fused_alone) in
+        [("process = { wire_feed_m_min = 0 }", true), ("process = { wire_feed_m_min = 2 }", false)]
+    {
+        let welding = read(&with_insert(root));
+        let (joint, turn) = (welding.joint.as_ref().unwrap(), welding.seam().length());
+        let passes = &welding.program.value.passes;
+        let first = &passes[0];
+        assert_eq!(first.role, Some(Role::Root));
+        let area = first.bead.as_ref().unwrap().area_mm2[0].get();
+        assert!(area > 0.7 * insert, "{area}");
+        let (slowest, fastest) = first.speeds();
+        assert!((fastest - slowest).abs() < 1e-9, "a pipe has one section");
+        assert_eq!((slowest - 5.0).abs() < 1e-9, is_fused_alone, "{slowest}");
+        for i in 0..50 {
+            let s = turn * (f64::from(i) + 0.37) / 50.0;
+            let section = joint.section(&welding.seam().at(s)).unwrap();
+            let wire: f64 = passes.iter().filter_map(|pass| deposited(pass, s, turn)).sum();
+            let root = if is_fused_alone { area } else { insert };
+            assert!(
+                (wire + root - section.total()).abs() < 0.01 * section.total(),
+                "{wire} {root} {}",
+                section.total()
+            );
+            let drawn = joint.insert(&section).unwrap();
+            assert!(drawn.iter().all(|p| p.x.abs() <= 0.5 * section.gap));
+        }
+    }
+    let key = |from: &str, to: &str| {
+        let text = with_insert("process = { wire_feed_m_min = 0 }");
+        assert!(text.contains(from), "{from}");
+        refusal(&text.replace(from, to)).key
+    };
+    let gap = "joint.preparation.single_v.root_gap_mm";
+    assert_eq!(key("root_gap_mm = 2.5", "root_gap_mm = 2"), gap);
+    assert_eq!(key("root_gap_mm = 2.5", "root_gap_mm = 3.2"), gap);
+    assert_eq!(key("kind = \"ring\"", "kind = \"y\""), "joint.insert");
+    assert_eq!(key("height_mm = 3.2", "height_mm = 12"), "joint.insert.height_mm");
+    assert_eq!(key("[joint.insert]", "[joint.backing]\nkind = \"ceramic\"\n[joint.insert]"), "joint.insert");
+    assert_eq!(key("root = {", "cap = {"), "joint.insert");
+    let loose = "[[joint.fit_up]]\ns_mm = 0\nroot_gap_mm = 3.5\n[joint.insert]";
+    assert_eq!(key("[joint.insert]", loose), "joint.fit_up[0].root_gap_mm");
 }
