@@ -81,6 +81,7 @@ impl LayerToes {
 
 #[cfg(test)]
 mod tests {
+    use super::super::findings::BeadPlace;
     use super::super::tests::try_plan;
     use super::super::{BeadAt, BeadPlan};
     use crate::joint::Section;
@@ -92,7 +93,7 @@ mod tests {
              [joint]\n{joint}\n[beads]\nstation_mm = 50\n{beads}\n"
         );
         let planned = try_plan(&text).unwrap_or_else(|e| panic!("{e}: {text}"));
-        let found = planned.plan.findings(&planned.runs, |b| b + 1);
+        let found = planned.plan.findings(&planned.runs, |b| BeadPlace { pass: b + 1, before_mm: 0.0 });
         let codes = found.iter().map(|f| f.message.code.to_string()).collect();
         let section = planned.joint.section(&planned.seam.at(50.0)).unwrap();
         (planned.plan, section, codes)

@@ -332,7 +332,7 @@ fn an_insert_is_part_of_the_root_bead() {
         for i in 0..50 {
             let s = turn * (f64::from(i) + 0.37) / 50.0;
             let section = joint.section(&welding.seam().at(s)).unwrap();
-            let wire: f64 = passes.iter().filter_map(|pass| deposited(pass, s, turn)).sum();
+            let wire: f64 = passes.iter().filter_map(|pass| deposited(pass, s, Wire::of(&welding))).sum();
             let root = if is_fused_alone { area } else { insert };
             assert!(
                 (wire + root - section.total()).abs() < 0.01 * section.total(),

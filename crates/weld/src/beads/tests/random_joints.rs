@@ -151,7 +151,7 @@ impl Census {
 /// Every bead outside its window, its run's area or the toe angle of its quality level has a finding.
 fn check(planned: &Planned, text: &str, census: &mut Census) {
     let Planned { seam, joint, plan, runs } = planned;
-    let found = plan.findings(runs, |b| b + 1);
+    let found = plan.findings(runs, super::place);
     census.without_finding += usize::from(found.is_empty());
     for (i, s) in plan.stations.iter().enumerate() {
         let section = joint.section(&seam.at(*s)).unwrap();
