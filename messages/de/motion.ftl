@@ -77,7 +77,9 @@ motion-cure-unreachable-redundant = Aufstellung des Werkstücks, Brennerwinkel o
 motion-beyond-range = Achse { $axis } würde auf { $value } fahren, { $by } über ihre Grenze { $limit } hinaus
 motion-cure-range = das Werkstück so aufstellen, dass die Achse in ihrem Bereich bleibt
 motion-attitude = { $machine } hat zu wenige Achsen für die ganze Brennerstellung: sie weicht bis zu { $error } von der geforderten ab (Toleranz { $tolerance })
+motion-arc-off-line = { $machine } kann die geforderte Brennerstellung nicht halten, und der Brenner ist für sein freies Drahtende um { $back } zurückgezogen: der Lichtbogen läge { $off } neben seiner Linie
 motion-cure-attitude = Brennerwinkel ändern, eine Maschine mit einer Drehachse mehr nehmen oder mit tolerance.attitude_deg mehr erlauben
+motion-cure-arc-off-line = mit dem freien Drahtende der Maschine schweißen, die Brennerwinkel ändern oder eine Maschine mit einer Drehachse mehr nehmen
 motion-not-smooth = die Achsen von { $machine } können dem Brenner hier nicht glatt folgen: er geht durch eine singuläre Stellung
 motion-not-smooth-redundant = bei jeder Stellung der redundanten Achsen von { $machine } können die anderen dem Brenner nicht glatt folgen: er geht durch eine singuläre Stellung oder verlässt ihre Reichweite
 motion-jump = jede Stelle ist erreichbar, aber nicht stetig: zwischen s = { $from } und { $to } müsste Achse { $axis } um { $by } springen

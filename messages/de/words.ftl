@@ -17,6 +17,7 @@ value-laser = Laserleistung
 value-speed = Schweißgeschwindigkeit
 value-travel-angle = Schlepp-/Stechwinkel
 value-work-angle = Arbeitswinkel
+value-stick-out = Freies Drahtende
 value-preheat = Vorwärmtemperatur
 value-interpass = Zwischenlagentemperatur
 

@@ -17,6 +17,7 @@ value-laser = Laser power
 value-speed = Welding speed
 value-travel-angle = Travel angle
 value-work-angle = Work angle
+value-stick-out = Stick-out
 value-preheat = Preheat
 value-interpass = Interpass temperature
 

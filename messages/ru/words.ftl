@@ -17,6 +17,7 @@ value-laser = Мощность лазера
 value-speed = Скорость сварки
 value-travel-angle = Продольный угол
 value-work-angle = Поперечный угол
+value-stick-out = Вылет проволоки
 value-preheat = Подогрев
 value-interpass = Температура между проходами
 

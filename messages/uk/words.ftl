@@ -17,6 +17,7 @@ value-laser = Потужність лазера
 value-speed = Швидкість зварювання
 value-travel-angle = Кут уздовж
 value-work-angle = Кут поперек
+value-stick-out = Виліт дроту
 value-preheat = Підігрів
 value-interpass = Температура між проходами
 

@@ -77,7 +77,9 @@ motion-cure-unreachable-redundant = 改变工件放置、焊枪角度或固定�
 motion-beyond-range = 轴 { $axis } 将到 { $value }，超出限位 { $limit } 达 { $by }
 motion-cure-range = 放置工件，使该轴保持在行程内
 motion-attitude = { $machine } 的轴数不足以实现完整的焊枪姿态：与要求相差最多 { $error }（公差 { $tolerance }）
+motion-arc-off-line = { $machine } 不能保持要求的焊枪姿态，而焊枪为其干伸长后移了 { $back }：电弧将偏离焊线 { $off }
 motion-cure-attitude = 改变焊枪角度、使用多一个旋转轴的机床，或放宽 tolerance.attitude_deg
+motion-cure-arc-off-line = 使用机床的干伸长焊接、改变焊枪角度，或使用多一个旋转轴的机床
 motion-not-smooth = { $machine } 各轴在此无法平滑跟随焊枪：经过奇异姿态
 motion-not-smooth-redundant = 无论 { $machine } 的冗余轴处于何位置，其余轴都无法平滑跟随焊枪：经过奇异姿态或超出可达范围
 motion-jump = 每个位置都可达，但不连续：在 s = { $from } 与 { $to } 之间轴 { $axis } 须跳变 { $by }

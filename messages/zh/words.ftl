@@ -17,6 +17,7 @@ value-laser = 激光功率
 value-speed = 焊接速度
 value-travel-angle = 行走角
 value-work-angle = 工作角
+value-stick-out = 干伸长
 value-preheat = 预热温度
 value-interpass = 层间温度
 

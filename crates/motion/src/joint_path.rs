@@ -21,7 +21,7 @@ const TOLERANCE_RAD: f64 = 1e-12;
 /// Panels narrower than this have no coefficients below a part of the tolerance, mm.
 const NARROW_MM: f64 = 0.02;
 /// In panels narrower than this second derivatives are lost in rounding, mm.
-const HAIR_MM: f64 = 1e-3;
+const HAIR_MM: f64 = 1e-4;
 /// Panels are not halved below this part of the path: there the inverse is not smooth.
 const SMALLEST_PANEL: f64 = 1e-6;
 /// Travel of the tip by path length nearer to 1 than this counts as 1.

@@ -64,6 +64,7 @@ pub(crate) fn survey(
     for start in starts(follower, &places, pass)? {
         let mut walk = walk(follower, &places, start, pass);
         walk.findings.extend(attitude_finding(machine, &walk, tolerance, pass));
+        walk.findings.extend(arc_finding(follower, &walk, pass));
         let cost = cost(machine, &walk);
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, walk));
@@ -164,6 +165,23 @@ fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pas
             .value("tolerance", tolerance.attitude_deg.get(), Unit::Deg);
         let cure = Message::new("motion-cure-attitude");
         Finding { allowed, ..Finding::error("attitude", message, pass, PathRange::at(at), cure) }
+    })
+}
+
+/// Greatest distance of the arc from its line where the torch's attitude is not reached, mm.
+const MAX_ARC_OFF_MM: f64 = 0.1;
+
+/// Reports an arc that the wire of a torch drawn back leads beside the line.
+fn arc_finding(follower: Follower, walk: &Survey, pass: usize) -> Option<Finding> {
+    let (error, at) = walk.attitude_error;
+    let back = follower.path.drawn_back();
+    let off = 2.0 * back.abs() * (0.5 * error).sin();
+    (off > MAX_ARC_OFF_MM).then(|| {
+        let message = Message::new("motion-arc-off-line")
+            .text("machine", follower.machine.name.as_str())
+            .quantity("back", back, Unit::Mm, 1)
+            .quantity("off", off, Unit::Mm, 2);
+        Finding::error("attitude", message, pass, PathRange::at(at), Message::new("motion-cure-arc-off-line"))
     })
 }
 

@@ -130,9 +130,10 @@ fn heads_have_names_and_tails_of_their_own() {
     assert_eq!(wrong("[drives.x]", no_tail), "heads[2]");
     assert_eq!(wrong("[drives.x]", "[torch]\ndirection = [0, 0, -1]\n[drives.x]"), "torch");
     let single = saddle();
-    let none = single.replacen("[torch]\ndirection = [0, 0, -1]", "", 1);
+    let none = single.replacen("[torch]\ndirection = [0, 0, -1]\nstick_out_mm = 15", "", 1);
     assert!(Machine::read("m.toml", &none).unwrap_err().to_string().contains("no torch"));
-    let one = single.replacen("[torch]\ndirection", "[[heads]]\nname = \"torch\"\ndirection", 1);
+    let one = single.replacen("stick_out_mm = 15\n", "", 1);
+    let one = one.replacen("[torch]\ndirection", "[[heads]]\nname = \"torch\"\ndirection", 1);
     assert_eq!(Machine::read("m.toml", &one).unwrap_err().key, "heads[0]");
     let empty = "schema = 1\nname = \"m\"\ntitle = \"m\"\n[torch]\ndirection = [0, 0, -1]\n";
     assert!(Machine::read("m.toml", empty).unwrap_err().to_string().contains("0 axes"));

@@ -97,13 +97,18 @@ fn case() -> impl Strategy<Value = Case> {
 }
 
 impl Case {
+    /// The machine of the first example has too few axes for every attitude, and a longer wire would end beside the line.
+    fn own_stick_out_mm(&self) -> Option<f64> {
+        self.stick_out_mm.filter(|_| self.example > 0)
+    }
+
     fn planned(&self) -> Planned {
         planned(EXAMPLES[self.example], |pass, seam| {
             let v = pass.speed_at(0.0);
             let speeds: Vec<_> = self.speeds.iter().map(|(a, b)| (a * v, b * v)).collect();
             (pass.begin_mm, pass.reverse) = (NonNegative::new(self.begin * seam).unwrap(), self.reverse);
             pass.on_limit = OnLimit::Slow;
-            pass.torch.stick_out_mm = self.stick_out_mm.map(positive);
+            pass.torch.stick_out_mm = self.own_stick_out_mm().map(positive);
             spans(pass, self.turns * seam, &speeds);
             let at = |i: usize| seam * i as f64 / self.rows.len() as f64;
             let rows = self.rows.iter().enumerate().map(|(i, r)| [at(i), r.0, r.1, r.2]);
@@ -123,7 +128,7 @@ proptest! {
         for s in parts.iter().map(|part| part * path.length()) {
             let tip = machine.forward(&motion.path.at(s));
             prop_assert!((tip.point - path.pose(s).point).length() < 1e-8);
-            let longer = case.stick_out_mm.map_or(0.0, |own| own - 15.0);
+            let longer = case.own_stick_out_mm().map_or(0.0, |own| own - 15.0);
             prop_assert!((tip.ahead(longer).point - path.line_point(s)).length() < 1e-8);
             let (axes, tip) = (motion.path.tip_rate(&machine, s), path.rate(s));
             prop_assert!((axes - tip).abs() < 2e-6, "{} {}", axes, tip);

@@ -311,7 +311,7 @@ fn free_by_rays(section: &Section, at: DVec2, beyond: f64) -> Option<[f64; 2]> {
 fn free_angles_are_those_of_rays_out_of_the_groove() {
     let mut random = Random::new(8);
     let mut tried = 0;
-    for _ in 0..cases(1500) {
+    for _ in 0..cases(4000) {
         let thickness = random.within(6.0, 60.0);
         let (angle, radius) = (random.within(2.0, 20.0), random.within(3.0, 5.5));
         let (face, leg) = (random.within(0.5, 2.0), random.within(0.0, 10.0));
