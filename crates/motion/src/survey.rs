@@ -168,7 +168,7 @@ fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pas
     })
 }
 
-/// Greatest distance of the arc from its line where the torch's attitude is not reached, mm.
+/// Maximum distance of the arc from its line where the torch's attitude is not reached, mm.
 const MAX_ARC_OFF_MM: f64 = 0.1;
 
 /// Reports an arc that the wire of a torch drawn back leads beside the line.

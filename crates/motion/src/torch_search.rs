@@ -125,6 +125,9 @@ impl Whole {
     }
 }
 
+/// The smallest margin beyond a minimum clearance, mm, with the watch that has it and its evaluation.
+type Nearest = (f64, Option<(usize, Evaluation)>);
+
 struct Search<'a> {
     machine: &'a Machine,
     around: &'a Surroundings<'a>,
@@ -177,7 +180,7 @@ impl<'a> Search<'a> {
 
     /// The watch with the smallest margin with changed angles, its evaluation and the margin; `None` if the axes cannot
     /// reach the pose or may not.
-    fn nearest(&self, near: &Joints, change: AngleChange) -> Option<(f64, Option<(usize, Evaluation)>)> {
+    fn nearest(&self, near: &Joints, change: AngleChange) -> Option<Nearest> {
         if !(self.task.allowed)(change) {
             return None;
         }
@@ -312,18 +315,18 @@ impl<'a> Search<'a> {
     fn blocked(&self) -> AngleSearch {
         let longest = (self.task.limits.longer / STICK_OUT_STEP_MM + 1e-9).floor() * STICK_OUT_STEP_MM;
         let whole = Whole { travel: 0.0, longer: longest };
-        let mut least: Option<(f64, f64, Option<(usize, Evaluation)>)> = None;
+        let mut least: Option<(Nearest, f64)> = None;
         for (s, near) in self.places.iter().zip(&self.axes) {
             let found = self.works.iter().filter_map(|work| self.nearest(near, whole.at(*s, *work)));
-            let Some((margin, nearest)) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else {
+            let Some(best) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else {
                 return self.no_angle(*s, Message::new("motion-angle-none-allowed"));
             };
-            if least.as_ref().is_none_or(|(known, ..)| margin < *known) {
-                least = Some((margin, *s, nearest));
+            if least.as_ref().is_none_or(|(known, _)| best.0 < known.0) {
+                least = Some((best, *s));
             }
         }
         match least {
-            Some((margin, s, Some((watch, found)))) if margin < MARGINS_MM[0] => {
+            Some(((margin, Some((watch, found))), s)) if margin < MARGINS_MM[0] => {
                 let root = RootAt::of(self.path, s);
                 self.no_angle(s, too_near(self.around, watch, &found, root.as_ref()))
             }
@@ -331,7 +334,7 @@ impl<'a> Search<'a> {
                 let reason = Message::new("motion-angle-turns-too-fast")
                     .value("turn", MAX_TURN_DEG, Unit::Deg)
                     .quantity("way", self.places[1] - self.places[0], Unit::Mm, 1);
-                self.no_angle(least.map_or(0.0, |(_, s, _)| s), reason)
+                self.no_angle(least.map_or(0.0, |(_, s)| s), reason)
             }
         }
     }

@@ -45,7 +45,7 @@ pub(crate) fn searched(
     Ok((welding, blocked))
 }
 
-/// What the stick-out of a pass may become longer, mm.
+/// Maximum addition to the stick-out of a pass, mm.
 fn longer(welding: &Welding, pass: usize, machine: &Machine) -> f64 {
     let torch = &welding.program.value.passes[pass].torch;
     let most = torch.search.and_then(|search| search.max_stick_out_mm);

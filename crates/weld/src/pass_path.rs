@@ -27,7 +27,7 @@ pub struct PassPath<'a> {
     pub bead: Option<&'a BeadPath>,
     /// Weave of the torch about the bead's line, if any.
     pub weaving: Option<Weaving>,
-    /// What the stick-out is more than the machine's, mm.
+    /// Distance of the machine's tip behind the arc, mm.
     pub drawn_back: f64,
     /// The frame of the pass' copy of the seam in the work frame: work offset and placement.
     pub placement: DAffine3,

@@ -21,7 +21,8 @@ pub(crate) fn of_machine(program: &Document<Program>, outside: &dyn Outside) -> 
     Ok(machine.map_err(|w| program.error_at("machine", w.message, w.allowed))?.stick_out())
 }
 
-/// What the stick-out of `torch`, at `path` in `file`, is more than that of the `machine`, mm.
+/// Distance of the machine's tip behind the arc with the stick-out of `torch`, at `path` in `file`, mm: that less the
+/// `machine`'s own.
 ///
 /// Errors with the key's address: a stick-out out of range, a machine without one.
 pub(crate) fn drawn_back<T>(

@@ -297,7 +297,7 @@ struct SeamLine {
     attitude: Attitude,
     /// Position of its beads beside the seam, if it has any.
     bead: Option<BeadPath>,
-    /// What the stick-out is more than the machine's, mm.
+    /// Distance of the machine's tip behind the arc, mm.
     drawn_back: f64,
 }
 

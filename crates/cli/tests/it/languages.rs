@@ -13,7 +13,7 @@ const SAME: [&str; 12] =
 const GERMAN: [&str; 11] =
     ["name", "position", "plan", "orange", "hand", "simulation", "interpolation", "links", "zone", "was", "minus"];
 /// Keys of files, which cures name.
-const KEYS: [&str; 5] = ["tolerance", "attitude", "deg", "weld", "process"];
+const KEYS: [&str; 8] = ["tolerance", "attitude", "deg", "weld", "process", "cap", "spacing", "width"];
 
 /// The words that are read, and those read aloud, without the job's own text and tables of files that cures name.
 fn words(page: &str) -> BTreeSet<String> {

@@ -26,7 +26,7 @@ struct Worst {
 pub(crate) fn finding(procedure: Option<&Procedure>, planned: PlannedPass, period: Option<f64>) -> Option<Finding> {
     let PlannedPass { path, pass, number, .. } = planned;
     let bead = pass.bead.as_ref().filter(|_| pass.weave.is_none() && is_arc_bead(pass.role, procedure))?;
-    let given = procedure.and_then(|p| p.run_of(number, pass)?.max_unwoven_mm2).map(|area| area.get());
+    let given = procedure.and_then(|p| p.run_of(number, pass)?.max_unwoven_mm2).map(seamwright_document::Positive::get);
     // Inside a groove walls and earlier beads carry the metal.
     let enclosed = pass.role.is_some_and(|role| role != Role::Cap);
     let (mut range, mut worst): (Option<PathRange>, Option<Worst>) = (None, None);

@@ -219,7 +219,7 @@ impl BeadPlan {
             let min = asked.window.min_toe_deg(if is_fillet { FilletOrButt::Fillet } else { FilletOrButt::Butt });
             // A joint whose flat face would be steeper is reported only for what the beads add.
             let min = min.min(angle + bead.toes.convexity.to_degrees());
-            (angle < min - TOE_ROUNDING_DEG).then(|| (min - angle, SteepToe { angle, min }))
+            (angle < min - TOE_ROUNDING_DEG).then_some((min - angle, SteepToe { angle, min }))
         };
         let wrong = self.wrong_at(b, steep)?;
         let message = Message::new("weld-bead-toe-steep")
