@@ -33,6 +33,7 @@ pub enum InsertKind {
     /// Class 3: solid ring of rectangular section.
     Ring,
     /// Class 4: Y.
+    #[serde(rename = "y_shape")]
     Y,
     /// Class 5: rectangle with contoured edges.
     Rectangular,

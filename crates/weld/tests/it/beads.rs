@@ -351,7 +351,7 @@ fn an_insert_is_part_of_the_root_bead() {
     let gap = "joint.preparation.single_v.root_gap_mm";
     assert_eq!(key("root_gap_mm = 2.5", "root_gap_mm = 2"), gap);
     assert_eq!(key("root_gap_mm = 2.5", "root_gap_mm = 3.2"), gap);
-    assert_eq!(key("kind = \"ring\"", "kind = \"y\""), "joint.insert");
+    assert_eq!(key("kind = \"ring\"", "kind = \"y_shape\""), "joint.insert");
     assert_eq!(key("height_mm = 3.2", "height_mm = 12"), "joint.insert.height_mm");
     assert_eq!(key("[joint.insert]", "[joint.backing]\nkind = \"ceramic\"\n[joint.insert]"), "joint.insert");
     assert_eq!(key("root = {", "cap = {"), "joint.insert");
