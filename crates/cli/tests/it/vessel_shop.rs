@@ -58,7 +58,7 @@ fn the_other_joints_are_clear() {
         ("hillside", 8..=14, root(), Some(15.0..=28.0)),
         ("knuckle-set-in", 12..=24, root(), Some(15.0..=28.0)),
         ("k-joint", 5..=12, root(), Some(15.0..=35.0)),
-        ("narrow-gap-set-in", 20..=36, root(), None),
+        ("narrow-gap-set-in", 20..=36, root(), Some(15.0..=28.0)),
         ("tube-sheet", 50..=50, None, None),
         ("titanium-girth", 8..=8, None, None),
     ] {
