@@ -3,8 +3,8 @@
 //! At stations along the pass, changes of the work angle are tried in steps, each with the machine's axes and every
 //! watch of the surroundings. Dynamic programming chooses one at each station: small changes that turn slowly. On a pass
 //! all round it starts and ends in the same angle. The travel angle changes by the same amount all along, and so does the
-//! stick-out; amounts are tried from the smallest on, every travel angle before a longer stick-out. The chosen angles are checked again between the stations; if that fails, more clearance
-//! is asked for, twice at most. So the effort is bounded, and the same pass always gives the same angles.
+//! stick-out; amounts are tried from the smallest on, every travel angle before a longer stick-out. The chosen angles are
+//! checked again between the stations; if that fails, more clearance is asked for, twice at most. So the effort is bounded, and the same pass always gives the same angles.
 
 use crate::transfer::{RootAt, too_near};
 use glam::DVec3;
@@ -44,7 +44,7 @@ pub struct AngleLimits {
     /// Of the travel angle.
     pub travel: f64,
     /// Maximum addition to the stick-out, mm.
-    pub longer: f64,
+    pub stick_out: f64,
 }
 
 /// Changes of the torch's angles and stick-out at a path length of the pass.
@@ -57,7 +57,7 @@ pub struct AngleChange {
     /// Change of the travel angle, rad, positive to drag.
     pub travel: f64,
     /// Addition to the stick-out, mm.
-    pub longer: f64,
+    pub stick_out: f64,
 }
 
 /// Result of [`search_angles`].
@@ -94,17 +94,17 @@ pub fn search_angles(machine: &Machine, around: &Surroundings, task: AngleTask) 
         return AngleSearch::Unchanged;
     }
     let Some(search) = Search::new(machine, around, task, path) else { return AngleSearch::Unchanged };
-    if search.is_clear(&vec![0.0; search.places.len()], Whole::default(), 0.0) {
+    if search.is_clear(&vec![0.0; search.places.len()], EvenChange::default(), 0.0) {
         return AngleSearch::Unchanged;
     }
     let mut tightest = 0;
-    for whole in search.wholes() {
-        let Some(margins) = search.margins(whole, &mut tightest) else { continue };
+    for even in search.even_changes() {
+        let Some(margins) = search.margins(even, &mut tightest) else { continue };
         for more in MARGINS_MM {
             let Some(works) = search.chosen(&margins, more) else { break };
-            if search.is_clear(&works, whole, KEPT_MM) {
+            if search.is_clear(&works, even, KEPT_MM) {
                 let changes = search.places.iter().zip(works);
-                return AngleSearch::Changed(changes.map(|(s, work)| whole.at(*s, work)).collect());
+                return AngleSearch::Changed(changes.map(|(s, work)| even.at(*s, work)).collect());
             }
         }
     }
@@ -113,15 +113,15 @@ pub fn search_angles(machine: &Machine, around: &Surroundings, task: AngleTask) 
 
 /// Changes that are the same all along a pass.
 #[derive(Debug, Clone, Copy, Default)]
-struct Whole {
+struct EvenChange {
     travel: f64,
-    longer: f64,
+    stick_out: f64,
 }
 
-impl Whole {
+impl EvenChange {
     /// The changes at `s` with one of the work angle.
     fn at(self, s: f64, work: f64) -> AngleChange {
-        AngleChange { s, work, travel: self.travel, longer: self.longer }
+        AngleChange { s, work, travel: self.travel, stick_out: self.stick_out }
     }
 }
 
@@ -166,16 +166,20 @@ impl<'a> Search<'a> {
         Some(Self { machine, around, task, path, places, axes, works })
     }
 
+    /// Additions to the stick-out that are tried, mm.
+    fn stick_outs(&self) -> impl Iterator<Item = f64> + use<> {
+        let steps = (self.task.limits.stick_out / STICK_OUT_STEP_MM + 1e-9).floor() as i32;
+        (0..=steps).map(|k| f64::from(k) * STICK_OUT_STEP_MM)
+    }
+
     /// The changes all along that are tried, in this order.
-    fn wholes(&self) -> impl Iterator<Item = Whole> + use<> {
-        let AngleLimits { travel, longer, .. } = self.task.limits;
+    fn even_changes(&self) -> impl Iterator<Item = EvenChange> + use<> {
+        let travel = self.task.limits.travel;
         let step = TRAVEL_STEP_DEG.to_radians();
         let count = (travel / step + 1e-9).floor() as i32;
         let travels =
             move || std::iter::once(0).chain((1..=count).flat_map(|k| [k, -k])).map(move |k| f64::from(k) * step);
-        let steps = (longer / STICK_OUT_STEP_MM + 1e-9).floor() as i32;
-        let lengths = (0..=steps).map(|k| f64::from(k) * STICK_OUT_STEP_MM);
-        lengths.flat_map(move |longer| travels().map(move |travel| Whole { travel, longer }))
+        self.stick_outs().flat_map(move |stick_out| travels().map(move |travel| EvenChange { travel, stick_out }))
     }
 
     /// The watch with the smallest margin with changed angles, its evaluation and the margin; `None` if the axes cannot
@@ -190,7 +194,7 @@ impl<'a> Search<'a> {
         if is_in_face(&groove, -turned.direction) {
             return None;
         }
-        let pose = turned.ahead(-self.path.drawn_back() - change.longer);
+        let pose = turned.ahead(-self.path.drawn_back() - change.stick_out);
         let target: Target = pose.into();
         let q = self.machine.inverse_near(target, near).ok()?.joints;
         // An axis that is out of range with the angles as they are is for the plan to report, and so are whole turns.
@@ -213,10 +217,10 @@ impl<'a> Search<'a> {
 
     /// Margins beyond the minimum clearance, mm, by station and change of the work angle. `None` if a station has none
     /// that is clear: the `tightest`, which is tried first, and becomes that one.
-    fn margins(&self, whole: Whole, tightest: &mut usize) -> Option<Vec<Vec<f64>>> {
+    fn margins(&self, even: EvenChange, tightest: &mut usize) -> Option<Vec<Vec<f64>>> {
         let row = |i: usize| -> Vec<f64> {
             let one = |work: &f64| {
-                let found = self.nearest(&self.axes[i], whole.at(self.places[i], *work));
+                let found = self.nearest(&self.axes[i], even.at(self.places[i], *work));
                 found.map_or(f64::NEG_INFINITY, |(margin, _)| margin)
             };
             self.works.iter().map(one).collect()
@@ -293,7 +297,7 @@ impl<'a> Search<'a> {
 
     /// True if the pass keeps its minimum clearance and `more` with these changes, at stations and between them, where
     /// the angles change as those of a pass do.
-    fn is_clear(&self, works: &[f64], whole: Whole, more: f64) -> bool {
+    fn is_clear(&self, works: &[f64], even: EvenChange, more: f64) -> bool {
         let rows: Vec<(f64, f64)> = self.places.iter().copied().zip(works.iter().copied()).collect();
         let Ok(work) = MonotoneCurve::new(&rows, self.task.turn) else { return false };
         let count = self.places.len();
@@ -304,7 +308,7 @@ impl<'a> Search<'a> {
             (0..CHECKS).all(|k| {
                 let part = k as f64 / CHECKS as f64;
                 let s = (self.places[i] + part * (end - self.places[i])).min(self.path.length());
-                let found = self.nearest(&self.axes[i], whole.at(s, work.at(s)));
+                let found = self.nearest(&self.axes[i], even.at(s, work.at(s)));
                 found.is_some_and(|(margin, _)| margin >= more)
             })
         })
@@ -313,11 +317,11 @@ impl<'a> Search<'a> {
     /// The reason why no angles are clear: a station where none is allowed, the two bodies that are nearest with the best
     /// angles where there is least room, or angles that change too fast along the seam.
     fn blocked(&self) -> AngleSearch {
-        let longest = (self.task.limits.longer / STICK_OUT_STEP_MM + 1e-9).floor() * STICK_OUT_STEP_MM;
-        let whole = Whole { travel: 0.0, longer: longest };
+        let longest = self.stick_outs().last().unwrap_or(0.0);
+        let even = EvenChange { travel: 0.0, stick_out: longest };
         let mut least: Option<(Nearest, f64)> = None;
         for (s, near) in self.places.iter().zip(&self.axes) {
-            let found = self.works.iter().filter_map(|work| self.nearest(near, whole.at(*s, *work)));
+            let found = self.works.iter().filter_map(|work| self.nearest(near, even.at(*s, *work)));
             let Some(best) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else {
                 return self.no_angle(*s, Message::new("motion-angle-none-allowed"));
             };
@@ -341,14 +345,14 @@ impl<'a> Search<'a> {
 
     /// No angles are clear at `s`, for this reason.
     fn no_angle(&self, s: f64, reason: Message) -> AngleSearch {
-        let AngleLimits { work, travel, longer } = self.task.limits;
-        let code = if longer > 0.0 { "motion-no-torch-angle-longer" } else { "motion-no-torch-angle" };
+        let AngleLimits { work, travel, stick_out } = self.task.limits;
+        let code = if stick_out > 0.0 { "motion-no-torch-angle-longer" } else { "motion-no-torch-angle" };
         let mut message = Message::new(code)
             .quantity("work", work.to_degrees(), Unit::Deg, 1)
             .quantity("travel", travel.to_degrees(), Unit::Deg, 1)
             .message("reason", reason);
-        if longer > 0.0 {
-            message = message.quantity("longer", longer, Unit::Mm, 1);
+        if stick_out > 0.0 {
+            message = message.quantity("longer", stick_out, Unit::Mm, 1);
         }
         let cure = Message::new("motion-cure-torch-angle");
         let finding = Finding::error("clearance", message, self.task.number, PathRange::at(s), cure);

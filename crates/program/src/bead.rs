@@ -30,7 +30,42 @@ pub struct Bead {
     pub area_mm2: Vec<NonNegative>,
 }
 
+/// Place of a bead's wire and its area at one path length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeadRow {
+    /// Distance of the wire from the seam across the bisector, mm.
+    pub across_mm: f64,
+    /// Distance of the wire from the seam along the bisector, mm.
+    pub out_mm: f64,
+    /// Area of the cross-section, mm^2.
+    pub area_mm2: f64,
+}
+
 impl Bead {
+    /// The row at path length `s` of the seam, mm: between rows on a line, beyond them as the nearest one, or as after a
+    /// `period` (mm) of a seam welded all round. The bead has at least one row.
+    pub fn row_at(&self, s: f64, period: Option<f64>) -> BeadRow {
+        let s = period.map_or(s, |period| s.rem_euclid(period));
+        let last = self.s_mm.len() - 1;
+        let after = self.s_mm.partition_point(|row| row.get() <= s);
+        let (before, next) = match (after.checked_sub(1), after <= last, period) {
+            (Some(before), true, _) => (before, after),
+            (None, _, None) => (0, 0),
+            (Some(before), false, None) => (before, before),
+            (_, _, Some(_)) => (last, 0),
+        };
+        let distance = |from: f64, to: f64| if to < from { to - from + period.unwrap_or(0.0) } else { to - from };
+        let from = self.s_mm[before].get();
+        let width = distance(from, self.s_mm[next].get());
+        let part = if width > 0.0 { (distance(from, s) / width).clamp(0.0, 1.0) } else { 0.0 };
+        let between = |a: f64, b: f64| a + part * (b - a);
+        BeadRow {
+            across_mm: between(self.across_mm[before].get(), self.across_mm[next].get()),
+            out_mm: between(self.out_mm[before].get(), self.out_mm[next].get()),
+            area_mm2: between(self.area_mm2[before].get(), self.area_mm2[next].get()),
+        }
+    }
+
     /// Checks the values that need no seam: columns of equal length with at least one row, path lengths that increase,
     /// angles in front of both faces. `path` is the bead's address in `file`. Fails with the key's address.
     pub(crate) fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {

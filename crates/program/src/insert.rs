@@ -40,7 +40,7 @@ pub enum InsertKind {
 }
 
 /// The root gap may be wider than the insert by this much, mm: a wider gap does not fuse safely to both root faces.
-/// Shop value; trust: to be replaced by the qualified procedure's.
+/// A shop value: put that of the qualified procedure in its place.
 pub const MAX_INSERT_PLAY_MM: f64 = 0.5;
 
 impl Insert {

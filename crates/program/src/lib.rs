@@ -92,7 +92,7 @@ mod weave_phase;
 pub use arc_through::{ArcThrough, tip_way};
 pub use arc_time::ArcTime;
 pub use at_corner::AtCorner;
-pub use bead::Bead;
+pub use bead::{Bead, BeadRow};
 pub use branch::{Branch, OtherBranch};
 pub use consumables::{Consumables, Costs};
 pub use copies::SeamCopy;

@@ -30,6 +30,13 @@ pub struct Torch {
     pub search: Option<TorchSearch>,
 }
 
+impl Torch {
+    /// Stick-out, mm: its own, or that of the `machine`.
+    pub fn stick_out_or(&self, machine: Option<f64>) -> Option<f64> {
+        self.stick_out_mm.map(Positive::get).or(machine)
+    }
+}
+
 /// Limits of a search of torch angles. The windows of the procedure limit it too.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use seamwright_document::{Finite, Positive};
 use seamwright_machine::{Clamped, Machine, Surroundings};
 use seamwright_motion::{AngleChange, AngleLimits, AngleSearch, AngleTask, search_angles};
-use seamwright_program::{Finding, SAME_POSITION_MM, Torch, TorchAt, TorchPath, Window};
+use seamwright_program::{Finding, Run, SAME_POSITION_MM, Torch, TorchAt, TorchPath, Window};
 use seamwright_weld::{PassPath, Welding};
 
 /// Searches angles for the passes of `welding` that ask for it, with the weld metal of earlier passes as an obstacle.
@@ -25,14 +25,17 @@ pub(crate) fn searched(
         let Some(search) = welding.program.value.passes[pass].torch.search else { continue };
         let around = around.with_part(metal.get(pass).map_or(&[], Vec::as_slice)).map_err(|e| fault(e.message()))?;
         let limits = AngleLimits {
-            longer: longer(&welding, pass, machine),
+            stick_out: longer(&welding, pass, machine),
             work: search.max_work_deg.get().to_radians(),
             travel: search.max_travel_deg.get().to_radians(),
         };
         let mut torch = Torch { search: None, ..welding.program.value.passes[pass].torch.clone() };
         if let Some(path) = welding.path(pass).along_seam() {
             let turn = Some(path.seam.length()).filter(|turn| path.seam.all_round() && path.length() >= *turn);
-            let allowed = |change: AngleChange| is_allowed(&welding, pass, path, machine, change);
+            let program = &welding.program.value;
+            let run = program.procedure.as_ref().and_then(|p| p.run_of(pass + 1, &program.passes[pass]));
+            let stick_out = torch.stick_out_or(machine.stick_out_mm);
+            let allowed = |change: AngleChange| is_allowed(path, run, stick_out, change);
             let task = AngleTask { path, number: pass + 1, turn, limits, allowed: &allowed };
             match search_angles(machine, &around, task) {
                 AngleSearch::Unchanged => {}
@@ -49,20 +52,18 @@ pub(crate) fn searched(
 fn longer(welding: &Welding, pass: usize, machine: &Machine) -> f64 {
     let torch = &welding.program.value.passes[pass].torch;
     let most = torch.search.and_then(|search| search.max_stick_out_mm);
-    let own = torch.stick_out_mm.map(Positive::get).or(machine.stick_out_mm);
-    most.zip(own).map_or(0.0, |(most, own)| (most.get() - own).max(0.0))
+    most.zip(torch.stick_out_or(machine.stick_out_mm)).map_or(0.0, |(most, own)| (most.get() - own).max(0.0))
 }
 
 /// Beyond these angles the torch lies on a face or along the seam, degrees.
 const MAX_WORK_DEG: f64 = 85.0;
 const MAX_TRAVEL_DEG: f64 = 70.0;
 
-/// True if the angles are possible, and within the procedure's windows where it has any.
-fn is_allowed(welding: &Welding, pass: usize, path: &PassPath, machine: &Machine, change: AngleChange) -> bool {
-    let (work, travel) = path.angles(change.s);
-    let [work, travel] = [work + change.work, travel + change.travel].map(f64::to_degrees);
-    let program = &welding.program.value;
-    let run = program.procedure.as_ref().and_then(|p| p.run_of(pass + 1, &program.passes[pass]));
+/// True if the angles are possible, and within the windows of the procedure's `run` where it has any. `stick_out` is that
+/// of the pass, mm.
+fn is_allowed(path: &PassPath, run: Option<&Run>, stick_out: Option<f64>, change: AngleChange) -> bool {
+    let (given_work, given_travel) = path.angles(change.s);
+    let [work, travel] = [given_work + change.work, given_travel + change.travel].map(f64::to_degrees);
     let is_within = |window: Option<Window>, angle: f64, given: f64| {
         // Angles that are outside as they are given are for the check to report.
         window.is_none_or(|window| {
@@ -70,13 +71,11 @@ fn is_allowed(welding: &Welding, pass: usize, path: &PassPath, machine: &Machine
             (low..=high).contains(&angle) || !(low..=high).contains(&given)
         })
     };
-    let (given_work, given_travel) = path.angles(change.s);
     work.abs() < MAX_WORK_DEG
         && travel.abs() < MAX_TRAVEL_DEG
         && run.is_none_or(|run| {
-            let given = machine.stick_out_mm.map(|own| own + path.drawn_back);
             is_within(run.work_angle_deg, work, given_work.to_degrees())
-                && given.is_none_or(|given| is_within(run.stick_out_mm, given + change.longer, given))
+                && stick_out.is_none_or(|given| is_within(run.stick_out_mm, given + change.stick_out, given))
                 && is_within(run.travel_angle_deg, travel, given_travel.to_degrees())
         })
 }
@@ -115,9 +114,8 @@ fn changed(path: &PassPath, changes: &[AngleChange], torch: &Torch, machine: &Ma
     let end = seam.length() - SAME_POSITION_MM;
     rows.retain(|row| !seam.all_round() || row.s_mm.get() < end);
     rows.dedup_by(|a, b| a.s_mm.get() - b.s_mm.get() < SAME_POSITION_MM);
-    let longer = changes.first().map_or(0.0, |change| change.longer);
-    let own = torch.stick_out_mm.map(Positive::get).or(machine.stick_out_mm);
-    let stick_out_mm = match own.filter(|_| longer > 0.0) {
+    let longer = changes.first().map_or(0.0, |change| change.stick_out);
+    let stick_out_mm = match torch.stick_out_or(machine.stick_out_mm).filter(|_| longer > 0.0) {
         Some(own) => Positive::new(own + longer),
         None => torch.stick_out_mm,
     };

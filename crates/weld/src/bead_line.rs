@@ -1,8 +1,9 @@
 use crate::allowed::{at_most, between, on_weld, rounded};
 use crate::pass_keys::PassKeys;
 use crate::periodic_places::repeated;
-use crate::seam::SeamCurve;
+use crate::seam::{SeamCurve, SeamPoint};
 use crate::stretch::Stretch;
+use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Finite};
 use seamwright_geometry::CubicSpline;
 use seamwright_message::{Message, Unit};
@@ -24,6 +25,11 @@ pub struct BesideSeam {
 impl BesideSeam {
     /// The seam itself.
     pub(crate) const ON_SEAM: Self = Self { across: 0.0, out: 0.0, lean: 0.0, weave_part: 1.0 };
+
+    /// The torch tip over a point of the seam, in the seam's frame, mm.
+    pub fn over(&self, p: &SeamPoint) -> DVec3 {
+        p.point + self.across * p.towards_first + self.out * p.bisector
+    }
 
     /// Goes `part` of the way to `other`.
     pub(crate) fn towards(&self, other: &Self, part: f64) -> Self {

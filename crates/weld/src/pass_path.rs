@@ -49,7 +49,8 @@ impl PassPath<'_> {
     /// The torch over a point of the seam, in the seam's frame: its tip, without a weave, and the unit vector from there
     /// to the torch.
     pub fn torch_at(&self, p: &SeamPoint) -> (DVec3, DVec3) {
-        (self.tip_at(p), self.attitude.leaning(p, self.beside(p.s).lean, self.stretch.sense))
+        let beside = self.beside(p.s);
+        (beside.over(p), self.attitude.leaning(p, beside.lean, self.stretch.sense))
     }
 
     /// The torch beside the seam at path length `s` of the seam, counted on from turn to turn.
@@ -59,8 +60,7 @@ impl PassPath<'_> {
 
     /// The torch tip over a point of the seam, in the seam's frame, without a weave, mm.
     fn tip_at(&self, p: &SeamPoint) -> DVec3 {
-        let beside = self.beside(p.s);
-        p.point + beside.across * p.towards_first + beside.out * p.bisector
+        self.beside(p.s).over(p)
     }
 
     /// Offset of the weaving tip from its line at path length `s`, mm: across towards the first part, and along in the

@@ -4,7 +4,7 @@ use crate::common::{good, json_file, root};
 use serde_json::Value;
 use std::ops::RangeInclusive;
 
-/// Ranges that a plan must lie in. The heat inputs are those of `docs/explanation/vessel-shop.md`.
+/// Ranges that a plan must lie in: wide enough for other layers of the same groove, and for no other process.
 struct Expected {
     job: &'static str,
     passes: RangeInclusive<usize>,

@@ -1,14 +1,13 @@
 //! Comparison of current, voltage and wire feed of a pass with one another.
 
 use super::planned_pass::PlannedPass;
-use seamwright_document::Positive;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{Finding, PathRange, Procedure, Role};
 
 /// Warnings about values of the pass that do not go with its current.
 pub(super) fn findings(procedure: &Procedure, planned: PlannedPass) -> Vec<Finding> {
     let PlannedPass { pass, number, .. } = planned;
-    let stick_out = pass.torch.stick_out_mm.map(Positive::get);
+    let stick_out = pass.torch.stick_out_or(None);
     // A cosmetic pass may have any arc.
     let Some(span) = pass.spans.first().filter(|_| pass.known_role() != Some(Role::Cosmetic)) else {
         return Vec::new();

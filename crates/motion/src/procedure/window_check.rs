@@ -2,7 +2,7 @@
 
 use super::inclination::{self, Lie};
 use super::planned_pass::{PlannedPass, Quantity};
-use seamwright_document::{Finite, Positive};
+use seamwright_document::Finite;
 use seamwright_program::{ArcTime, Outside, Pass, Procedure, Run, Span, SpanValue, Window};
 
 /// A stretch over which every value is continuous: samples in it, and its span.
@@ -80,7 +80,7 @@ pub(super) fn quantities(
     let at = |s: f64| inclination::at(planned, s);
     all.push(quantity("travel_angle_deg", window(|r| r.travel_angle_deg), &whole, |_, s| Some(at(s).travel)));
     all.push(quantity("work_angle_deg", window(|r| r.work_angle_deg), &whole, |_, s| at(s).work));
-    let stick_out = planned.pass.torch.stick_out_mm.map(Positive::get).or(planned.machine.stick_out_mm);
+    let stick_out = planned.pass.torch.stick_out_or(planned.machine.stick_out_mm);
     let allowed = window(|r| r.stick_out_mm);
     if stick_out.is_some() || allowed.is_some() {
         all.push(quantity("stick_out_mm", allowed, &whole, |_, _| stick_out));

@@ -117,6 +117,27 @@ impl Case {
     }
 }
 
+/// Rows of angles and rows of a bead a hair apart: between them second derivatives are lost in rounding.
+#[test]
+fn angles_a_hair_beside_a_row_of_the_bead_make_no_corner() {
+    for (example, hair) in [(1, 5e-5), (2, 5e-5), (1, -2e-5), (2, -2e-5)] {
+        planned(EXAMPLES[example], |pass, seam| {
+            let at = |i: i32| seam * f64::from(i) / 12.0;
+            let wave = |i: i32| f64::from(i).sin();
+            pass.bead = Some(bead(&(0..12).map(|i| [at(i), wave(i), 1.0 + wave(2 * i), 0.0]).collect::<Vec<_>>()));
+            pass.on_limit = OnLimit::Slow;
+            pass.torch.at = (1..12)
+                .map(|i| seamwright_program::TorchAt {
+                    s_mm: Finite::new(at(i) + hair).unwrap(),
+                    work_angle_deg: Finite::new(3.0 * wave(3 * i)).unwrap(),
+                    travel_angle_deg: Finite::default(),
+                })
+                .collect();
+            (pass.torch.work_angle_deg, pass.torch.travel_angle_deg) = (Finite::default(), Finite::default());
+        });
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(cases(10)))]
 

@@ -293,7 +293,6 @@ impl Procedure {
 
     /// The kind of weld for the minimum and maximum angle between the faces (rad) along it.
     pub fn joint(&self, min_dihedral: f64, max_dihedral: f64) -> FilletOrButt {
-        let fillet = 0.5 * (min_dihedral + max_dihedral).to_degrees() <= self.position_limits.fillet_up_to_deg.get();
-        self.joint.unwrap_or(if fillet { FilletOrButt::Fillet } else { FilletOrButt::Butt })
+        self.joint.unwrap_or_else(|| self.position_limits.joint(0.5 * (min_dihedral + max_dihedral)))
     }
 }

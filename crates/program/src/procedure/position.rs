@@ -144,6 +144,12 @@ pub struct PositionStretch {
 }
 
 impl PositionLimits {
+    /// The kind of weld at an angle between the faces, rad.
+    pub fn joint(&self, dihedral: f64) -> FilletOrButt {
+        let is_fillet = dihedral.to_degrees() <= self.fillet_up_to_deg.get();
+        if is_fillet { FilletOrButt::Fillet } else { FilletOrButt::Butt }
+    }
+
     /// True if all values are the defaults.
     pub fn is_usual(&self) -> bool {
         *self == Self::default()

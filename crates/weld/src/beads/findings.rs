@@ -7,7 +7,7 @@ use super::layers::{Runs, excess};
 use super::plan::BeadPlan;
 use super::shape::BeadSize;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{FilletOrButt, Finding, PathRange, PositionLimits};
+use seamwright_program::{Finding, PathRange, PositionLimits};
 
 /// A quantity of a bead's section that has a window.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -210,13 +210,11 @@ impl BeadPlan {
         }
         let index = self.beads[b].index;
         let (on_second, on_first) = (index == 0, index + 1 == layer.beads);
-        let fillet_up_to = PositionLimits::default().fillet_up_to_deg.get();
         let steep = |i: usize, bead: &BeadAt| {
             let toes = [(on_second, bead.toes.second), (on_first, bead.toes.first)];
             let angle = toes.iter().filter(|(is_on_part, _)| *is_on_part).map(|(_, angle)| angle.to_degrees());
             let angle = angle.fold(f64::INFINITY, f64::min);
-            let is_fillet = self.dihedrals[i].to_degrees() <= fillet_up_to;
-            let min = asked.window.min_toe_deg(if is_fillet { FilletOrButt::Fillet } else { FilletOrButt::Butt });
+            let min = asked.window.min_toe_deg(PositionLimits::default().joint(self.dihedrals[i]));
             // A joint whose flat face would be steeper is reported only for what the beads add.
             let min = min.min(angle + bead.toes.convexity.to_degrees());
             (angle < min - TOE_ROUNDING_DEG).then_some((min - angle, SteepToe { angle, min }))

@@ -11,7 +11,7 @@ use crate::seam::SeamCurve;
 use crate::stretch::Stretch;
 use glam::{DVec2, DVec3};
 use seamwright_clearance::{ClearanceError, Shape, Solid};
-use seamwright_program::{Bead, Program};
+use seamwright_program::{BeadRow, Program};
 use std::sync::Arc;
 
 /// Number of columns across the groove. Beads that end within a column fill it.
@@ -110,8 +110,9 @@ impl<'a> Metal<'a> {
             if !self.covers(&stretch, station.p.s) {
                 continue;
             }
-            let [across, out, area] = at(bead, station.p.s, self.seam);
-            let tip = DVec2::new(across, out);
+            let period = self.seam.all_round().then(|| self.seam.length());
+            let BeadRow { across_mm, out_mm, area_mm2: area } = bead.row_at(station.p.s, period);
+            let tip = DVec2::new(across_mm, out_mm);
             let (height, across) = (tip.dot(section.up), tip.dot(section.across()));
             let laid = i < before;
             // The parts of a bead that is welded in several passes overlap.
@@ -174,24 +175,4 @@ fn tops(section: &Section, deposits: &mut [Deposit]) -> [Top; COLUMNS] {
         below += area;
     }
     tops
-}
-
-/// Distance across and out of a bead's wire, mm, and its area, mm^2, at a path length of the seam: between rows on a
-/// line.
-fn at(bead: &Bead, s: f64, seam: &SeamCurve) -> [f64; 3] {
-    let rows = bead.s_mm.len();
-    let row = |i: usize| [bead.across_mm[i].get(), bead.out_mm[i].get(), bead.area_mm2[i].get()];
-    let period = if seam.all_round() { seam.length() } else { f64::INFINITY };
-    let after = bead.s_mm.partition_point(|x| x.get() <= s);
-    let (before, next) = match (after.checked_sub(1), after < rows) {
-        (Some(before), true) => (before, after),
-        (None, _) if period.is_infinite() => (0, 0),
-        (Some(before), false) if period.is_infinite() => (before, before),
-        _ => (rows - 1, 0),
-    };
-    let distance = |from: f64, to: f64| if to < from { to - from + period } else { to - from };
-    let width = distance(bead.s_mm[before].get(), bead.s_mm[next].get());
-    let part = if width > 0.0 && width.is_finite() { distance(bead.s_mm[before].get(), s) / width } else { 0.0 };
-    let (a, b) = (row(before), row(next));
-    std::array::from_fn(|k| a[k] + part.clamp(0.0, 1.0) * (b[k] - a[k]))
 }
