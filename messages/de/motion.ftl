@@ -171,6 +171,7 @@ motion-search-speed = Planen des Geschwindigkeitsprofils
 motion-search-weave = Versuchen von Pendelfrequenzen
 motion-search-transfer = Suchen einer Leerfahrt
 motion-search-cure = Versuchen von Abhilfen
+motion-search-torch-angles = Versuchen von Brennerwinkeln
 motion-cure-search = mehr Zeit erlauben, redundante Achsen festhalten (spare_axes.hold), ihre Bereiche in der Maschinendatei verkleinern oder die Naht in Teilen schweißen
 motion-cure-plan-again = neu planen
 

@@ -8,6 +8,7 @@ weld-work-angle-too-large = der Brenner läge hinter einer Fläche
 weld-torch-search-too-wide = die Suche der Brennerwinkel geht über das hinaus, was ein Brenner kann
 weld-stick-out-range = mit diesem freien Drahtende schweißt kein Brenner
 weld-stick-out-of-machine = das freie Drahtende am Brenner der Maschine ist unbekannt, daher kann er für ein anderes nicht zurückgezogen werden
+weld-stick-out-above-search = die Suche kann das freie Drahtende nicht auf diesen Wert verlängern: ohne sie sind es schon { $own }
 weld-allowed-stick-out = `stick_out_mm` in [torch] der Maschinendatei: der Draht zwischen Kontaktrohr und Brennerspitze
 weld-min-speed-too-high = die Mindestgeschwindigkeit liegt nicht unter der Schweißgeschwindigkeit
 weld-speed-below-min = die Schweißgeschwindigkeit liegt nicht über der Mindestgeschwindigkeit
@@ -217,15 +218,15 @@ weld-torch-inside-second-face = der Brenner läge um { $angle } hinter der Fläc
 weld-cure-smaller-work-angle = den Arbeitswinkel kleiner machen als den halben Flächenwinkel
 weld-bead-goes-back = die Raupe stünde (fast) still oder liefe zurück: sie liegt jenseits der Mitte der Nahtkrümmung, oder ihre Zeilen ändern sich zu schnell
 weld-cure-bead-nearer = die Raupe dort näher an die Naht legen
-weld-bead-area-out-of-range = um die Fuge zu füllen, hätte die Raupe { $area } bei s = { $s }: { $ratio } der { $run } ihrer Vorgabe; erlaubt sind { $min } bis { $max }
+weld-bead-area-out-of-range = um die Fuge zu füllen, hätte die Raupe { $area }: { $ratio } der { $run } ihrer Vorgabe; erlaubt sind { $min } bis { $max }
 weld-cure-thinner-layers = dünnere Lagen, größere Raupen (Querschnitt, Drahtvorschub, geringere Geschwindigkeit), adapt = "passes" oder ein größeres most_percent
 weld-cure-smaller-beads = kleinere Raupen (höhere Geschwindigkeit, weniger Draht), adapt = "passes" oder ein größeres most_percent
-weld-bead-width-out-of-window = die Raupe wäre { $width } breit bei s = { $s } und { $height } hoch; erlaubte Breite: { $min } bis { $max }
-weld-bead-height-out-of-window = die Raupe wäre { $height } hoch bei s = { $s } und { $width } breit; erlaubte Höhe: { $min } bis { $max }
-weld-bead-ratio-out-of-window = die Raupe wäre { $width } breit und { $height } hoch bei s = { $s }: ein Verhältnis von { $ratio }; erlaubt: { $min } bis { $max }
-weld-bead-too-wide-without-weave = die Raupe wäre ohne Pendeln { $width } breit und { $height } hoch bei s = { $s }; erlaubt: bis { $max }
-weld-bead-toe-steep = der Nahtübergangswinkel der Decklage wäre { $angle } bei s = { $s }; erlaubt: { $min } oder mehr
-weld-layer-height-not-kept = die Lage wäre { $height } hoch bei s = { $s } statt { $wanted }: Raupen von { $area } füllen sie anders
+weld-bead-width-out-of-window = die Raupe wäre { $width } breit und { $height } hoch; erlaubte Breite: { $min } bis { $max }
+weld-bead-height-out-of-window = die Raupe wäre { $height } hoch und { $width } breit; erlaubte Höhe: { $min } bis { $max }
+weld-bead-ratio-out-of-window = die Raupe wäre { $width } breit und { $height } hoch: ein Verhältnis von { $ratio }; erlaubt: { $min } bis { $max }
+weld-bead-too-wide-without-weave = die Raupe wäre ohne Pendeln { $width } breit und { $height } hoch; erlaubt: bis { $max }
+weld-bead-toe-steep = der Nahtübergangswinkel der Decklage wäre { $angle }; erlaubt: { $min } oder mehr
+weld-layer-height-not-kept = die Lage wäre { $height } hoch statt { $wanted }: Raupen von { $area } füllen sie anders
 weld-cure-bead-window = layer_mm oder Querschnitt des Laufs (Geschwindigkeit, Drahtvorschub) ändern, adapt = "passes", oder ein anderes Fenster in der Schweißanweisung
 weld-cure-weave-or-smaller-beads = dem Lauf ein Pendeln geben, oder kleinere Raupen (höhere Geschwindigkeit, weniger Draht)
 weld-cure-bead-toe = cap_mm senken, spacing_to_width näher an 2/3, oder flachere Decklagenraupen (Pendeln, kleinerer Querschnitt)

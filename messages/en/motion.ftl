@@ -301,6 +301,7 @@ motion-search-speed = planning the speed profile
 motion-search-weave = trying weave frequencies
 motion-search-transfer = searching a transfer move
 motion-search-cure = trying cures
+motion-search-torch-angles = trying torch angles
 motion-cure-search = allow more time, hold redundant axes (spare_axes.hold), narrow their ranges in the machine file, or weld the seam in parts
 motion-cure-plan-again = plan again
 

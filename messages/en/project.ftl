@@ -25,6 +25,11 @@ project-more-places = { $places ->
        *[other] { $places } more places
     }
 
+project-long-stick-out = the torch is clear only with a stick-out of { $found }: beyond { $usual } the current falls at the same wire feed, and the shielding gas thins
+    .cause = The job lets the search of torch angles lengthen the stick-out, and no procedure says how far it may.
+    .cure = Use a torch that fits the groove better, or a procedure whose window `stick_out_mm` covers it.
+project-cure-long-stick-out = use a torch that fits the groove better, or a procedure whose stick_out_mm covers it
+
 # Failures.
 project-with-allowed =
     { $message }

@@ -26,6 +26,9 @@ weld-stick-out-range = no torch welds with this stick-out
 weld-stick-out-of-machine = the stick-out of the machine's torch is unknown, so the torch cannot be drawn back for another one
     .cause = A job's stick-out moves the torch back by the difference to the one for which its tip was measured, and the machine's file does not say that one.
     .cure = Measure the wire between contact tip and torch tip as it was when the tip was calibrated, and write it as `stick_out_mm` to `[torch]` of the machine's file.
+weld-stick-out-above-search = the search may not lengthen the stick-out to this: { $own } is what the torch has without it
+    .cause = `max_stick_out_mm` of `[torch.search]` is below the `stick_out_mm` of the run, of `[torch]` or of the machine.
+    .cure = Raise `max_stick_out_mm`, or leave it out: then the stick-out stays.
 weld-allowed-stick-out = `stick_out_mm` in [torch] of the machine's file: the wire between contact tip and torch tip
 weld-min-speed-too-high = the minimum speed is not below the welding speed
     .cause = `weld.least_speed_mm_s` is equal to `weld.speed_mm_s` or greater.
@@ -395,27 +398,27 @@ weld-bead-goes-back = the bead would (nearly) stand still or go back: it lies be
     .cause = On the bead the tip advances by less than 0.1 mm for each mm along the seam. A bead inside a tight bend has no room.
     .cure = Lower `across_mm` and `out_mm` of `[passes.bead]`, or space its rows farther apart. In a job use thinner layers in `[beads]`.
 weld-cure-bead-nearer = lay the bead nearer to the seam there
-weld-bead-area-out-of-range = to fill the groove, the bead would need { $area } at s = { $s }, { $ratio } of the { $run } of its run; allowed: { $min } to { $max }
+weld-bead-area-out-of-range = to fill the groove, the bead would need { $area }, { $ratio } of the { $run } of its run; allowed: { $min } to { $max }
     .cause = The groove's area varies along the seam, and the beads follow it by more than `beads.most_percent`. Fit-up gaps or a varying dihedral angle are usual reasons.
     .cure = Set `layer_mm`, speed or wire feed of the run in `[beads]` to fit the mean groove. `seamwright tools section JOB` lists the areas.
 weld-cure-thinner-layers = use thinner layers, larger runs (area, wire feed, lower speed), adapt = "passes", or a larger most_percent
 weld-cure-smaller-beads = use smaller beads (higher speed, less wire), adapt = "passes", or a larger most_percent
-weld-bead-width-out-of-window = the bead would be { $width } wide at s = { $s }, and { $height } high; allowed width: { $min } to { $max }
+weld-bead-width-out-of-window = the bead would be { $width } wide and { $height } high; allowed width: { $min } to { $max }
     .cause = The layers that fill the groove have no room for beads of the run's area in the window of the procedure, or in the usual one of the process.
     .cure = Change the run's area (speed, wire feed) or `layer_mm` in `[beads]`, or `bead_width_mm` of the procedure's run.
-weld-bead-height-out-of-window = the bead would be { $height } high at s = { $s }, and { $width } wide; allowed height: { $min } to { $max }
+weld-bead-height-out-of-window = the bead would be { $height } high and { $width } wide; allowed height: { $min } to { $max }
     .cause = The groove's depth does not divide into layers in the window of the procedure, or in the usual one of the process.
     .cure = Change `layer_mm` or the run's area (speed, wire feed) in `[beads]`, or `bead_height_mm` of the procedure's run.
-weld-bead-ratio-out-of-window = the bead would be { $width } wide and { $height } high at s = { $s }: a ratio of { $ratio }; allowed: { $min } to { $max }
+weld-bead-ratio-out-of-window = the bead would be { $width } wide and { $height } high: a ratio of { $ratio }; allowed: { $min } to { $max }
     .cause = A bead deeper than wide tends to crack along its middle; a much wider one does not fuse well. The groove and the run's area leave no other shape.
     .cure = Change `layer_mm` or the run's area (speed, wire feed) in `[beads]`, or `bead_width_to_height` of the procedure's run.
-weld-bead-too-wide-without-weave = the bead would be { $width } wide and { $height } high at s = { $s } without a weave; allowed: up to { $max }
+weld-bead-too-wide-without-weave = the bead would be { $width } wide and { $height } high without a weave; allowed: up to { $max }
     .cause = The arc does not melt a groove so wide without a weave. The limit is that of the procedure, or the usual one of process and wire.
     .cure = Give the run a `weave`, or a smaller area, so that more beads lie side by side. Or set `max_unwoven_mm` of the procedure's run.
-weld-bead-toe-steep = the toe angle of the cap would be { $angle } at s = { $s }; allowed: { $min } or more
+weld-bead-toe-steep = the toe angle of the cap would be { $angle }; allowed: { $min } or more
     .cause = The cap is too high for its width, so its face meets the part at a notch. The limit is `min_toe_angle_deg` of the procedure's run, or that of its `quality_level` by ISO 5817, no. 505. 180° is flush.
     .cure = Lower `cap_mm` of `[joint]`, or set `spacing_to_width` of `[beads]` nearer to 2/3. Wider and flatter cap beads need a weave or a smaller area.
-weld-layer-height-not-kept = the layer would be { $height } high at s = { $s } instead of { $wanted }: beads of { $area } fill it otherwise
+weld-layer-height-not-kept = the layer would be { $height } high instead of { $wanted }: beads of { $area } fill it otherwise
     .cause = The run's area, the windows of its beads and the groove leave no layers of this height.
     .cure = Set `layer_mm` nearer to this height, or change the run's area (speed, wire feed) in `[beads]`.
 weld-cure-bead-window = use another layer_mm or area of the run (speed, wire feed), adapt = "passes", or another window in the procedure

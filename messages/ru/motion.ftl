@@ -176,6 +176,7 @@ motion-search-speed = планирование профиля скорости
 motion-search-weave = перебор частот колебаний
 motion-search-transfer = поиск холостого хода
 motion-search-cure = проверка мер
+motion-search-torch-angles = перебор углов горелки
 motion-cure-search = разрешите больше времени, зафиксируйте избыточные оси (spare_axes.hold), сузьте их диапазоны в файле станка или сварите шов частями
 motion-cure-plan-again = спланируйте заново
 

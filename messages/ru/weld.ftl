@@ -8,6 +8,7 @@ weld-work-angle-too-large = горелка лежала бы за поверхн
 weld-torch-search-too-wide = поиск углов горелки выходит за пределы возможного
 weld-stick-out-range = с таким вылетом не варит ни одна горелка
 weld-stick-out-of-machine = вылет проволоки у горелки станка неизвестен, поэтому её нельзя отвести для другого
+weld-stick-out-above-search = поиск не может увеличить вылет до этого значения: без него уже { $own }
 weld-allowed-stick-out = `stick_out_mm` в [torch] файла станка: проволока между наконечником и точкой горелки
 weld-min-speed-too-high = минимальная скорость не ниже скорости сварки
 weld-speed-below-min = скорость сварки не выше минимальной
@@ -212,15 +213,15 @@ weld-torch-inside-second-face = горелка вошла бы на { $angle } �
 weld-cure-smaller-work-angle = сделайте рабочий угол меньше половины двугранного угла
 weld-bead-goes-back = валик (почти) стоял бы или шёл назад: он лежит за центром изгиба шва, или его строки меняются слишком быстро
 weld-cure-bead-nearer = положите валик там ближе к шву
-weld-bead-area-out-of-range = чтобы заполнить разделку, валик имел бы { $area } на s = { $s }: { $ratio } от { $run } его прохода; разрешено от { $min } до { $max }
+weld-bead-area-out-of-range = чтобы заполнить разделку, валик имел бы { $area }: { $ratio } от { $run } его прохода; разрешено от { $min } до { $max }
 weld-cure-thinner-layers = более тонкие слои, более крупные валики (площадь, подача проволоки, меньшая скорость), adapt = "passes" или больший most_percent
 weld-cure-smaller-beads = меньшие валики (выше скорость, меньше проволоки), adapt = "passes" или больший most_percent
-weld-bead-width-out-of-window = валик имел бы ширину { $width } на s = { $s } и высоту { $height }; разрешённая ширина: от { $min } до { $max }
-weld-bead-height-out-of-window = валик имел бы высоту { $height } на s = { $s } и ширину { $width }; разрешённая высота: от { $min } до { $max }
-weld-bead-ratio-out-of-window = валик имел бы ширину { $width } и высоту { $height } на s = { $s }: отношение { $ratio }; разрешено от { $min } до { $max }
-weld-bead-too-wide-without-weave = без колебаний валик имел бы ширину { $width } и высоту { $height } на s = { $s }; разрешено до { $max }
-weld-bead-toe-steep = угол перехода облицовочного слоя был бы { $angle } на s = { $s }; разрешено { $min } и больше
-weld-layer-height-not-kept = слой имел бы высоту { $height } на s = { $s } вместо { $wanted }: валики по { $area } заполняют его иначе
+weld-bead-width-out-of-window = валик имел бы ширину { $width } и высоту { $height }; разрешённая ширина: от { $min } до { $max }
+weld-bead-height-out-of-window = валик имел бы высоту { $height } и ширину { $width }; разрешённая высота: от { $min } до { $max }
+weld-bead-ratio-out-of-window = валик имел бы ширину { $width } и высоту { $height }: отношение { $ratio }; разрешено от { $min } до { $max }
+weld-bead-too-wide-without-weave = без колебаний валик имел бы ширину { $width } и высоту { $height }; разрешено до { $max }
+weld-bead-toe-steep = угол перехода облицовочного слоя был бы { $angle }; разрешено { $min } и больше
+weld-layer-height-not-kept = слой имел бы высоту { $height } вместо { $wanted }: валики по { $area } заполняют его иначе
 weld-cure-bead-window = изменить layer_mm или площадь прохода (скорость, подача проволоки), adapt = "passes" или окно в технологической карте
 weld-cure-weave-or-smaller-beads = задать проходу колебания или меньшие валики (выше скорость, меньше проволоки)
 weld-cure-bead-toe = уменьшить cap_mm, приблизить spacing_to_width к 2/3 или сделать валики облицовки площе (колебания, меньшая площадь)

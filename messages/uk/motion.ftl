@@ -176,6 +176,7 @@ motion-search-speed = планування профілю швидкості
 motion-search-weave = перебір частот коливань
 motion-search-transfer = пошук холостого ходу
 motion-search-cure = перевірка заходів
+motion-search-torch-angles = перебір кутів пальника
 motion-cure-search = дозвольте більше часу, зафіксуйте надлишкові осі (spare_axes.hold), звузьте їхні діапазони у файлі верстата або зваріть шов частинами
 motion-cure-plan-again = сплануйте ще раз
 

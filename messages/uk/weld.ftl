@@ -8,6 +8,7 @@ weld-work-angle-too-large = пальник лежав би за поверхне
 weld-torch-search-too-wide = пошук кутів пальника виходить за межі можливого
 weld-stick-out-range = з таким вильотом не варить жоден пальник
 weld-stick-out-of-machine = виліт дроту пальника верстата невідомий, тому його не можна відвести для іншого
+weld-stick-out-above-search = пошук не може збільшити виліт до цього значення: без нього вже { $own }
 weld-allowed-stick-out = `stick_out_mm` у [torch] файлу верстата: дріт між наконечником і точкою пальника
 weld-min-speed-too-high = мінімальна швидкість не нижча за швидкість зварювання
 weld-speed-below-min = швидкість зварювання не вища за мінімальну
@@ -212,15 +213,15 @@ weld-torch-inside-second-face = пальник увійшов би на { $angle
 weld-cure-smaller-work-angle = зробіть робочий кут меншим за половину двогранного кута
 weld-bead-goes-back = валик (майже) стояв би або йшов назад: він лежить за центром вигину шва, або його рядки змінюються надто швидко
 weld-cure-bead-nearer = покладіть валик там ближче до шва
-weld-bead-area-out-of-range = щоб заповнити розробку, валик мав би { $area } на s = { $s }: { $ratio } від { $run } його проходу; дозволено від { $min } до { $max }
+weld-bead-area-out-of-range = щоб заповнити розробку, валик мав би { $area }: { $ratio } від { $run } його проходу; дозволено від { $min } до { $max }
 weld-cure-thinner-layers = тонші шари, більші валики (площа, подача дроту, нижча швидкість), adapt = "passes" або більший most_percent
 weld-cure-smaller-beads = менші валики (вища швидкість, менше дроту), adapt = "passes" або більший most_percent
-weld-bead-width-out-of-window = валик мав би ширину { $width } на s = { $s } і висоту { $height }; дозволена ширина: від { $min } до { $max }
-weld-bead-height-out-of-window = валик мав би висоту { $height } на s = { $s } і ширину { $width }; дозволена висота: від { $min } до { $max }
-weld-bead-ratio-out-of-window = валик мав би ширину { $width } і висоту { $height } на s = { $s }: відношення { $ratio }; дозволено від { $min } до { $max }
-weld-bead-too-wide-without-weave = без коливань валик мав би ширину { $width } і висоту { $height } на s = { $s }; дозволено до { $max }
-weld-bead-toe-steep = кут переходу лицьового шару був би { $angle } на s = { $s }; дозволено { $min } і більше
-weld-layer-height-not-kept = шар мав би висоту { $height } на s = { $s } замість { $wanted }: валики по { $area } заповнюють його інакше
+weld-bead-width-out-of-window = валик мав би ширину { $width } і висоту { $height }; дозволена ширина: від { $min } до { $max }
+weld-bead-height-out-of-window = валик мав би висоту { $height } і ширину { $width }; дозволена висота: від { $min } до { $max }
+weld-bead-ratio-out-of-window = валик мав би ширину { $width } і висоту { $height }: відношення { $ratio }; дозволено від { $min } до { $max }
+weld-bead-too-wide-without-weave = без коливань валик мав би ширину { $width } і висоту { $height }; дозволено до { $max }
+weld-bead-toe-steep = кут переходу лицьового шару був би { $angle }; дозволено { $min } і більше
+weld-layer-height-not-kept = шар мав би висоту { $height } замість { $wanted }: валики по { $area } заповнюють його інакше
 weld-cure-bead-window = змінити layer_mm або площу проходу (швидкість, подача дроту), adapt = "passes" або вікно в технологічній карті
 weld-cure-weave-or-smaller-beads = задати проходу коливання або менші валики (вища швидкість, менше дроту)
 weld-cure-bead-toe = зменшити cap_mm, наблизити spacing_to_width до 2/3 або зробити валики лицьового шару пласкішими (коливання, менша площа)

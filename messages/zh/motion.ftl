@@ -162,6 +162,7 @@ motion-search-speed = 规划速度曲线
 motion-search-weave = 试算摆动频率
 motion-search-transfer = 搜索空程路径
 motion-search-cure = 试算处理办法
+motion-search-torch-angles = 试算焊枪角度
 motion-cure-search = 允许更长时间、固定冗余轴 (spare_axes.hold)、在机床文件中缩小其行程，或分段焊接
 motion-cure-plan-again = 请重新规划
 

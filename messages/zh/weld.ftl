@@ -8,6 +8,7 @@ weld-work-angle-too-large = 焊枪会位于表面背后
 weld-torch-search-too-wide = 焊枪角度的搜索范围超出焊枪能力
 weld-stick-out-range = 没有焊枪能以此干伸长焊接
 weld-stick-out-of-machine = 机床焊枪的干伸长未知，因此无法为其他干伸长后移焊枪
+weld-stick-out-above-search = 搜索无法把干伸长增加到该值：未搜索时已为 { $own }
 weld-allowed-stick-out = 机床文件 [torch] 中的 `stick_out_mm`：导电嘴与焊枪尖端之间的焊丝长度
 weld-min-speed-too-high = 最低速度不低于焊接速度
 weld-speed-below-min = 焊接速度不高于最低速度
@@ -208,15 +209,15 @@ weld-torch-inside-second-face = 焊枪会进入第二件表面 { $angle }（二�
 weld-cure-smaller-work-angle = 使工作角小于二面角的一半
 weld-bead-goes-back = 焊道会（几乎）停住或倒退：它在焊缝弯曲中心之外，或其各行变化太快
 weld-cure-bead-nearer = 在此处将焊道靠近焊缝
-weld-bead-area-out-of-range = 填满坡口时焊道在 s = { $s } 处需 { $area }，为其设定面积 { $run } 的 { $ratio }；允许 { $min } 至 { $max }
+weld-bead-area-out-of-range = 填满坡口时焊道需 { $area }，为其设定面积 { $run } 的 { $ratio }；允许 { $min } 至 { $max }
 weld-cure-thinner-layers = 更薄的层、更大的焊道（面积、送丝、更低速度），adapt = "passes"，或更大的 most_percent
 weld-cure-smaller-beads = 更小的焊道（更高速度、更少焊丝），adapt = "passes"，或更大的 most_percent
-weld-bead-width-out-of-window = 焊道在 s = { $s } 处宽 { $width }、高 { $height }；允许宽度 { $min } 至 { $max }
-weld-bead-height-out-of-window = 焊道在 s = { $s } 处高 { $height }、宽 { $width }；允许高度 { $min } 至 { $max }
-weld-bead-ratio-out-of-window = 焊道在 s = { $s } 处宽 { $width }、高 { $height }，宽高比 { $ratio }；允许 { $min } 至 { $max }
-weld-bead-too-wide-without-weave = 不摆动时焊道在 s = { $s } 处宽 { $width }、高 { $height }；允许不超过 { $max }
-weld-bead-toe-steep = 盖面焊趾角在 s = { $s } 处为 { $angle }；允许 { $min } 或更大
-weld-layer-height-not-kept = 层在 s = { $s } 处高 { $height }，而不是 { $wanted }：{ $area } 的焊道填充结果不同
+weld-bead-width-out-of-window = 焊道宽 { $width }、高 { $height }；允许宽度 { $min } 至 { $max }
+weld-bead-height-out-of-window = 焊道高 { $height }、宽 { $width }；允许高度 { $min } 至 { $max }
+weld-bead-ratio-out-of-window = 焊道宽 { $width }、高 { $height }，宽高比 { $ratio }；允许 { $min } 至 { $max }
+weld-bead-too-wide-without-weave = 不摆动时焊道宽 { $width }、高 { $height }；允许不超过 { $max }
+weld-bead-toe-steep = 盖面焊趾角为 { $angle }；允许 { $min } 或更大
+weld-layer-height-not-kept = 层高 { $height }，而不是 { $wanted }：{ $area } 的焊道填充结果不同
 weld-cure-bead-window = 改变 layer_mm 或该道的面积（速度、送丝），adapt = "passes"，或工艺规程中的范围
 weld-cure-weave-or-smaller-beads = 给该道加摆动，或更小的焊道（更高速度、更少焊丝）
 weld-cure-bead-toe = 减小 cap_mm，使 spacing_to_width 更接近 2/3，或采用更平的盖面焊道（摆动、更小面积）

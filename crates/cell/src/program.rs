@@ -10,6 +10,7 @@ use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_project::failure::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
+use seamwright_project::planning::Planning;
 use seamwright_project::simulated_part::Part;
 use seamwright_record::sha256;
 use serde::{Deserialize, Serialize};
@@ -114,7 +115,10 @@ impl Program {
         if sha256(&motion) != hash {
             return Err(Message::new("cell-program-damaged").text("why", "SHA-256"));
         }
-        let loaded = load_foreign(&job, &text, &folder).map_err(|failure| failure.message())?;
+        // The motion was planned with the angles of the same search.
+        let loaded = load_foreign(&job, &text, &folder)
+            .and_then(|loaded| loaded.with_torch_angles(&Planning::default()))
+            .map_err(|failure| failure.message())?;
         if fingerprint(&loaded.machine) != machine {
             return Err(Message::new("cell-program-changed").text("job", job));
         }

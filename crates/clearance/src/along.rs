@@ -47,6 +47,8 @@ pub struct Trace {
     pub cells: Vec<Cell>,
     /// The minimum distance of all samples, with its s.
     pub nearest: (f64, Evaluation),
+    /// Distance at each edge, mm; NaN where no sample was taken, since the bound is sufficient.
+    pub at_edges: Vec<f64>,
 }
 
 /// One watch over one cell.
@@ -84,6 +86,13 @@ impl Profile {
         let cells = self.traces.iter().map(|t| &t.cells[cell]).enumerate();
         cells.min_by(|a, b| a.1.at_least_mm.total_cmp(&b.1.at_least_mm))
     }
+
+    /// Lower bound of the distance of a watch at an edge, mm.
+    fn bound_at(&self, watch: usize, edge: usize) -> f64 {
+        let cells = &self.traces[watch].cells;
+        let beside = [edge.checked_sub(1), Some(edge)].into_iter().flatten().filter_map(|cell| cells.get(cell));
+        beside.map(|cell| cell.at_least_mm).fold(f64::INFINITY, f64::min)
+    }
 }
 
 impl Scene {
@@ -119,6 +128,38 @@ impl Scene {
         }
         Ok(profile)
     }
+
+    /// Minimum distance or margin of all watches at each edge of a `profile` of `motion`, mm, at most `cutoff_mm`.
+    ///
+    /// Samples of the profile are used again, and watches whose bound is not below the minimum are left out.
+    pub fn at_edges(&self, motion: &impl Motion, profile: &Profile, cutoff_mm: f64) -> Vec<f64> {
+        let mut frames = vec![DAffine3::IDENTITY; self.groups().len()];
+        let mut memories: Vec<Memory> = self.watches().iter().map(|_| Memory::default()).collect();
+        let mut one = |(edge, s): (usize, &f64)| {
+            let known = |watch: usize| profile.traces[watch].at_edges[edge];
+            // NaN, the unknown, is never the smaller one.
+            let mut least = (0..memories.len()).map(known).fold(cutoff_mm, f64::min);
+            let mut open: Vec<(f64, usize)> = (0..memories.len())
+                .filter(|watch| known(*watch).is_nan())
+                .map(|watch| (profile.bound_at(watch, edge), watch))
+                .filter(|(bound, _)| *bound < least)
+                .collect();
+            if open.is_empty() {
+                return least;
+            }
+            motion.frames(*s, &mut frames);
+            open.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for (bound, watch) in open {
+                if bound >= least {
+                    break;
+                }
+                let found = self.evaluate_near(watch, &frames, least.max(0.0), &mut memories[watch]);
+                least = least.min(found.distance);
+            }
+            least
+        };
+        profile.edges.iter().enumerate().map(&mut one).collect()
+    }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -140,6 +181,7 @@ struct Walk<'a, M> {
     cells: Vec<Cell>,
     stretches: Vec<Stretch>,
     nearest: Option<Sample>,
+    at_edges: Vec<f64>,
 }
 
 impl<'a, M: Motion> Walk<'a, M> {
@@ -158,16 +200,24 @@ impl<'a, M: Motion> Walk<'a, M> {
             cells: vec![nothing; edges.len() - 1],
             stretches: Vec::new(),
             nearest: None,
+            at_edges: vec![f64::NAN; edges.len()],
         }
     }
 
     fn run(mut self) -> (Trace, Vec<Stretch>) {
         let count = self.cells.len();
-        let first = self.look(self.edges[0]);
-        let last = self.look(self.edges[count]);
+        let first = self.look_at_edge(0);
+        let last = self.look_at_edge(count);
         self.between(0..count, &first, &last);
         let nearest = self.nearest.unwrap_or(first);
-        (Trace { cells: self.cells, nearest: (nearest.s, nearest.found) }, self.stretches)
+        let trace = Trace { cells: self.cells, nearest: (nearest.s, nearest.found), at_edges: self.at_edges };
+        (trace, self.stretches)
+    }
+
+    fn look_at_edge(&mut self, edge: usize) -> Sample {
+        let sample = self.look(self.edges[edge]);
+        self.at_edges[edge] = sample.found.distance;
+        sample
     }
 
     fn look(&mut self, s: f64) -> Sample {
@@ -212,7 +262,7 @@ impl<'a, M: Motion> Walk<'a, M> {
             self.between(cells, &middle, v);
         } else {
             let half = cells.start + cells.len() / 2;
-            let middle = self.look(self.edges[half]);
+            let middle = self.look_at_edge(half);
             self.between(cells.start..half, u, &middle);
             self.between(half..cells.end, &middle, v);
         }

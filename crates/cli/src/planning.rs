@@ -11,10 +11,17 @@ use seamwright_project::failure::Failure;
 use seamwright_project::load::Loaded;
 use seamwright_project::planning::Planning;
 use seamwright_project::simulated_part::Part;
+use std::path::Path;
 use std::time::Duration;
 
 /// Longest time limit that is allowed, s.
 const MAX_LIMIT_S: f64 = 1e6;
+
+/// Reads a job with its machine, and searches the torch angles that it asks for.
+pub(crate) fn load(job: &Path, args: &PlanningArgs) -> Result<Loaded, Failure> {
+    let loaded = seamwright_project::load::load(job)?;
+    within(args, |planning| loaded.with_torch_angles(planning))
+}
 
 /// Plans the weld, or returns the reasons why the machine cannot make it.
 pub(crate) fn try_plan(loaded: &Loaded, args: &PlanningArgs) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {

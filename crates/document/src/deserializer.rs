@@ -137,11 +137,27 @@ impl<'de> Deserializer<'de> for Node<'_> {
         Boolean deserialize_bool() => |visitor: V, is: &bool| visitor.visit_bool(*is);
         String deserialize_str() deserialize_string() deserialize_char() deserialize_identifier()
             => |visitor: V, text: &DeString| visitor.visit_str(text);
-        Array deserialize_seq() deserialize_tuple(_len: usize)
-            deserialize_tuple_struct(_name: &'static str, _len: usize)
-            => |visitor: V, items| visitor.visit_seq(Items::of(items));
+        Array deserialize_seq() => |visitor: V, items| visitor.visit_seq(Items::of(items));
         Table deserialize_map() deserialize_struct(_name: &'static str, _fields: &'static [&'static str])
             => |visitor: V, table| visitor.visit_map(Entries::of(table));
+    }
+
+    /// Also fails for more items than `len`: a visitor of few items does not ask for the others.
+    fn deserialize_tuple<V: Visitor<'de>>(self, len: usize, visitor: V) -> Result<V::Value, Fault> {
+        match self.value() {
+            DeValue::Array(items) if items.len() > len => Err(Fault::invalid_length(items.len(), &visitor)),
+            DeValue::Array(items) => visitor.visit_seq(Items::of(items)),
+            _ => Err(self.mistaken(&visitor)),
+        }
+    }
+
+    fn deserialize_tuple_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        len: usize,
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        self.deserialize_tuple(len, visitor)
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {

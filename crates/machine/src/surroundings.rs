@@ -184,11 +184,6 @@ impl<'a> Surroundings<'a> {
             .min_by(|a, b| margin(a.0, &a.1).total_cmp(&margin(b.0, &b.1)))
     }
 
-    /// Minimum distance over all watches at positions `q`, up to `limit`, mm.
-    pub fn least(&self, q: &Joints, limit: f64) -> f64 {
-        self.scene.nearest(&self.frames(q), limit).map_or(limit, |(_, e)| e.distance.min(limit))
-    }
-
     /// True if every watch holds at positions `q`.
     pub fn is_clear(&self, q: &Joints) -> bool {
         let frames = self.frames(q);
@@ -218,6 +213,11 @@ impl<'a> Surroundings<'a> {
     /// Limits that are not greater than 0.
     pub fn along(&self, course: &impl Course, stations: usize, limits: &Limits) -> Result<Profile, ClearanceError> {
         self.scene.along(&Follow { surroundings: self, course }, stations, limits)
+    }
+
+    /// Minimum distance at each edge of a `profile` of the course, mm, at most `cutoff_mm`: see [`Scene::at_edges`].
+    pub fn at_edges(&self, course: &impl Course, profile: &Profile, cutoff_mm: f64) -> Vec<f64> {
+        self.scene.at_edges(&Follow { surroundings: self, course }, profile, cutoff_mm)
     }
 
     /// Frames of the groups in the work frame.

@@ -279,7 +279,8 @@ impl Trial<'_> {
     /// Tries `change`: this pass must have no findings and keep every clearance, and no other pass may exceed more
     /// ranges.
     fn clears(&self, change: Change, around: &Surroundings) -> Option<Scope> {
-        let is_clear = |path: &JointPath| pass_clearance(around, path, &self.request).1.is_empty();
+        let Request { path: torch, number, .. } = self.request;
+        let is_clear = |path: &JointPath| pass_clearance(around, path, torch, number).1.is_empty();
         let joints = self.joints(&Changed::new(self.request.path, change))?;
         let leaves = !range_on_path(self.held, &joints, self.request.number).is_empty();
         if leaves || !is_clear(&joints) {

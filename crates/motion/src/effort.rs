@@ -32,6 +32,8 @@ pub enum SearchStage {
     Transfer,
     /// Changes that could cure a finding are tried.
     Cure,
+    /// Torch angles are tried.
+    TorchAngles,
 }
 
 impl SearchStage {
@@ -46,6 +48,7 @@ impl SearchStage {
             Self::Weave => "motion-search-weave",
             Self::Transfer => "motion-search-transfer",
             Self::Cure => "motion-search-cure",
+            Self::TorchAngles => "motion-search-torch-angles",
         })
     }
 }

@@ -1,10 +1,9 @@
 use crate::joint_path::JointPath;
-use crate::pass_motion::Request;
 use crate::transfer::{RootAt, nearest, too_near};
 use seamwright_clearance::Limits;
 use seamwright_machine::Surroundings;
 use seamwright_message::Message;
-use seamwright_program::{Finding, PathRange};
+use seamwright_program::{Finding, PathRange, TorchPath};
 use serde::{Deserialize, Serialize};
 
 /// Clearance along a pass.
@@ -26,21 +25,21 @@ pub struct PassClearance {
 const STATIONS: usize = 400;
 const CUTOFF_MM: f64 = 60.0;
 
-/// Computes distances along the axes' path of a pass, and findings for stretches below a minimum clearance. None if
-/// nothing is watched.
+/// Computes distances along the axes' `path` of pass `number`, whose torch follows `torch`, and findings for stretches
+/// below a minimum clearance. None if nothing is watched.
 pub(crate) fn pass_clearance(
     around: &Surroundings,
     path: &JointPath,
-    request: &Request,
+    torch: &dyn TorchPath,
+    number: usize,
 ) -> (Option<PassClearance>, Vec<Finding>) {
     let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest: 1e-6 * path.length() };
     if around.is_empty() {
         return (None, Vec::new());
     }
-    let pass = request.number;
     let finding = |message, from_mm, to_mm| {
         let cure = Message::new("motion-cure-clearance");
-        Finding::error("clearance", message, pass, PathRange { from_mm, to_mm }, cure)
+        Finding::error("clearance", message, number, PathRange { from_mm, to_mm }, cure)
     };
     let profile = match around.along(path, STATIONS, &limits) {
         Ok(profile) => profile,
@@ -48,7 +47,7 @@ pub(crate) fn pass_clearance(
         Err(e) => return (None, vec![finding(e.message(), 0.0, path.length())]),
     };
     let findings = profile.stretches.iter().map(|s| {
-        let root = RootAt::of(request.path, s.s);
+        let root = RootAt::of(torch, s.s);
         finding(too_near(around, s.watch, &s.nearest, root.as_ref()), s.from, s.to)
     });
     let at_least = (0..STATIONS).filter_map(|i| {
@@ -56,7 +55,8 @@ pub(crate) fn pass_clearance(
         Some((profile.edges[i + 1], cell.at_least_mm))
     });
     let nearest = nearest(around, &profile);
-    let found = profile.edges.iter().map(|&s| (s, around.least(&path.at(s), CUTOFF_MM))).collect();
+    let distances = around.at_edges(path, &profile, CUTOFF_MM);
+    let found = profile.edges.iter().copied().zip(distances).collect();
     let clearance =
         PassClearance { found, at_least: at_least.collect(), nearest, watched: around.watched(), cutoff_mm: CUTOFF_MM };
     (Some(clearance), findings.collect())

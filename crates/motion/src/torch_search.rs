@@ -2,39 +2,46 @@
 //!
 //! At stations along the pass, changes of the work angle are tried in steps, each with the machine's axes and every
 //! watch of the surroundings. Dynamic programming chooses one at each station: small changes that turn slowly. On a pass
-//! all round it starts and ends in the same angle. The travel angle changes by the same amount all along, and so does the
-//! stick-out; amounts are tried from the smallest on, every travel angle before a longer stick-out. The chosen angles are
-//! checked again between the stations; if that fails, more clearance is asked for, twice at most. So the effort is bounded, and the same pass always gives the same angles.
+//! all round it starts and ends in the same angle, and an angle must be clear in every turn. The travel angle changes by
+//! the same amount all along, and so does the stick-out; amounts are tried from the smallest on, every travel angle before
+//! a longer stick-out. The chosen angles are checked again between the stations; a position where they fail becomes a
+//! station, and more clearance is asked for. The effort is bounded, and the same pass always gives the same angles.
 
-use crate::transfer::{RootAt, too_near};
+mod outcome;
+mod steps;
+
+pub use outcome::AngleSearch;
+
+use crate::effort::{Effort, SearchStage, Watch};
 use glam::DVec3;
+use outcome::{Progress, Reason, Setback};
 use seamwright_clearance::Evaluation;
 use seamwright_geometry::{MonotoneCurve, Pose};
 use seamwright_machine::{AxisKind, Joints, Machine, Surroundings, Target};
-use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, Groove, PathRange, TorchPath};
+use seamwright_program::{Groove, TorchPath};
 use std::f64::consts::TAU;
+use steps::{Walk, both_senses, multiples};
 
 /// Steps of the angles, degrees.
 const STEP_DEG: f64 = 2.5;
 const TRAVEL_STEP_DEG: f64 = 5.0;
 /// Step of the stick-out, mm.
 const STICK_OUT_STEP_MM: f64 = 1.0;
-/// Distance of stations, mm, and their minimum and maximum number.
+/// Distance of stations, mm, and their minimum and maximum number before some are added.
 const STATION_MM: f64 = 8.0;
 const STATIONS: (usize, usize) = (16, 96);
-/// Checks between two stations.
-const CHECKS: usize = 4;
+/// Maximum number of stations that are added, and their minimum distance from others, mm.
+const ADDED: usize = 64;
+const APART_MM: f64 = 1.0;
+/// Maximum distance of checks between stations, mm, and their minimum number.
+const CHECK_MM: f64 = 2.0;
+const CHECKS: f64 = 4.0;
 /// Clearance beyond the minimum that is asked for, mm: more in each round.
 const MARGINS_MM: [f64; 3] = [0.1, 0.5, 1.2];
 /// Clearance beyond the minimum that the chosen angles must keep between stations, mm: angles in files are rounded.
 const KEPT_MM: f64 = 0.02;
 /// Minimum angle of the torch to the faces of both parts, degrees.
 const OFF_FACE_DEG: f64 = 0.5;
-/// Maximum turn from one station to the next, degrees.
-const MAX_TURN_DEG: f64 = 10.0;
-/// Cost of turning beside that of the change itself: ten stations take up a change of 25 degrees at equal costs.
-const TURNING: f64 = 8.0;
 
 /// Limits of the search: changes of the angles in both senses, rad, and of the stick-out.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,17 +67,6 @@ pub struct AngleChange {
     pub stick_out: f64,
 }
 
-/// Result of [`search_angles`].
-#[derive(Debug, Clone, PartialEq)]
-pub enum AngleSearch {
-    /// The pass is clear as it is, or the axes cannot follow it: nothing is changed.
-    Unchanged,
-    /// With these changes it is clear.
-    Changed(Vec<AngleChange>),
-    /// No angles within the limits are clear.
-    Blocked(Box<Finding>),
-}
-
 /// A pass whose torch angles are searched.
 #[derive(Clone, Copy)]
 pub struct AngleTask<'a> {
@@ -78,12 +74,18 @@ pub struct AngleTask<'a> {
     pub path: &'a dyn TorchPath,
     /// Its number, from 1.
     pub number: usize,
-    /// Length of the seam once, if the pass runs all round: the angles repeat after it.
-    pub turn: Option<f64>,
+    /// Number of passes of the weld.
+    pub passes: usize,
+    /// Length of a seam welded all round, mm: the angles repeat after it.
+    pub period: Option<f64>,
+    /// Path lengths at which the job gives angles, mm: they are stations, so that the angles between them stay.
+    pub rows: &'a [f64],
     /// Limits of the changes.
     pub limits: AngleLimits,
     /// True if the procedure allows these changes at a path length.
     pub allowed: &'a dyn Fn(AngleChange) -> bool,
+    /// Limits the duration of the search.
+    pub watch: Option<&'a dyn Watch>,
 }
 
 /// Searches torch angles with which a pass is clear of everything watched.
@@ -93,22 +95,19 @@ pub fn search_angles(machine: &Machine, around: &Surroundings, task: AngleTask) 
     if around.is_empty() || path.groove(0.0).is_none() || path.second(0.0).is_some() {
         return AngleSearch::Unchanged;
     }
-    let Some(search) = Search::new(machine, around, task, path) else { return AngleSearch::Unchanged };
-    if search.is_clear(&vec![0.0; search.places.len()], EvenChange::default(), 0.0) {
-        return AngleSearch::Unchanged;
+    let Some(mut search) = Search::new(machine, around, task, path) else { return AngleSearch::Unchanged };
+    search.effort.begin_pass(task.number, task.passes);
+    search.effort.begin(SearchStage::TorchAngles);
+    let unchanged = vec![0.0; search.places.len()];
+    let changes = match search.conflict(&unchanged, EvenChange::default(), 0.0) {
+        None => return AngleSearch::Unchanged,
+        Some(_) => search.changes(),
+    };
+    match (search.effort.check(task.number, path.length()), changes) {
+        (Err(stopped), _) => AngleSearch::Blocked(stopped),
+        (Ok(()), Some(changes)) => AngleSearch::Changed(changes),
+        (Ok(()), None) => AngleSearch::Blocked(vec![search.setback.finding(around, path, &task)]),
     }
-    let mut tightest = 0;
-    for even in search.even_changes() {
-        let Some(margins) = search.margins(even, &mut tightest) else { continue };
-        for more in MARGINS_MM {
-            let Some(works) = search.chosen(&margins, more) else { break };
-            if search.is_clear(&works, even, KEPT_MM) {
-                let changes = search.places.iter().zip(works);
-                return AngleSearch::Changed(changes.map(|(s, work)| even.at(*s, work)).collect());
-            }
-        }
-    }
-    search.blocked()
 }
 
 /// Changes that are the same all along a pass.
@@ -125,20 +124,47 @@ impl EvenChange {
     }
 }
 
-/// The smallest margin beyond a minimum clearance, mm, with the watch that has it and its evaluation.
-type Nearest = (f64, Option<(usize, Evaluation)>);
+/// The smallest margin beyond a minimum clearance in all turns of a pass.
+#[derive(Debug, Clone, Copy)]
+struct Nearest {
+    /// The margin, mm.
+    margin: f64,
+    /// Path length, mm.
+    s: f64,
+    /// Watch and evaluation.
+    at: Option<(usize, Evaluation)>,
+}
+
+/// A position where chosen angles are not clear.
+struct Conflict {
+    /// Path length in the first turn, mm.
+    s: f64,
+    /// `None` if the angle is not allowed there.
+    nearest: Option<Nearest>,
+}
 
 struct Search<'a> {
     machine: &'a Machine,
     around: &'a Surroundings<'a>,
     task: AngleTask<'a>,
     path: &'a dyn TorchPath,
+    effort: Effort<'a>,
+    /// Part of the search that is done.
+    part: f64,
+    /// Length of one turn, mm, on a pass that goes all round.
+    turn: Option<f64>,
     /// Stations along one turn, or along the pass.
     places: Vec<f64>,
     /// Axes at the stations with the angles as they are.
     axes: Vec<Joints>,
+    /// Usual distance of stations, mm.
+    spacing: f64,
+    /// Number of stations at most.
+    most: usize,
     /// Changes of the work angle that are tried, rad.
     works: Vec<f64>,
+    /// What stood in the way of the changes that came farthest.
+    setback: Setback,
 }
 
 impl<'a> Search<'a> {
@@ -149,43 +175,123 @@ impl<'a> Search<'a> {
         task: AngleTask<'a>,
         path: &'a dyn TorchPath,
     ) -> Option<Self> {
-        let length = task.turn.map_or(path.length(), |turn| turn.min(path.length()));
+        let turn = task.period.filter(|period| path.length() >= *period);
+        let length = turn.unwrap_or(path.length());
         let count = ((length / STATION_MM).ceil() as usize).clamp(STATIONS.0, STATIONS.1);
-        let ends = if task.turn.is_some() { count } else { count - 1 };
-        let places: Vec<f64> = (0..count).map(|i| length * i as f64 / ends as f64).collect();
-        let home: Joints = std::array::from_fn(|i| machine.axes.get(i).map_or(0.0, |axis| axis.home));
-        let mut near = machine.inverse_near(path.pose(0.0), &home).ok()?.joints;
-        let mut axes = Vec::with_capacity(count);
+        let ends = if turn.is_some() { count } else { count - 1 };
+        let mut places: Vec<f64> = (0..count).map(|i| length * i as f64 / ends as f64).collect();
+        for s in task.rows {
+            let s = turn.map_or(*s, |turn| s.rem_euclid(turn));
+            if (0.0..=length).contains(&s) && places.iter().all(|place| (place - s).abs() > APART_MM) {
+                places.push(s);
+            }
+        }
+        places.sort_by(f64::total_cmp);
+        let mut near = machine.inverse_near(path.pose(0.0), &machine.home()).ok()?.joints;
+        let mut axes = Vec::with_capacity(places.len());
         for s in &places {
             near = machine.inverse_near(path.pose(*s), &near).ok()?.joints;
             axes.push(near);
         }
-        let step = STEP_DEG.to_radians();
-        let steps = (task.limits.work / step + 1e-9).floor() as i32;
-        let works = (-steps..=steps).map(|k| f64::from(k) * step).collect();
-        Some(Self { machine, around, task, path, places, axes, works })
+        let works = both_senses(&multiples(STEP_DEG.to_radians(), task.limits.work));
+        Some(Self {
+            machine,
+            around,
+            task,
+            path,
+            effort: Effort::new(task.watch),
+            part: 0.0,
+            turn,
+            most: places.len() + ADDED,
+            places,
+            axes,
+            spacing: length / ends as f64,
+            works,
+            setback: Setback::default(),
+        })
     }
 
-    /// Additions to the stick-out that are tried, mm.
-    fn stick_outs(&self) -> impl Iterator<Item = f64> + use<> {
-        let steps = (self.task.limits.stick_out / STICK_OUT_STEP_MM + 1e-9).floor() as i32;
-        (0..=steps).map(|k| f64::from(k) * STICK_OUT_STEP_MM)
+    /// Changes with which the pass is clear; `None` if there are none, or the search was stopped.
+    fn changes(&mut self) -> Option<Vec<AngleChange>> {
+        let travels = multiples(TRAVEL_STEP_DEG.to_radians(), self.task.limits.travel);
+        let travels: Vec<f64> = travels.iter().flat_map(|t| [*t, -t]).skip(1).collect();
+        let stick_outs = multiples(STICK_OUT_STEP_MM, self.task.limits.stick_out);
+        let evens: Vec<EvenChange> = stick_outs
+            .iter()
+            .flat_map(|&stick_out| travels.iter().map(move |&travel| EvenChange { travel, stick_out }))
+            .collect();
+        let mut tightest = 0.0;
+        for (i, even) in evens.iter().enumerate() {
+            self.part = i as f64 / evens.len() as f64;
+            let Some(mut margins) = self.margins(*even, &mut tightest) else { continue };
+            for more in MARGINS_MM {
+                if let Some(works) = self.works(*even, &mut margins, more) {
+                    let changes = self.places.iter().zip(works);
+                    return Some(changes.map(|(s, work)| even.at(*s, work)).collect());
+                }
+            }
+            if self.effort.is_stopped() {
+                return None;
+            }
+        }
+        None
     }
 
-    /// The changes all along that are tried, in this order.
-    fn even_changes(&self) -> impl Iterator<Item = EvenChange> + use<> {
-        let travel = self.task.limits.travel;
-        let step = TRAVEL_STEP_DEG.to_radians();
-        let count = (travel / step + 1e-9).floor() as i32;
-        let travels =
-            move || std::iter::once(0).chain((1..=count).flat_map(|k| [k, -k])).map(move |k| f64::from(k) * step);
-        self.stick_outs().flat_map(move |stick_out| travels().map(move |travel| EvenChange { travel, stick_out }))
+    /// Changes of the work angle by station with which the pass is clear. `margins` are those of the stations, and get
+    /// a row for each station that is added.
+    fn works(&mut self, even: EvenChange, margins: &mut Vec<Vec<f64>>, more: f64) -> Option<Vec<f64>> {
+        loop {
+            let walk = Walk { places: &self.places, turn: self.turn, spacing: self.spacing, works: &self.works };
+            let works = match walk.cheapest(margins, more) {
+                Ok(works) => works,
+                Err(at) => {
+                    let too_fast = Reason::TurnsTooFast { within_mm: self.spacing };
+                    self.setback.note(Progress::AllStations, self.places[at], too_fast);
+                    return None;
+                }
+            };
+            let Some(conflict) = self.conflict(&works, even, KEPT_MM) else { return Some(works) };
+            self.setback.note_nearest(Progress::AnglesChosen, conflict.s, conflict.nearest);
+            let at = self.added(conflict.s)?;
+            let row = self.row(at, even);
+            margins.insert(at, row.iter().map(|nearest| nearest.map_or(f64::NEG_INFINITY, |n| n.margin)).collect());
+        }
     }
 
-    /// The watch with the smallest margin with changed angles, its evaluation and the margin; `None` if the axes cannot
-    /// reach the pose or may not.
+    /// Adds a station at `s` and returns its index; `None` if others are too near, there are too many, or the axes
+    /// cannot follow.
+    fn added(&mut self, s: f64) -> Option<usize> {
+        let at = self.places.partition_point(|place| *place <= s);
+        let is_near = self.places.iter().any(|place| (place - s).abs() < APART_MM);
+        let at_end = self.turn.is_some_and(|turn| turn - s < APART_MM);
+        if is_near || at_end || self.places.len() >= self.most {
+            return None;
+        }
+        let near = self.axes[at.saturating_sub(1)];
+        let axes = self.machine.inverse_near(self.path.pose(s), &near).ok()?.joints;
+        self.places.insert(at, s);
+        self.axes.insert(at, axes);
+        Some(at)
+    }
+
+    /// The smallest margin with changed angles in all turns; `None` if the axes cannot reach a pose or may not.
     fn nearest(&self, near: &Joints, change: AngleChange) -> Option<Nearest> {
-        if !(self.task.allowed)(change) {
+        let length = self.path.length();
+        let turns = self.turn.map_or(0.0, |turn| ((length - change.s) / turn).floor().max(0.0)) as usize;
+        let mut least: Option<Nearest> = None;
+        for k in 0..=turns {
+            let s = (change.s + k as f64 * self.turn.unwrap_or(0.0)).min(length);
+            let found = self.nearest_at(near, AngleChange { s, ..change })?;
+            if least.is_none_or(|least| found.margin < least.margin) {
+                least = Some(found);
+            }
+        }
+        least
+    }
+
+    /// The smallest margin at one path length.
+    fn nearest_at(&self, near: &Joints, change: AngleChange) -> Option<Nearest> {
+        if !self.effort.spend(1, self.part) || !(self.task.allowed)(change) {
             return None;
         }
         let arc = self.path.pose(change.s).ahead(self.path.drawn_back());
@@ -208,155 +314,63 @@ impl<'a> Search<'a> {
             return None;
         }
         let limit = self.around.greatest_least_mm() + 2.0 * MARGINS_MM[MARGINS_MM.len() - 1];
-        let nearest = self.around.nearest(&q, limit);
-        let margin = nearest
-            .as_ref()
-            .map_or(f64::INFINITY, |(watch, e)| e.distance - self.around.scene().watches()[*watch].least_mm());
-        Some((margin, nearest))
+        let at = self.around.nearest(&q, limit);
+        let margin =
+            at.as_ref().map_or(f64::INFINITY, |(w, e)| e.distance - self.around.scene().watches()[*w].least_mm());
+        Some(Nearest { margin, s: change.s, at })
+    }
+
+    /// The smallest margins at a station, by change of the work angle.
+    fn row(&self, i: usize, even: EvenChange) -> Vec<Option<Nearest>> {
+        self.works.iter().map(|work| self.nearest(&self.axes[i], even.at(self.places[i], *work))).collect()
     }
 
     /// Margins beyond the minimum clearance, mm, by station and change of the work angle. `None` if a station has none
-    /// that is clear: the `tightest`, which is tried first, and becomes that one.
-    fn margins(&self, even: EvenChange, tightest: &mut usize) -> Option<Vec<Vec<f64>>> {
-        let row = |i: usize| -> Vec<f64> {
-            let one = |work: &f64| {
-                let found = self.nearest(&self.axes[i], even.at(self.places[i], *work));
-                found.map_or(f64::NEG_INFINITY, |(margin, _)| margin)
-            };
-            self.works.iter().map(one).collect()
-        };
-        let is_open = |row: &[f64]| row.iter().any(|margin| *margin >= MARGINS_MM[0]);
-        if !is_open(&row(*tightest)) {
-            return None;
-        }
-        let mut rows = Vec::with_capacity(self.places.len());
-        for i in 0..self.places.len() {
-            rows.push(row(i));
-            if !is_open(&rows[i]) {
-                *tightest = i;
+    /// that is clear: the one at `tightest`, which is tried first, or another, whose path length that becomes.
+    fn margins(&mut self, even: EvenChange, tightest: &mut f64) -> Option<Vec<Vec<f64>>> {
+        let first = self.places.partition_point(|place| *place < *tightest).min(self.places.len() - 1);
+        let mut rows = vec![Vec::new(); self.places.len()];
+        for i in std::iter::once(first).chain((0..self.places.len()).filter(|i| *i != first)) {
+            let row = self.row(i, even);
+            let best = row.iter().flatten().copied().max_by(|a, b| a.margin.total_cmp(&b.margin));
+            if best.is_none_or(|best| best.margin < MARGINS_MM[0]) {
+                self.setback.note_nearest(Progress::SomeStations, self.places[i], best);
+                *tightest = self.places[i];
                 return None;
             }
+            rows[i] = row.iter().map(|nearest| nearest.map_or(f64::NEG_INFINITY, |n| n.margin)).collect();
         }
         Some(rows)
     }
 
-    /// Changes of the work angle by station that keep `more` than the minimum clearance, changing least.
-    fn chosen(&self, margins: &[Vec<f64>], more: f64) -> Option<Vec<f64>> {
-        let order: Vec<usize> = (0..self.places.len()).collect();
-        let open = self.path_through(margins, more, &order, None)?;
-        if self.task.turn.is_none() {
-            return Some(open.into_iter().map(|k| self.works[k]).collect());
-        }
-        // All round: from the middle of the open solution once round, and back to the same angle.
-        let half = order.len() / 2;
-        let round: Vec<usize> = (0..=order.len()).map(|i| (half + i) % order.len()).collect();
-        let closed = self.path_through(margins, more, &round, Some(open[half]))?;
-        let mut works = vec![0.0; order.len()];
-        round.iter().zip(closed).for_each(|(i, k)| works[*i] = self.works[k]);
-        Some(works)
-    }
-
-    /// The cheapest steps through the stations in `order`; with `end` it starts and ends there.
-    fn path_through(&self, margins: &[Vec<f64>], more: f64, order: &[usize], end: Option<usize>) -> Option<Vec<usize>> {
-        let count = self.works.len();
-        let own = |place: usize, at: usize, k: usize| {
-            let is_end = place == 0 || place + 1 == order.len();
-            let open = margins[at][k] >= more && end.is_none_or(|end| !is_end || end == k);
-            if open { self.works[k] * self.works[k] } else { f64::INFINITY }
-        };
-        let reach = (MAX_TURN_DEG / STEP_DEG) as usize;
-        let mut costs: Vec<f64> = (0..count).map(|k| own(0, order[0], k)).collect();
-        let mut from: Vec<Vec<usize>> = Vec::with_capacity(order.len());
-        for (place, &at) in order.iter().enumerate().skip(1) {
-            let mut next = vec![f64::INFINITY; count];
-            let mut came = vec![0; count];
-            for k in 0..count {
-                let first = k.saturating_sub(reach);
-                for (j, before) in costs.iter().enumerate().take(k + reach + 1).skip(first) {
-                    let turn = self.works[k] - self.works[j];
-                    let cost = before + TURNING * turn * turn + own(place, at, k);
-                    if cost < next[k] {
-                        (next[k], came[k]) = (cost, j);
-                    }
-                }
-            }
-            costs = next;
-            from.push(came);
-        }
-        let last = (0..count).min_by(|a, b| costs[*a].total_cmp(&costs[*b]))?;
-        if costs[last].is_infinite() {
-            return None;
-        }
-        let mut steps = vec![last];
-        for came in from.iter().rev() {
-            steps.push(came[steps[steps.len() - 1]]);
-        }
-        steps.reverse();
-        Some(steps)
-    }
-
-    /// True if the pass keeps its minimum clearance and `more` with these changes, at stations and between them, where
-    /// the angles change as those of a pass do.
-    fn is_clear(&self, works: &[f64], even: EvenChange, more: f64) -> bool {
+    /// The first position where the pass does not keep its minimum clearance and `more` with these changes: at stations,
+    /// and between them, where the angles change as those of a pass do.
+    fn conflict(&self, works: &[f64], even: EvenChange, more: f64) -> Option<Conflict> {
         let rows: Vec<(f64, f64)> = self.places.iter().copied().zip(works.iter().copied()).collect();
-        let Ok(work) = MonotoneCurve::new(&rows, self.task.turn) else { return false };
-        let count = self.places.len();
-        let last = if self.task.turn.is_some() { count } else { count - 1 };
-        let length = self.task.turn.unwrap_or_else(|| self.path.length());
-        (0..last).all(|i| {
-            let end = self.places.get(i + 1).copied().unwrap_or(length);
-            (0..CHECKS).all(|k| {
-                let part = k as f64 / CHECKS as f64;
-                let s = (self.places[i] + part * (end - self.places[i])).min(self.path.length());
-                let found = self.nearest(&self.axes[i], even.at(s, work.at(s)));
-                found.is_some_and(|(margin, _)| margin >= more)
-            })
+        let Ok(work) = MonotoneCurve::new(&rows, self.task.period) else {
+            return Some(Conflict { s: 0.0, nearest: None });
+        };
+        self.checks().into_iter().find_map(|(i, s)| {
+            let nearest = self.nearest(&self.axes[i], even.at(s, work.at(s)));
+            let is_clear = nearest.is_some_and(|nearest| nearest.margin >= more);
+            (!is_clear).then_some(Conflict { s, nearest })
         })
     }
 
-    /// The reason why no angles are clear: a station where none is allowed, the two bodies that are nearest with the best
-    /// angles where there is least room, or angles that change too fast along the seam.
-    fn blocked(&self) -> AngleSearch {
-        let longest = self.stick_outs().last().unwrap_or(0.0);
-        let even = EvenChange { travel: 0.0, stick_out: longest };
-        let mut least: Option<(Nearest, f64)> = None;
-        for (s, near) in self.places.iter().zip(&self.axes) {
-            let found = self.works.iter().filter_map(|work| self.nearest(near, even.at(*s, *work)));
-            let Some(best) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else {
-                return self.no_angle(*s, Message::new("motion-angle-none-allowed"));
-            };
-            if least.as_ref().is_none_or(|(known, _)| best.0 < known.0) {
-                least = Some((best, *s));
-            }
+    /// Positions that are checked, each with the station before it: the whole pass, or its first turn and its end.
+    fn checks(&self) -> Vec<(usize, f64)> {
+        let length = self.path.length();
+        let count = self.places.len();
+        let mut checks = Vec::new();
+        for (i, &from) in self.places.iter().enumerate() {
+            let Some(to) = self.places.get(i + 1).copied().or(self.turn) else { continue };
+            let parts = ((to - from) / CHECK_MM).ceil().max(CHECKS);
+            checks.extend((0..parts as usize).map(|k| (i, from + (to - from) * k as f64 / parts)));
         }
-        match least {
-            Some(((margin, Some((watch, found))), s)) if margin < MARGINS_MM[0] => {
-                let root = RootAt::of(self.path, s);
-                self.no_angle(s, too_near(self.around, watch, &found, root.as_ref()))
-            }
-            _ => {
-                let reason = Message::new("motion-angle-turns-too-fast")
-                    .value("turn", MAX_TURN_DEG, Unit::Deg)
-                    .quantity("way", self.places[1] - self.places[0], Unit::Mm, 1);
-                self.no_angle(least.map_or(0.0, |(_, s)| s), reason)
-            }
-        }
-    }
-
-    /// No angles are clear at `s`, for this reason.
-    fn no_angle(&self, s: f64, reason: Message) -> AngleSearch {
-        let AngleLimits { work, travel, stick_out } = self.task.limits;
-        let code = if stick_out > 0.0 { "motion-no-torch-angle-longer" } else { "motion-no-torch-angle" };
-        let mut message = Message::new(code)
-            .quantity("work", work.to_degrees(), Unit::Deg, 1)
-            .quantity("travel", travel.to_degrees(), Unit::Deg, 1)
-            .message("reason", reason);
-        if stick_out > 0.0 {
-            message = message.quantity("longer", stick_out, Unit::Mm, 1);
-        }
-        let cure = Message::new("motion-cure-torch-angle");
-        let finding = Finding::error("clearance", message, self.task.number, PathRange::at(s), cure);
-        AngleSearch::Blocked(Box::new(finding))
+        let end = self.turn.map_or(length, |turn| length.rem_euclid(turn));
+        let before = self.places.partition_point(|place| *place <= end).saturating_sub(1).min(count - 1);
+        checks.push((before, end));
+        checks
     }
 }
 

@@ -1,10 +1,10 @@
-use crate::cures::Trial;
 use crate::effort::{Effort, Watch};
-use crate::pass_clearance::{PassClearance, pass_clearance};
-use crate::pass_motion::{PassMotion, Request};
+use crate::pass_clearance::PassClearance;
+use crate::pass_motion::PassMotion;
+use crate::pass_order::{Obstacles, Order};
 use crate::pass_time::{MAX_PASS_S, at_most};
 use crate::procedure::{PassProcedure, PlannedPass, pool_check};
-use crate::redundancy::{Clearance, holding};
+use crate::redundancy::holding;
 use crate::set_points::{Phase, SetPoint};
 use crate::speed_profile::ProfilePoint;
 use crate::transfer::{Leg, TransferMove, obstacle, route_within};
@@ -33,19 +33,19 @@ pub struct WeldMotion {
     pub findings: Vec<Finding>,
 }
 
+/// Weld metal in the work frame before each pass, and after the last one.
+pub type MetalByPass<'a> = Box<dyn Iterator<Item = Result<Vec<Solid>, ClearanceError>> + 'a>;
+
 /// Conditions of planning beside the passes.
-#[derive(Clone, Copy, Default)]
+#[derive(Default)]
 pub struct Terms<'a> {
     /// Procedure whose allowed welding positions take precedence over the preferred ones.
     pub procedure: Option<&'a Procedure>,
     /// Watches the searches.
     pub watch: Option<&'a dyn Watch>,
-    /// Weld metal in the work frame before each pass, and after the last one; empty without any.
-    pub metal: &'a [Vec<Solid>],
+    /// Weld metal, if any: an obstacle.
+    pub metal: Option<MetalByPass<'a>>,
 }
-
-/// Additional distance beyond the minimum that redundant axes seek near obstacles, mm.
-const WANTED_MM: f64 = 10.0;
 
 impl WeldMotion {
     /// Plans every pass along its path, and the transfer moves between them: from the end of a weld back along the
@@ -76,34 +76,6 @@ impl WeldMotion {
         terms: Terms,
     ) -> Result<Self, Vec<Finding>> {
         let effort = Effort::new(terms.watch);
-        let mut planned = Self::default();
-        let arounds = with_metal(around, terms.metal, passes.len()).map_err(|e| vec![no_metal(&e)])?;
-        for (i, &(path, pass)) in passes.iter().enumerate() {
-            effort.begin_pass(i + 1, passes.len());
-            let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
-            let request = Request {
-                path,
-                pass,
-                number: i + 1,
-                effort: &effort,
-                procedure: terms.procedure,
-                last: last.as_ref(),
-                explains: true,
-                weld: passes,
-                clearance: None,
-            };
-            let (motion, clearance) = one(machine, &arounds[i], request).map_err(|mut f| {
-                f.extend(planned.findings.clone());
-                f
-            })?;
-            planned.findings.extend(motion.findings.iter().cloned());
-            planned.passes.push(motion);
-            planned.clearance.push(clearance);
-        }
-        let settings = |i: usize| TransferSettings { machine, around: &arounds[i], retract_mm, effort: &effort };
-        if around.is_empty() {
-            planned.findings.push(unchecked(machine));
-        }
         // Axes held by a pass also rest in its retract and approach; each pass has been planned with them.
         let machines: Vec<Cow<Machine>> = passes
             .iter()
@@ -118,9 +90,10 @@ impl WeldMotion {
                 machine,
             })
             .collect();
-        for i in 0..=passes.len() {
-            planned.transfer_move(&settings(i), i, &ends);
-            effort.check(i.max(1), passes.get(i.saturating_sub(1)).map_or(0.0, |(path, _)| path.length()))?;
+        let order = Order { machine, passes, procedure: terms.procedure, effort: &effort, retract_mm, ends: &ends };
+        let mut planned = order.plan(&mut Obstacles::new(around, terms.metal))?;
+        if around.is_empty() {
+            planned.findings.push(unchecked(machine));
         }
         if planned.findings.iter().any(|f| !f.allowed) { Err(planned.findings) } else { Ok(planned) }
     }
@@ -150,14 +123,15 @@ impl WeldMotion {
         let planned = (1..).zip(passes).zip(&self.passes);
         let findings: Vec<Finding> = planned
             .filter_map(|((number, &(path, pass)), motion)| {
-                pool_check::finding(procedure, PlannedPass { machine, path, pass, number, motion }, period)
+                let covered = passes[number..].iter().any(|(_, later)| later.copy == pass.copy && later.bead.is_some());
+                pool_check::finding(procedure, PlannedPass { machine, path, pass, number, motion }, covered, period)
             })
             .collect();
         self.findings.extend(findings);
     }
 
     /// Adds the transfer move before pass `i`, counted from 0, or home after the last.
-    fn transfer_move(&mut self, settings: &TransferSettings, i: usize, ends: &[PassEnd]) {
+    pub(crate) fn transfer_move(&mut self, settings: &TransferSettings, i: usize, ends: &[PassEnd]) {
         let before = i.checked_sub(1).map(|k| &self.passes[k].path);
         let after = self.passes.get(i).map(|p| &p.path);
         let end = before.map(|p| PassEnd { q: p.at(p.length()), ..ends[i - 1] });
@@ -321,60 +295,6 @@ impl Stage<'_> {
     }
 }
 
-/// The surroundings of each pass, and of the way home: with the `metal` before it.
-fn with_metal<'s, 'm>(
-    around: &'s Surroundings<'m>,
-    metal: &[Vec<Solid>],
-    passes: usize,
-) -> Result<Vec<Cow<'s, Surroundings<'m>>>, ClearanceError> {
-    let one = |i: usize| match metal.get(i).filter(|solids| !solids.is_empty()) {
-        Some(solids) => around.with_part(solids).map(Cow::Owned),
-        None => Ok(Cow::Borrowed(around)),
-    };
-    (0..=passes).map(one).collect()
-}
-
-fn no_metal(error: &ClearanceError) -> Finding {
-    let cure = Message::new("motion-cure-clearance");
-    Finding::error("clearance", error.message(), 1, PathRange::at(0.0), cure)
-}
-
-/// Plans one pass; redundant axes avoid obstacles if necessary.
-fn one(
-    machine: &Machine,
-    around: &Surroundings,
-    request: Request,
-) -> Result<(PassMotion, Option<PassClearance>), Vec<Finding>> {
-    let number = request.number;
-    let motion = PassMotion::of(machine, request)?;
-    let (clearance, mut findings) = pass_clearance(around, &motion.path, &request);
-    if findings.is_empty() {
-        return Ok((motion, clearance));
-    }
-    if machine.is_redundant() && request.path.second(0.0).is_none() {
-        let room = |q: &Joints| {
-            let nearest = around.nearest(q, WANTED_MM + around.greatest_least_mm());
-            nearest.map_or(f64::INFINITY, |(watch, e)| e.distance - around.scene().watches()[watch].least_mm())
-        };
-        let clearance = Some(Clearance { distance: &room, wanted_mm: WANTED_MM });
-        if let Ok(motion) = PassMotion::of(machine, Request { clearance, ..request }) {
-            let (clearance, findings) = pass_clearance(around, &motion.path, &request);
-            if findings.is_empty() {
-                return Ok((motion, clearance));
-            }
-        }
-    }
-    // A search that was cut off is a finding of its own: another motion may exist.
-    if let Err(stopped) = request.effort.check(number, request.path.length()) {
-        findings.extend(stopped);
-    } else if let Ok(held) = holding(machine, &request.pass.spare_axes) {
-        Trial { machine, held: &held, request }.cure_clearance(around, &mut findings);
-    }
-    let mut all = motion.findings;
-    all.extend(findings);
-    Err(all)
-}
-
 /// Positions closer than this are equal, mm or rad.
 const SAME: f64 = 1e-9;
 
@@ -404,18 +324,18 @@ impl Torches {
 }
 
 #[derive(Clone, Copy)]
-struct PassEnd<'a> {
+pub(crate) struct PassEnd<'a> {
     q: Joints,
     torches: Torches,
     /// The machine with the axes that the pass holds free of the pose.
     machine: &'a Machine,
 }
 
-struct TransferSettings<'a> {
-    machine: &'a Machine,
-    around: &'a Surroundings<'a>,
-    retract_mm: f64,
-    effort: &'a Effort<'a>,
+pub(crate) struct TransferSettings<'a> {
+    pub(crate) machine: &'a Machine,
+    pub(crate) around: &'a Surroundings<'a>,
+    pub(crate) retract_mm: f64,
+    pub(crate) effort: &'a Effort<'a>,
 }
 
 impl TransferSettings<'_> {

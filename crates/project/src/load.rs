@@ -6,17 +6,17 @@ use crate::file_scope::FileScope;
 use crate::files::{self, io_error};
 use crate::outside_data::Beside;
 use crate::planning::{Clocked, Planning};
-use crate::torch_angles::searched;
 use seamwright_document::{Document, closest};
 use seamwright_executive::Error;
-use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Solid, Surroundings, Word, shipped};
+use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
 use seamwright_message::{Message, Unit};
-use seamwright_motion::{PassMotion, Terms, WeldMotion, redundancy};
+use seamwright_motion::{MetalByPass, PassMotion, Terms, WeldMotion, redundancy};
 use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_simulation::check_drives;
 use seamwright_weld::{SeamCurve, WeldPath, Welding};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// A job or program with its machine.
 pub struct Loaded {
@@ -28,8 +28,10 @@ pub struct Loaded {
     pub clamped: Clamped,
     /// The machine file, if it is not one that ships.
     pub machine_file: Option<PathBuf>,
-    /// Findings against passes without torch angles that keep them clear, where the job asks to search them.
-    pub blocked: Vec<Finding>,
+    /// Findings of the search of torch angles: passes without any that keep them clear, and warnings.
+    pub(crate) angle_findings: Vec<Finding>,
+    /// Time of that search.
+    pub(crate) searching: Duration,
     /// STL files that job and machine file name: the name, and where the file is.
     pub stl_files: Vec<(String, PathBuf)>,
 }
@@ -94,8 +96,15 @@ fn load_within(name: &str, text: &str, within: &FileScope<'_>, own: Own) -> Resu
     check_held(&welding, &machine)?;
     check_registers(&welding, &machine)?;
     let clamped = welding.clamped(&|name| stl.read(within, name))?;
-    let (welding, blocked) = searched(welding, &machine, &clamped)?;
-    Ok(Loaded { welding, machine, machine_file, clamped, blocked, stl_files: stl.0.into_inner() })
+    Ok(Loaded {
+        welding,
+        machine,
+        machine_file,
+        clamped,
+        angle_findings: Vec::new(),
+        searching: Duration::ZERO,
+        stl_files: stl.0.into_inner(),
+    })
 }
 
 /// Refuses held axes that torch poses need, or outside their ranges.
@@ -345,14 +354,8 @@ impl Loaded {
         Surroundings::new(&self.machine, &self.clamped).map_err(|e| self.fault(e.message()))
     }
 
-    /// Weld metal in the work frame before each pass, and after the last one; empty if nothing is filled.
-    fn metal(&self) -> Result<Vec<Vec<Solid>>, Failure> {
-        let Some(metal) = self.welding.metal() else { return Ok(Vec::new()) };
-        metal.by_pass().map_err(|e| self.fault(e.message()))
-    }
-
     /// A fault of the job or program file.
-    fn fault(&self, why: Message) -> Failure {
+    pub(crate) fn fault(&self, why: Message) -> Failure {
         let file = self.welding.program.file();
         Failure::Input(Message::new("project-in-file").text("file", file).message("why", why))
     }
@@ -407,15 +410,17 @@ impl Loaded {
         let paths = self.paths();
         let passes = self.passes(&paths);
         let mut findings = self.welding.findings();
-        findings.extend(self.blocked.iter().cloned());
+        debug_assert!(!self.asks_for_angles(), "torch angles are searched before a plan");
+        findings.extend(self.angle_findings.iter().cloned());
         if self.welding.seam.as_ref().is_some_and(SeamCurve::is_double) && machine.heads.len() < 2 {
             let path = "seam.t_joint.fillet";
             let message = Message::new("project-one-head").text("machine", &machine.name);
             return Err(self.welding.program.error_at(path, message, "left, right").into());
         }
-        let clocked = Clocked::new(planning);
-        let metal = self.metal()?;
-        let terms = Terms { procedure: program.procedure.as_ref(), watch: Some(&clocked), metal: &metal };
+        let clocked = Clocked::new(planning, self.searching);
+        let metal = self.welding.metal();
+        let metal = metal.as_ref().map(|metal| -> MetalByPass { Box::new(metal.by_pass()) });
+        let terms = Terms { procedure: program.procedure.as_ref(), watch: Some(&clocked), metal };
         let planned = WeldMotion::plan_under(machine, &around, &passes, program.air.retract_mm.get(), terms);
         if planned.is_err() && clocked.is_cancelled() {
             return Err(Failure::Cancelled);
@@ -424,6 +429,11 @@ impl Loaded {
             if let Some(procedure) = &program.procedure {
                 motion.hold_to(procedure, machine, &passes);
             }
+            let in_position = motion.procedure.iter().enumerate();
+            let toes: Vec<Finding> = in_position
+                .filter_map(|(i, held)| self.welding.toe_finding_in_position(i, &held.inclinations))
+                .collect();
+            motion.findings.extend(toes);
             let seam = self.welding.seam.as_ref();
             let period = seam.filter(|seam| seam.all_round()).map(SeamCurve::length);
             motion.check_pools(program.procedure.as_ref(), machine, &passes, period);
@@ -443,8 +453,13 @@ impl Loaded {
                 Err(findings)
             }
             Err(more) => {
-                // A corner at which the torch jumps is found by weld and motion, with one function.
-                let new: Vec<Finding> = more.into_iter().filter(|f| !findings.contains(f)).collect();
+                // A corner at which the torch jumps is found by weld and motion, with one function. Of a pass without clear
+                // angles their search knows more than the collisions of those given.
+                let is_known = |f: &Finding| {
+                    let blocked = findings.iter().any(|known| known.kind == "clearance" && known.pass == f.pass);
+                    findings.contains(f) || (f.kind == "clearance" && blocked)
+                };
+                let new: Vec<Finding> = more.into_iter().filter(|f| !is_known(f)).collect();
                 findings.extend(new);
                 Err(findings)
             }

@@ -35,8 +35,14 @@ pub(crate) struct Clocked<'a> {
 }
 
 impl<'a> Clocked<'a> {
-    pub(crate) fn new(planning: &'a Planning<'a>) -> Self {
-        Self { planning, spent: Cell::new(Duration::ZERO), last: Cell::new(Instant::now()) }
+    /// Searches under `planning`, of whose limit `spent` is gone.
+    pub(crate) fn new(planning: &'a Planning<'a>, spent: Duration) -> Self {
+        Self { planning, spent: Cell::new(spent), last: Cell::new(Instant::now()) }
+    }
+
+    /// Time spent by searches.
+    pub(crate) fn spent(&self) -> Duration {
+        self.spent.get()
     }
 
     pub(crate) fn is_cancelled(&self) -> bool {

@@ -1,58 +1,131 @@
 //! Torch angles of passes that the job asks to search.
 
 use crate::failure::Failure;
+use crate::load::Loaded;
+use crate::planning::{Clocked, Planning};
 use seamwright_document::{Finite, Positive};
-use seamwright_machine::{Clamped, Machine, Surroundings};
+use seamwright_machine::{Machine, Surroundings};
+use seamwright_message::{Message, Unit};
 use seamwright_motion::{AngleChange, AngleLimits, AngleSearch, AngleTask, search_angles};
-use seamwright_program::{Finding, Run, SAME_POSITION_MM, Torch, TorchAt, TorchPath, Window};
-use seamwright_weld::{PassPath, Welding};
+use seamwright_program::{Finding, Pass, PathRange, Run, SAME_POSITION_MM, Torch, TorchAt, TorchPath, Window};
+use seamwright_weld::PassPath;
 
-/// Searches angles for the passes of `welding` that ask for it, with the weld metal of earlier passes as an obstacle.
-/// Returns the weld with the angles found, and a finding for each pass without any.
-pub(crate) fn searched(
-    mut welding: Welding,
-    machine: &Machine,
-    clamped: &Clamped,
-) -> Result<(Welding, Vec<Finding>), Failure> {
-    let mut blocked = Vec::new();
-    if welding.program.value.passes.iter().all(|pass| pass.torch.search.is_none()) {
-        return Ok((welding, blocked));
+/// Stick-out beyond which the arc is no longer that of the given current and wire feed, mm: the upper end of what
+/// handbooks name for wires of 1.0 to 1.2 mm (10 to 25 mm).
+const MAX_USUAL_STICK_OUT_MM: f64 = 25.0;
+
+impl Loaded {
+    /// Searches angles for the passes that ask for it, with the weld metal of earlier passes as an obstacle, within the
+    /// limits of `planning`. A plan of the weld needs them first; a pass without any becomes a finding of the plan.
+    ///
+    /// # Errors
+    /// Faults of the job, [`Failure::Cancelled`].
+    pub fn with_torch_angles(mut self, planning: &Planning) -> Result<Self, Failure> {
+        if !self.asks_for_angles() {
+            return Ok(self);
+        }
+        let clocked = Clocked::new(planning, self.searching);
+        let mut torches = Vec::new();
+        let mut findings = Vec::new();
+        {
+            let around = self.surroundings()?;
+            let metal = self.welding.metal();
+            let mut metal = metal.as_ref().map(seamwright_weld::Metal::by_pass);
+            for (i, pass) in self.welding.program.value.passes.iter().enumerate() {
+                let before = metal.as_mut().and_then(Iterator::next).unwrap_or_else(|| Ok(Vec::new()));
+                if pass.torch.search.is_none() {
+                    continue;
+                }
+                let mut torch = Torch { search: None, ..pass.torch.clone() };
+                let is_stopped = findings.iter().any(|f: &Finding| f.kind == "search");
+                if !is_stopped {
+                    let around = before.and_then(|solids| around.with_part(&solids));
+                    let around = around.map_err(|e| self.fault(e.message()))?;
+                    self.search_pass(i, &around, &clocked, &mut torch, &mut findings);
+                }
+                torches.push((i, torch));
+            }
+        }
+        if clocked.is_cancelled() {
+            return Err(Failure::Cancelled);
+        }
+        for (pass, torch) in torches {
+            self.welding = self.welding.with_torch(pass, torch)?;
+        }
+        self.angle_findings = findings;
+        self.searching = clocked.spent();
+        Ok(self)
     }
-    let fault = |why| Failure::Input(why);
-    let around = Surroundings::new(machine, clamped).map_err(|e| fault(e.message()))?;
-    let metal = welding.metal().map_or(Ok(Vec::new()), |metal| metal.by_pass()).map_err(|e| fault(e.message()))?;
-    for pass in 0..welding.program.value.passes.len() {
-        let Some(search) = welding.program.value.passes[pass].torch.search else { continue };
-        let around = around.with_part(metal.get(pass).map_or(&[], Vec::as_slice)).map_err(|e| fault(e.message()))?;
+
+    /// True if the angles of a pass are to be searched still.
+    pub(crate) fn asks_for_angles(&self) -> bool {
+        self.welding.program.value.passes.iter().any(|pass| pass.torch.search.is_some())
+    }
+
+    /// Searches the angles of pass `i` and changes its `torch`.
+    fn search_pass(
+        &self,
+        i: usize,
+        around: &Surroundings,
+        clocked: &Clocked,
+        torch: &mut Torch,
+        findings: &mut Vec<Finding>,
+    ) {
+        let program = &self.welding.program.value;
+        let (pass, machine) = (&program.passes[i], &self.machine);
+        let line = self.welding.path(i);
+        let (Some(search), Some(path)) = (pass.torch.search, line.along_seam()) else { return };
+        let run = program.procedure.as_ref().and_then(|p| p.run_of(i + 1, pass));
+        let stick_out = torch.stick_out_or(machine.stick_out_mm);
         let limits = AngleLimits {
-            stick_out: longer(&welding, pass, machine),
+            stick_out: max_longer(pass, run, machine),
             work: search.max_work_deg.get().to_radians(),
             travel: search.max_travel_deg.get().to_radians(),
         };
-        let mut torch = Torch { search: None, ..welding.program.value.passes[pass].torch.clone() };
-        if let Some(path) = welding.path(pass).along_seam() {
-            let turn = Some(path.seam.length()).filter(|turn| path.seam.all_round() && path.length() >= *turn);
-            let program = &welding.program.value;
-            let run = program.procedure.as_ref().and_then(|p| p.run_of(pass + 1, &program.passes[pass]));
-            let stick_out = torch.stick_out_or(machine.stick_out_mm);
-            let allowed = |change: AngleChange| is_allowed(path, run, stick_out, change);
-            let task = AngleTask { path, number: pass + 1, turn, limits, allowed: &allowed };
-            match search_angles(machine, &around, task) {
-                AngleSearch::Unchanged => {}
-                AngleSearch::Changed(changes) => torch = changed(path, &changes, &torch, machine),
-                AngleSearch::Blocked(finding) => blocked.push(*finding),
+        let rows: Vec<f64> = torch.at.iter().map(|row| path.stretch.own_s(row.s_mm.get())).collect();
+        let task = AngleTask {
+            path,
+            number: i + 1,
+            passes: program.passes.len(),
+            period: path.seam.all_round().then(|| path.seam.length()),
+            rows: &rows,
+            limits,
+            allowed: &|change| is_allowed(path, run, stick_out, change),
+            watch: Some(clocked),
+        };
+        match search_angles(machine, around, task) {
+            AngleSearch::Unchanged => {}
+            AngleSearch::Changed(changes) => {
+                *torch = with_changes(path, &changes, torch, machine);
+                findings.extend(long_stick_out(i + 1, path, run, torch));
             }
+            AngleSearch::Blocked(found) => findings.extend(found),
         }
-        welding = welding.with_torch(pass, torch)?;
     }
-    Ok((welding, blocked))
 }
 
-/// Maximum addition to the stick-out of a pass, mm.
-fn longer(welding: &Welding, pass: usize, machine: &Machine) -> f64 {
-    let torch = &welding.program.value.passes[pass].torch;
-    let most = torch.search.and_then(|search| search.max_stick_out_mm);
-    most.zip(torch.stick_out_or(machine.stick_out_mm)).map_or(0.0, |(most, own)| (most.get() - own).max(0.0))
+/// Maximum addition to the stick-out of a pass, mm: up to its own limit and that of the procedure's `run`.
+fn max_longer(pass: &Pass, run: Option<&Run>, machine: &Machine) -> f64 {
+    let allowed = run.and_then(|run| run.stick_out_mm).map_or(f64::INFINITY, |window| window.ends().1);
+    let most = pass.torch.search.and_then(|search| search.max_stick_out_mm);
+    let own = pass.torch.stick_out_or(machine.stick_out_mm);
+    most.zip(own).map_or(0.0, |(most, own)| (most.get().min(allowed) - own).max(0.0))
+}
+
+/// A warning if the search made the stick-out longer than usual and no procedure says that it may be.
+fn long_stick_out(number: usize, path: &PassPath, run: Option<&Run>, torch: &Torch) -> Option<Finding> {
+    let found = torch.stick_out_mm.map(Positive::get).filter(|found| *found > MAX_USUAL_STICK_OUT_MM)?;
+    if run.is_some_and(|run| run.stick_out_mm.is_some()) {
+        return None;
+    }
+    let message = Message::new("project-long-stick-out").quantity("found", found, Unit::Mm, 0).value(
+        "usual",
+        MAX_USUAL_STICK_OUT_MM,
+        Unit::Mm,
+    );
+    let range = PathRange::up_to(path.length());
+    let finding = Finding::error("plausible", message, number, range, Message::new("project-cure-long-stick-out"));
+    Some(Finding { allowed: true, ..finding })
 }
 
 /// Beyond these angles the torch lies on a face or along the seam, degrees.
@@ -85,7 +158,7 @@ fn is_allowed(path: &PassPath, run: Option<&Run>, stick_out: Option<f64>, change
 const NEAR_MM: f64 = 0.05;
 
 /// The torch of a pass with changes: a row of angles for each of them.
-fn changed(path: &PassPath, changes: &[AngleChange], torch: &Torch, machine: &Machine) -> Torch {
+fn with_changes(path: &PassPath, changes: &[AngleChange], torch: &Torch, machine: &Machine) -> Torch {
     let seam = path.seam;
     let on_seam = |s: f64| {
         let at = path.stretch.seam_s(s);

@@ -118,11 +118,12 @@ fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> (RowRes
         (RowResult::without_plan(Status::Invalid, failure.text()), None)
     };
     let name = format!("{}: {}", row.name, row.template);
-    let loaded = match load_text(&name, &job.text, &job.folder) {
+    let planning = Planning { limit: Some(terms.limit), ..Planning::default() };
+    let loaded = load_text(&name, &job.text, &job.folder).and_then(|loaded| loaded.with_torch_angles(&planning));
+    let loaded = match loaded {
         Ok(loaded) => loaded,
         Err(failure) => return refused(failure),
     };
-    let planning = Planning { limit: Some(terms.limit), ..Planning::default() };
     let machine = loaded.welding.program.value.machine.clone();
     match loaded.try_plan_under(&loaded.machine, &planning) {
         Err(failure) => refused(failure),

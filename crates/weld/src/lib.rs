@@ -73,7 +73,7 @@ mod welding;
 pub use attitude::Attitude;
 pub use bead_line::{BeadLine, BesideSeam};
 pub use bead_path::BeadPath;
-pub use beads::{Adapt, BeadAt, BeadPlan, Beads, Layer, Order, Run, Toes};
+pub use beads::{Adapt, BeadAt, BeadNumbers, BeadPlan, Beads, Layer, Order, Run, ToeAt, Toes};
 pub use job::{Job, Station, Weld};
 pub use joint::{Groove, SeamJoint, Section};
 pub use nozzle::NozzleEdges;

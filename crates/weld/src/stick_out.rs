@@ -41,7 +41,12 @@ pub(crate) fn drawn_back<T>(
         let message = Message::new("weld-stick-out-of-machine");
         return Err(file.error_at(&format!("{path}.{key}"), message, Message::new("weld-allowed-stick-out")));
     };
-    Ok(torch.stick_out_mm.map_or(0.0, |own| own.get() - machine))
+    let stick_out = torch.stick_out_mm.map_or(machine, Positive::get);
+    if let Some((key, _)) = most.filter(|(_, most)| most.get() < stick_out) {
+        let message = Message::new("weld-stick-out-above-search").value("own", stick_out, Unit::Mm);
+        return Err(file.error_at(&format!("{path}.{key}"), message, between(stick_out, RANGE_MM[1], Unit::Mm)));
+    }
+    Ok(stick_out - machine)
 }
 
 /// Checks a stick-out at `key` of a file. Fails with the key's address.

@@ -5,7 +5,6 @@ use crate::rows::{print_json, print_text};
 use seamwright_message::{Language, Message};
 use seamwright_program::Finding;
 use seamwright_project::failure::{Failure, write_findings};
-use seamwright_project::load::load;
 use serde_json::{Value, json};
 use std::io;
 use std::path::Path;
@@ -31,7 +30,7 @@ fn read_or_not(printed: Result<(), Failure>) -> Result<(), Failure> {
 }
 
 fn check(job: &Path, args: &CheckArgs) -> Result<Vec<Finding>, Failure> {
-    let loaded = load(job)?;
+    let loaded = planning::load(job, &args.planning)?;
     Ok(planning::try_plan(&loaded, &args.planning)?.map_or_else(|findings| findings, |motion| motion.findings))
 }
 

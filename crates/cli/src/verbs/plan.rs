@@ -10,7 +10,7 @@ use seamwright_motion::WeldMotion;
 use seamwright_program::Oscillation;
 use seamwright_project::failure::Failure;
 use seamwright_project::files::Output;
-use seamwright_project::load::{Loaded, load};
+use seamwright_project::load::Loaded;
 use seamwright_project::posting::PostTarget;
 use seamwright_report::{Extent, Language, Plots, PostFigures, WeldReport};
 use seamwright_weld::{Cut, Welding};
@@ -21,7 +21,7 @@ use std::path::{Component, Path, PathBuf};
 const OSCILLATION_POINTS: u32 = 256;
 
 pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
-    let loaded = load(&args.job)?;
+    let loaded = planning::load(&args.job, &args.planning)?;
     // A plan that leaves its procedure is written all the same: its report shows where.
     let motion = planning::try_plan(&loaded, &args.planning)?.map_err(Failure::Findings)?;
     // Posts are made first: if one fails, no file is written.

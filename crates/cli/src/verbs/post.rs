@@ -10,7 +10,7 @@ use seamwright_post::robot::{RobotArm, RobotLanguage, RobotOptions};
 use seamwright_post::{Control, Dialect, Feed, Interpolation, Level, Options, Verification};
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
-use seamwright_project::load::{Loaded, load};
+use seamwright_project::load::Loaded;
 use seamwright_project::posting::{self, PostTarget, Unproven};
 use std::io::{self, Write as _};
 
@@ -26,7 +26,7 @@ const FINEST_ROBOT_MM: f64 = 0.005;
 
 pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     let request = request(args)?;
-    let mut loaded = load(&args.job)?;
+    let mut loaded = planning::load(&args.job, &args.planning)?;
     if let Some(mm) = args.retract_mm {
         loaded.welding.program.value.air.retract_mm =
             Positive::new(positive("--retract-mm", mm)?).unwrap_or(Positive::TEN);

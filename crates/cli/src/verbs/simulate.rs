@@ -16,7 +16,7 @@ use seamwright_message::{Language, Message, Unit};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_project::failure::Failure;
 use seamwright_project::files::Output;
-use seamwright_project::load::{Loaded, load};
+use seamwright_project::load::Loaded;
 use seamwright_project::recording::Header;
 use seamwright_report::{SimulationCurves, WeldReport};
 use seamwright_simulation::devices::When;
@@ -27,7 +27,7 @@ use std::io::Write as _;
 const ORDERS: [&str; 6] = ["on", "home", "wait ready", "arm", "weld", "wait ready"];
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
-    let loaded = load(&args.job)?;
+    let loaded = planning::load(&args.job, &args.planning)?;
     let part = simulated_part::read(&args.part)?;
     let around = loaded.surroundings()?;
     let conditions = part.conditions(args.seed, &args.fault, &around);

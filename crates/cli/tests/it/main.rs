@@ -47,6 +47,7 @@ mod stripe;
 mod surroundings_campaign;
 mod taught;
 mod teach;
+mod torch_search;
 mod two_level;
 mod verbs;
 mod vessel_shop;

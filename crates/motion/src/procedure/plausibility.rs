@@ -6,8 +6,8 @@ use seamwright_program::{Finding, PathRange, Procedure, Role};
 
 /// Warnings about values of the pass that do not go with its current.
 pub(super) fn findings(procedure: &Procedure, planned: PlannedPass) -> Vec<Finding> {
-    let PlannedPass { pass, number, .. } = planned;
-    let stick_out = pass.torch.stick_out_or(None);
+    let PlannedPass { machine, pass, number, .. } = planned;
+    let stick_out = pass.torch.stick_out_or(machine.stick_out_mm);
     // A cosmetic pass may have any arc.
     let Some(span) = pass.spans.first().filter(|_| pass.known_role() != Some(Role::Cosmetic)) else {
         return Vec::new();

@@ -19,16 +19,21 @@ struct Worst {
     at: Inclination,
 }
 
-/// Reports the range on which the bead of a pass is larger than its position or its procedure permits. `period` is the
-/// length of a seam welded all round, mm.
-pub(crate) fn finding(procedure: Option<&Procedure>, planned: PlannedPass, period: Option<f64>) -> Option<Finding> {
+/// Reports the range on which the bead of a pass is larger than its position or its procedure permits. `covered` is true if
+/// a later pass lies on it; `period` is the length of a seam welded all round, mm.
+pub(crate) fn finding(
+    procedure: Option<&Procedure>,
+    planned: PlannedPass,
+    covered: bool,
+    period: Option<f64>,
+) -> Option<Finding> {
     let PlannedPass { pass, number, .. } = planned;
     if pass.weave.is_some() || !is_arc_bead(pass.role, procedure) {
         return None;
     }
     let given = procedure.and_then(|p| p.run_of(number, pass)?.max_unwoven_mm2).map(seamwright_document::Positive::get);
-    // Inside a groove walls and earlier beads carry the metal.
-    let enclosed = pass.role.is_some_and(|role| role != Role::Cap);
+    // Inside a groove walls and earlier beads carry the metal. A root or fill pass may be the only one.
+    let enclosed = covered && pass.role.is_some_and(|role| role != Role::Cap);
     let (mut range, mut worst): (Option<PathRange>, Option<Worst>) = (None, None);
     let places = |range: PathRange| {
         (0..=PLACES).map(move |i| range.from_mm + (range.to_mm - range.from_mm) * i as f64 / PLACES as f64)

@@ -18,6 +18,7 @@ mod override_start;
 mod override_weld;
 mod passes;
 mod planning;
+mod pools;
 mod positions;
 mod procedure;
 mod pulses;

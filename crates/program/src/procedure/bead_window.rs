@@ -1,4 +1,4 @@
-use super::{Procedure, QualityLevel, Run, Window};
+use super::{PositionLimits, Procedure, QualityLevel, Run, Window};
 use crate::joint::FilletOrButt;
 use crate::pass::Role;
 use seamwright_document::Positive;
@@ -28,6 +28,10 @@ pub struct BeadWindow {
     pub quality_level: QualityLevel,
     /// Minimum weld toe angle, degrees, if the procedure gives one.
     pub given_toe_deg: Option<f64>,
+    /// Kind of weld, if the procedure gives one; otherwise it follows the angle between the faces.
+    pub joint: Option<FilletOrButt>,
+    /// Limits that tell fillet from butt welds.
+    pub position_limits: PositionLimits,
     /// True if the procedure gives any of these for the role: then a bead outside is an error, otherwise a warning.
     pub is_binding: bool,
 }
@@ -42,7 +46,9 @@ impl BeadWindow {
         let process = procedure.map_or(USUAL_PROCESS, |p| p.process.number);
         let wire = wire_mm.or_else(|| procedure?.wire_diameter_mm).map_or(USUAL_WIRE_MM, Positive::get);
         let quality_level = procedure.map_or_else(QualityLevel::default, |p| p.quality_level);
-        let usual = Self { quality_level, ..Self::usual(process, role, wire) };
+        let position_limits = procedure.map_or_else(PositionLimits::default, |p| p.position_limits);
+        let joint = procedure.and_then(|p| p.joint);
+        let usual = Self { quality_level, joint, position_limits, ..Self::usual(process, role, wire) };
         procedure.and_then(|p| p.run_named(role)).map_or(usual, |run| usual.narrowed(run))
     }
 
@@ -54,6 +60,8 @@ impl BeadWindow {
             max_unwoven_mm,
             quality_level: QualityLevel::default(),
             given_toe_deg: None,
+            joint: None,
+            position_limits: PositionLimits::default(),
             is_binding: false,
         };
         let is_root = matches!(role, Role::Root | Role::Tack);
@@ -70,8 +78,9 @@ impl BeadWindow {
         }
     }
 
-    /// Minimum weld toe angle of a cap on a joint of this kind, degrees.
-    pub fn min_toe_deg(&self, joint: FilletOrButt) -> f64 {
+    /// Minimum weld toe angle of a cap between faces with this angle, rad; degrees.
+    pub fn min_toe_deg(&self, dihedral: f64) -> f64 {
+        let joint = self.joint.unwrap_or_else(|| self.position_limits.joint(dihedral));
         self.given_toe_deg.unwrap_or_else(|| self.quality_level.min_toe_deg(joint))
     }
 
@@ -82,12 +91,12 @@ impl BeadWindow {
             height_mm: ends(run.bead_height_mm, self.height_mm),
             width_to_height: ends(run.bead_width_to_height, self.width_to_height),
             max_unwoven_mm: run.max_unwoven_mm.map_or(self.max_unwoven_mm, Positive::get),
-            quality_level: self.quality_level,
             given_toe_deg: run.min_toe_angle_deg.map(Positive::get),
             is_binding: run.bead_width_mm.is_some()
                 || run.bead_height_mm.is_some()
                 || run.bead_width_to_height.is_some()
                 || run.max_unwoven_mm.is_some(),
+            ..self
         }
     }
 }
@@ -104,6 +113,15 @@ mod tests {
         let procedure = Procedure::read("p.toml", text).unwrap().value;
         let cap = BeadWindow::new(Some(&procedure), Role::Cap, None);
         assert_eq!((cap.width_mm, cap.max_unwoven_mm, cap.is_binding), ([6.0, 11.0], 9.0, true));
+        // ISO 5817, no. 505: level C allows 100 degrees at fillets and 110 at butts.
+        let right = 90f64.to_radians();
+        let butt = Procedure::read(
+            "p.toml",
+            &text.replace("[[runs]]\nname = \"cap\"", "joint = \"butt\"\n[[runs]]\nname = \"cap\""),
+        );
+        let butt = BeadWindow::new(Some(&butt.unwrap().value), Role::Cap, None);
+        assert!(butt.min_toe_deg(right) > cap.min_toe_deg(right));
+        assert!((butt.min_toe_deg(right) - cap.min_toe_deg(3.1)).abs() < 1e-12);
         let usual = BeadWindow::new(None, Role::Cap, None);
         assert_eq!((cap.height_mm, usual.is_binding), (usual.height_mm, false));
         assert_eq!(BeadWindow::new(Some(&procedure), Role::Fill, None), BeadWindow::new(None, Role::Fill, None));

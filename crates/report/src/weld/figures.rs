@@ -12,7 +12,7 @@ use seamwright_machine::Machine;
 use seamwright_message::Message;
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_motion::{PassClearance, PassHeat, WeldMotion};
-use seamwright_program::{Bead, Finding, Joint, Pass, Role, Seam};
+use seamwright_program::{Finding, Joint, Pass, Role, Seam};
 use seamwright_simulation::Summary;
 use seamwright_weld::{SeamCurve, Welding};
 use serde::Serialize;
@@ -185,7 +185,7 @@ impl WeldReport {
         let (mut passes, mut plots) = (Vec::new(), Vec::new());
         let wire = Wire::of(&program.consumables, program.procedure.as_ref());
         let heat = motion.heat(program);
-        let beads = bead_numbers(welding);
+        let beads = welding.bead_numbers();
         for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
             let samples = samples(machine, welding, i, planned);
             let certificate = CertificateFigures::new(machine, pass, planned);
@@ -206,6 +206,8 @@ impl WeldReport {
             plots.push(Plots::new(machine, welding, &plotted, language));
             let wire_m = totals::wire_m(pass, planned);
             let wire_kg = wire.mass_kg(wire_m);
+            let turn = welding.seam.as_ref().map_or(f64::INFINITY, SeamCurve::length);
+            let insert_kg = totals::insert_kg(program, pass, planned.path.length().min(turn));
             passes.push(PassFigures {
                 name: pass.name.clone(),
                 copy: program.copy_name(pass.copy).map(str::to_owned),
@@ -215,13 +217,13 @@ impl WeldReport {
                 toe_deg: beads
                     .get(i)
                     .and_then(|beads| beads.first.filter(|_| beads.last.is_none()))
-                    .and_then(|bead| toe_deg(welding, bead, pass, motion.procedure.get(i))),
+                    .and_then(|bead| toe_deg(welding, i, bead, motion.procedure.get(i))),
                 process_range: process_range(pass),
                 stick_out_mm: pass.torch.stick_out_mm.map(Positive::get),
                 arc_energy_kj: totals::arc_energy_kj(pass, planned),
                 wire_m,
                 wire_kg,
-                weld_metal_kg: wire.weld_metal_kg(wire_kg),
+                weld_metal_kg: wire.weld_metal_kg(wire_kg).map(|of_wire| of_wire + insert_kg),
                 air_before_s: motion.transfers[i].duration() - motion.transfers[i].rest_s(),
                 wait_before_s: motion.transfers[i].rest_s(),
                 heat: heat.get(i).copied().flatten(),
@@ -267,57 +269,12 @@ impl PassFigures {
     }
 }
 
-/// Returns minimum and maximum of the smaller toe angle along the seam of a bead, by its number in the cross-sections.
-fn toe_deg(welding: &Welding, number: usize, pass: &Pass, held: Option<&PassProcedure>) -> Option<(f64, f64)> {
-    let (plan, seam) = (welding.plan.as_ref()?, welding.seam.as_ref()?);
-    let bead = *plan.order.get(number.checked_sub(1)?)?;
-    let inclinations = held.filter(|_| pass.weave.is_none()).map_or(&[][..], |held| &held.inclinations);
-    let flat = (0..plan.stations.len()).map(|i| plan.at_station(i)[bead].toes.min());
-    let sagged = inclinations.iter().map(|(s, at)| {
-        let on_seam = pass.seam_s(*s);
-        let s = if seam.all_round() { on_seam.rem_euclid(seam.length()) } else { on_seam };
-        let station = plan.stations.partition_point(|station| *station <= s).max(1) - 1;
-        plan.at_station(station)[bead].min_toe_in(*at)
-    });
-    let grow = |ends: Option<(f64, f64)>, a: f64| Some(ends.map_or((a, a), |(l, h)| (l.min(a), h.max(a))));
-    let ends = if inclinations.is_empty() { flat.fold(None, grow) } else { sagged.fold(None, grow) };
-    ends.map(|(least, greatest)| (least.to_degrees(), greatest.to_degrees()))
-}
-
-/// Numbers of the beads of a pass in the cross-sections.
-#[derive(Debug, Clone, Copy, Default)]
-struct BeadNumbers {
-    first: Option<usize>,
-    /// `None` if it welds one bead.
-    last: Option<usize>,
-}
-
-/// Returns the numbers of each pass' beads in the cross-sections: they count the beads at a station in the order of
-/// welding. Empty where some beads are not all along the seam, as then the numbers differ along it.
-fn bead_numbers(welding: &Welding) -> Vec<BeadNumbers> {
-    if welding.plan.as_ref().is_none_or(|plan| plan.parts.iter().any(|parts| !parts.is_empty())) {
-        return Vec::new();
-    }
-    let mut known: Vec<&Bead> = Vec::new();
-    let mut numbers = Vec::new();
-    for pass in &welding.program.value.passes {
-        // A tack lies on the line of the root without being it.
-        let beads = pass.beads().filter(|_| pass.role != Some(Role::Tack)).map(|(bead, _)| bead);
-        let of_pass: Vec<usize> = beads
-            .map(|bead| {
-                let old = known.iter().position(|other| *other == bead);
-                old.unwrap_or_else(|| {
-                    known.push(bead);
-                    known.len() - 1
-                }) + 1
-            })
-            .collect();
-        numbers.push(BeadNumbers {
-            first: of_pass.first().copied(),
-            last: of_pass.last().copied().filter(|_| of_pass.len() > 1),
-        });
-    }
-    numbers
+/// Returns minimum and maximum of the smaller toe angle along the seam of the bead of pass `i`, by its number in the
+/// cross-sections.
+fn toe_deg(welding: &Welding, i: usize, number: usize, held: Option<&PassProcedure>) -> Option<(f64, f64)> {
+    let toes = welding.toes(i, number, held.map_or(&[][..], |held| &held.inclinations));
+    let angles = toes.iter().map(|toe| toe.angle.to_degrees());
+    angles.fold(None, |ends: Option<(f64, f64)>, a| Some(ends.map_or((a, a), |(l, h)| (l.min(a), h.max(a)))))
 }
 
 fn process_range(pass: &Pass) -> BTreeMap<String, (f64, f64)> {

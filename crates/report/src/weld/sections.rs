@@ -65,7 +65,9 @@ fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawi
         Role::Cap | Role::Cosmetic => 3,
     };
     let at = Message::new("report-at").significant("s", s, Unit::Mm, 5);
-    let angle = |phi: f64| quantity(phi.to_degrees().rem_euclid(360.0), Unit::Deg, 4).in_language(language);
+    // Rounded, or a zero of the start would be shown with its rounding error.
+    let degrees = |phi: f64| ((phi.to_degrees() * 1e6).round() / 1e6).rem_euclid(360.0);
+    let angle = |phi: f64| quantity(degrees(phi), Unit::Deg, 4).in_language(language);
     let note = Message::new("report-section-note").significant("dihedral", point.dihedral.to_degrees(), Unit::Deg, 4);
     let area = |unit| quantity(section.area(), unit, 4);
     let note = match section.cap > 0.0 {

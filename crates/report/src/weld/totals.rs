@@ -3,7 +3,7 @@
 use super::figures::PassFigures;
 use seamwright_document::Positive;
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_program::{ArcTime, Consumables, Costs, Pass, Procedure, Program};
+use seamwright_program::{ArcTime, Consumables, Costs, Pass, Procedure, Program, Role};
 use serde::Serialize;
 
 /// Number of instants for integrating process values while the arc is on; a ramp of a tenth of it is exact to 0.01 %.
@@ -182,6 +182,13 @@ impl Wire {
         let wire_kg = wire_kg?;
         if wire_kg <= 0.0 { Some(0.0) } else { Some(wire_kg * self.deposition?) }
     }
+}
+
+/// Returns the mass of the consumable insert that a pass melts along `length` mm, kg.
+pub(super) fn insert_kg(program: &Program, pass: &Pass, length: f64) -> f64 {
+    let insert = program.joint.as_ref().and_then(|joint| joint.insert.as_ref());
+    let Some(insert) = insert.filter(|_| pass.role == Some(Role::Root) && pass.bead.is_some()) else { return 0.0 };
+    1e-6 * insert.area_mm2() * length * program.consumables.wire_g_cm3.get()
 }
 
 /// Returns the arc energy U I t of one pass, kJ: zero without an arc, `None` without current and voltage.

@@ -8,6 +8,7 @@ use seamwright_document::DocumentError;
 use seamwright_executive::Place;
 use seamwright_message::{Message, Unit};
 use seamwright_project::load::{Loaded, load_foreign};
+use seamwright_project::planning::Planning;
 use seamwright_project::recording::{Header, Who, record_plan};
 use seamwright_project::run_rows;
 use seamwright_project::simulated_part::Part;
@@ -28,7 +29,7 @@ struct Ready {
 /// and time. Returns the motion for [`ready`].
 /// Fails if the job is invalid. The approach from the current axis positions is not checked.
 pub(crate) fn planned(load: &Load, text: &str, jobs: &FilePath) -> Result<Vec<u8>, Refused> {
-    let loaded = load_foreign(checked(&load.job)?, text, jobs)?;
+    let loaded = load_foreign(checked(&load.job)?, text, jobs)?.with_torch_angles(&Planning::default())?;
     let part = simulated_part(load.distortion.as_deref())?;
     part.check_devices(&loaded.machine)?;
     let motion = encode_motion(&part.plan(&loaded)?).map_err(Refused::input)?;
@@ -42,7 +43,7 @@ pub(crate) fn planned(load: &Load, text: &str, jobs: &FilePath) -> Result<Vec<u8
 
 /// Reads a planned job to be loaded; `number` is the number of its view.
 fn ready(load: &Load, text: &str, jobs: &FilePath, motion: Vec<u8>, number: u64) -> Result<Ready, Refused> {
-    let loaded = load_foreign(checked(&load.job)?, text, jobs)?;
+    let loaded = load_foreign(checked(&load.job)?, text, jobs)?.with_torch_angles(&Planning::default())?;
     let tracking = simulated_part(load.distortion.as_deref())?.tracking;
     let plan = decode_motion(&motion, &loaded).map_err(Refused::input)?;
     let from = load.from.map(|(pass, s_mm)| Place { pass: pass as usize, s_mm });

@@ -7,6 +7,7 @@ use seamwright_document::DocumentError;
 use seamwright_message::Message;
 use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
+use seamwright_project::planning::Planning;
 use seamwright_project::posting::{PostTarget, Unproven};
 use seamwright_record::Moment;
 use seamwright_report::{Extent, Language, WeldReport};
@@ -55,7 +56,7 @@ impl Question {
             Self::Draft { text } => json(&draft(text, jobs)),
             Self::Plan { text, number } => json(&plan(text, *number, jobs)),
             Self::Recorded { name, text, number } => {
-                let loaded = load_foreign(name, text, jobs)?;
+                let loaded = ready_to_plan(name, text, jobs)?;
                 let planned = loaded.try_plan()?;
                 json(&work_view(*number, name, &loaded, planned.as_ref().map_err(Vec::as_slice)))
             }
@@ -90,7 +91,12 @@ fn plan(text: &str, number: u64, jobs: &Path) -> PlanAnswer {
         let planned = planned.as_ref().map_err(Vec::as_slice);
         Ok(PlanAnswer::Planned { work: Box::new(work_view(number, "", loaded, planned)) })
     };
-    load_foreign(JOB, text, jobs).and_then(|loaded| view(&loaded)).unwrap_or_else(|failure| wrong(&failure))
+    ready_to_plan(JOB, text, jobs).and_then(|loaded| view(&loaded)).unwrap_or_else(|failure| wrong(&failure))
+}
+
+/// Reads a job and searches the torch angles that it asks for.
+fn ready_to_plan(name: &str, text: &str, jobs: &Path) -> Result<Loaded, Failure> {
+    load_foreign(name, text, jobs)?.with_torch_angles(&Planning::default())
 }
 
 fn wrong(failure: &Failure) -> PlanAnswer {
@@ -113,7 +119,7 @@ pub(crate) fn wrong_view(error: &DocumentError) -> WrongView {
 
 fn report(name: &str, text: &str, language: &str, extent: Extent, jobs: &Path) -> Result<Vec<u8>, Refused> {
     let language = language.parse::<Language>().map_err(|e| Refused::input(e.to_string()))?;
-    let loaded = load_foreign(name, text, jobs)?;
+    let loaded = ready_to_plan(name, text, jobs)?;
     let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
     let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, language);
     let date = Moment::now().to_string();
@@ -125,7 +131,7 @@ fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {
         let allowed = PostTarget::all().map(PostTarget::name).collect::<Vec<_>>().join(", ");
         return Err(Message::new("server-no-dialect").text("name", dialect).text("allowed", allowed).into());
     };
-    let loaded = load_foreign(JOB, text, jobs)?;
+    let loaded = ready_to_plan(JOB, text, jobs)?;
     let motion = loaded.plan()?;
     let (text, proof) = target.proven(&loaded, &motion).map_err(|e| match e {
         Unproven::Failure(failure) => failure.into(),

@@ -71,18 +71,17 @@ impl BeadAt {
     }
 }
 
-/// Distance from the arc beyond which a gas nozzle needs room, mm: a usual stick-out.
-const STICK_OUT_MM: f64 = 15.0;
 /// Part of the free angle that stays between torch and either wall. Not tuned: a torch in the middle of a V has half of it
 /// on each side. All jobs of `examples/` and `examples/vessel-shop` are clear with it.
 const OFF_WALL: f64 = 0.25;
 
-/// Lean of a torch at `at` in the groove: square to the line from toe to toe, turned as far as the walls need.
-fn lean(section: &Section, at: DVec2) -> f64 {
-    let [low, high] = section.free_angles(at, STICK_OUT_MM);
+/// Lean of a torch whose wire points at `at` in the groove: square to the line from toe to toe and turned by `towards`,
+/// as far as the walls leave room beyond the `stick_out` (mm), where the gas nozzle begins.
+fn lean(section: &Section, at: DVec2, towards: f64, stick_out: f64) -> f64 {
+    let [low, high] = section.free_angles(at, stick_out);
     let off = OFF_WALL * (high - low).max(0.0);
     let square = section.up.x.atan2(section.up.y);
-    square.max(low + off).min(high - off)
+    (square + towards).max(low + off).min(high - off)
 }
 
 /// Height of the wire's target over the bottom of the groove in the first layer, as a part of the layer's height. Chosen so
@@ -127,7 +126,6 @@ pub(crate) fn fill(
         // At the root the gap between the parts is narrow, and the wire points above it.
         let base = low.height + if low.area > 0.0 { 0.0 } else { ROOT_RISE * (high.height - low.height) };
         let (left, right) = section.slices.edges(base);
-        let square = lean(section, section.place(0.5 * (left + right), base));
         let middle = section.slices.edges(0.5 * (low.height + high.height));
         let n = layer.beads as f64;
         for index in 0..layer.beads {
@@ -146,11 +144,12 @@ pub(crate) fn fill(
                 i if i + 1 == layer.beads => -laying.tilt,
                 _ => 0.0,
             };
+            let tip = section.place(across, base);
             out.push(BeadAt {
                 layer: k,
                 index,
-                tip: section.place(across, base),
-                lean: square + towards,
+                tip,
+                lean: lean(section, tip, towards, layer.stick_out),
                 room: ((to - from) / n).max(0.0),
                 area: layer.share * scale / n,
                 width: size.width,

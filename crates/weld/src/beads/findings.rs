@@ -7,7 +7,7 @@ use super::layers::{Runs, excess};
 use super::plan::BeadPlan;
 use super::shape::BeadSize;
 use seamwright_message::{Message, Unit};
-use seamwright_program::{Finding, PathRange, PositionLimits};
+use seamwright_program::{BeadWindow, Finding, PathRange};
 
 /// A quantity of a bead's section that has a window.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,17 +61,15 @@ impl Asked {
 }
 
 impl Breach {
-    fn message(&self, bead: &BeadAt, s: f64) -> Message {
+    fn message(&self, bead: &BeadAt) -> Message {
         let (code, unit) = match self.quantity {
             Quantity::Width => ("weld-bead-width-out-of-window", Unit::Mm),
             Quantity::Height => ("weld-bead-height-out-of-window", Unit::Mm),
             Quantity::WidthToHeight => ("weld-bead-ratio-out-of-window", Unit::One),
             Quantity::Unwoven => ("weld-bead-too-wide-without-weave", Unit::Mm),
         };
-        let message = Message::new(code)
-            .quantity("width", bead.width, Unit::Mm, 1)
-            .quantity("height", bead.height, Unit::Mm, 1)
-            .quantity("s", s, Unit::Mm, 0);
+        let message =
+            Message::new(code).quantity("width", bead.width, Unit::Mm, 1).quantity("height", bead.height, Unit::Mm, 1);
         let message = if self.quantity == Quantity::WidthToHeight {
             message.quantity("ratio", self.value, unit, 2)
         } else {
@@ -106,7 +104,7 @@ impl Default for BeadPlace {
 }
 
 /// Angles at a toe are compared to this, degrees: a vertical wall has 90 to rounding.
-const TOE_ROUNDING_DEG: f64 = 1e-6;
+pub(super) const TOE_ROUNDING_DEG: f64 = 1e-6;
 
 /// A toe angle below its minimum, degrees.
 struct SteepToe {
@@ -144,7 +142,7 @@ impl BeadPlan {
         findings
     }
 
-    /// The stations at which bead `b` has a `fault`, of which the one with the largest logarithm is the worst.
+    /// The stations at which bead `b` has a `fault`, of which the one with the largest first number is the worst.
     fn wrong<T>(&self, b: usize, fault: impl Fn(&BeadAt) -> Option<(f64, T)>) -> Option<Wrong<T>> {
         self.wrong_at(b, |_, bead| fault(bead))
     }
@@ -181,7 +179,6 @@ impl BeadPlan {
         let cure = if wrong.worst > 1.0 { "weld-cure-thinner-layers" } else { "weld-cure-smaller-beads" };
         let message = Message::new("weld-bead-area-out-of-range")
             .quantity("area", wrong.worst * asked.area, Unit::Mm2, 1)
-            .quantity("s", self.stations[wrong.station], Unit::Mm, 0)
             .quantity("ratio", 100.0 * wrong.worst, Unit::Percent, 0)
             .quantity("run", asked.area, Unit::Mm2, 1)
             .quantity("min", 100.0 * (1.0 - most), Unit::Percent, 0)
@@ -196,7 +193,7 @@ impl BeadPlan {
             Some((breach.excess, breach))
         };
         let wrong = self.wrong(b, outside)?;
-        let message = wrong.worst.message(&self.at_station(wrong.station)[b], self.stations[wrong.station]);
+        let message = wrong.worst.message(&self.at_station(wrong.station)[b]);
         let finding = Finding::error("bead", message, pass, wrong.range, wrong.worst.cure());
         Some(Finding { allowed: !asked.window.is_binding, ..finding })
     }
@@ -214,18 +211,13 @@ impl BeadPlan {
             let toes = [(on_second, bead.toes.second), (on_first, bead.toes.first)];
             let angle = toes.iter().filter(|(is_on_part, _)| *is_on_part).map(|(_, angle)| angle.to_degrees());
             let angle = angle.fold(f64::INFINITY, f64::min);
-            let min = asked.window.min_toe_deg(PositionLimits::default().joint(self.dihedrals[i]));
+            let min = asked.window.min_toe_deg(self.dihedrals[i]);
             // A joint whose flat face would be steeper is reported only for what the beads add.
             let min = min.min(angle + bead.toes.convexity.to_degrees());
             (angle < min - TOE_ROUNDING_DEG).then_some((min - angle, SteepToe { angle, min }))
         };
         let wrong = self.wrong_at(b, steep)?;
-        let message = Message::new("weld-bead-toe-steep")
-            .quantity("angle", wrong.worst.angle, Unit::Deg, 0)
-            .quantity("s", self.stations[wrong.station], Unit::Mm, 0)
-            .quantity("min", wrong.worst.min, Unit::Deg, 0);
-        let finding = Finding::error("bead", message, pass, wrong.range, Message::new("weld-cure-bead-toe"));
-        Some(Finding { allowed: asked.window.given_toe_deg.is_none(), ..finding })
+        Some(toe_finding(wrong.worst.angle, wrong.worst.min, pass, wrong.range, &asked.window))
     }
 
     fn layer_finding(&self, b: usize, asked: &Asked, pass: usize) -> Option<Finding> {
@@ -236,10 +228,17 @@ impl BeadPlan {
         let wrong = self.wrong(b, off)?;
         let message = Message::new("weld-layer-height-not-kept")
             .quantity("height", wrong.worst, Unit::Mm, 1)
-            .quantity("s", self.stations[wrong.station], Unit::Mm, 0)
             .quantity("wanted", asked.layer, Unit::Mm, 1)
             .quantity("area", asked.area, Unit::Mm2, 1);
         let finding = Finding::error("bead", message, pass, wrong.range, Message::new("weld-cure-layer-height"));
         Some(Finding { allowed: true, ..finding })
     }
+}
+
+/// The finding that a toe has the `angle` instead of `min` or more, degrees: an error if the procedure gives the limit.
+pub(super) fn toe_finding(angle: f64, min: f64, pass: usize, range: PathRange, window: &BeadWindow) -> Finding {
+    let message =
+        Message::new("weld-bead-toe-steep").quantity("angle", angle, Unit::Deg, 0).quantity("min", min, Unit::Deg, 0);
+    let finding = Finding::error("bead", message, pass, range, Message::new("weld-cure-bead-toe"));
+    Finding { allowed: window.given_toe_deg.is_none(), ..finding }
 }

@@ -7,6 +7,7 @@
 use super::file::Asked;
 use super::shape::{LayerShape, Level};
 use crate::joint::Section;
+use seamwright_document::Positive;
 use seamwright_program::Role;
 
 /// A layer of beads, from the root out.
@@ -18,7 +19,12 @@ pub struct Layer {
     pub beads: usize,
     /// Its part of the whole area, before layers that are left out.
     pub share: f64,
+    /// Stick-out of its runs, mm.
+    pub stick_out: f64,
 }
+
+/// Stick-out of runs that name none, mm.
+const USUAL_STICK_OUT_MM: f64 = 15.0;
 
 /// Settings of the three kinds of runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -227,7 +233,8 @@ impl<'a> Search<'a> {
         let (mut layers, mut at) = (Vec::new(), last);
         while at > 0 {
             let Step { from, role, beads, .. } = steps[at];
-            layers.push(Layer { role, beads, share: self.parts[at] - self.parts[from] });
+            let stick_out = self.runs.of(role).stick_out_mm.map_or(USUAL_STICK_OUT_MM, Positive::get);
+            layers.push(Layer { role, beads, share: self.parts[at] - self.parts[from], stick_out });
             at = from;
         }
         layers.reverse();

@@ -12,6 +12,7 @@
 mod file;
 mod fill;
 mod findings;
+mod in_position;
 mod layers;
 mod outline;
 mod passes;
@@ -26,6 +27,7 @@ mod toes;
 pub(crate) use file::WeldValues;
 pub use file::{Adapt, Beads, Order, Run};
 pub use fill::BeadAt;
+pub use in_position::{BeadNumbers, ToeAt};
 pub use layers::Layer;
 pub use plan::BeadPlan;
 pub use toes::Toes;

@@ -4,7 +4,7 @@ use super::layers::{Layer, Opening, Runs, layers};
 use super::refusal::NoPlan;
 use crate::joint::{SeamJoint, Section};
 use crate::seam::SeamCurve;
-use seamwright_program::{Role, part_start, parts_of};
+use seamwright_program::{BeadWindow, Role, part_start, parts_of};
 
 /// Positions of all beads along a seam.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +29,8 @@ pub struct BeadPlan {
     /// Layers planned from each state in which the groove was measured.
     stages: Vec<Stage>,
     laying: Laying,
+    /// Window of the last layer's beads.
+    pub(crate) last_window: BeadWindow,
     /// The seam's length if it is welded all round.
     period: Option<f64>,
 }
@@ -160,6 +162,7 @@ impl BeadPlan {
             let groove = to_fill[judged[0]];
             NoPlan::Beads { groove, beads, smallest: groove / beads }
         })?;
+        let last_window = runs.of(layers.last().map_or(Role::Cap, |layer| layer.role)).window;
         let laying = Laying {
             wall: beads.wall(),
             tilt: beads.wall_tilt_deg.get().to_radians(),
@@ -176,6 +179,7 @@ impl BeadPlan {
             beads: Vec::new(),
             order: Vec::new(),
             stages: vec![stage],
+            last_window,
             laying,
             period,
         };

@@ -11,7 +11,8 @@ use crate::seam::SeamCurve;
 use crate::stretch::Stretch;
 use glam::{DVec2, DVec3};
 use seamwright_clearance::{ClearanceError, Shape, Solid};
-use seamwright_program::{BeadRow, Program};
+use seamwright_program::{BeadRow, Pass, Program};
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 /// Number of columns across the groove. Beads that end within a column fill it.
@@ -32,6 +33,8 @@ pub struct Metal<'a> {
     seam: &'a SeamCurve,
     stations: Vec<Station>,
     stretches: Vec<Option<Stretch>>,
+    /// All beads of each copy at each station, by layer from the root out and then from the second part to the first.
+    deposits: Vec<OnceCell<Vec<Vec<Deposit>>>>,
 }
 
 /// A bead at a station.
@@ -40,7 +43,8 @@ struct Deposit {
     height: f64,
     across: f64,
     area: f64,
-    laid: bool,
+    /// Index of the first pass that lays it.
+    pass: usize,
 }
 
 impl<'a> Metal<'a> {
@@ -52,51 +56,39 @@ impl<'a> Metal<'a> {
     ) -> Self {
         let is_filled = program.passes.iter().any(|pass| pass.bead.is_some());
         let stations = if is_filled { stations(seam, joint) } else { Vec::new() };
-        Self { program, seam, stations, stretches }
+        let deposits = vec![OnceCell::new(); program.copy_count()];
+        Self { program, seam, stations, stretches, deposits }
     }
 
     /// The metal in the work frame before each pass, and after the last one: a solid for each copy of the seam that has
-    /// metal.
+    /// metal. Each is made when it is asked for.
     ///
     /// # Errors
     /// Metal that has no closed surface.
-    pub fn by_pass(&self) -> Result<Vec<Vec<Solid>>, ClearanceError> {
+    pub fn by_pass(&self) -> impl Iterator<Item = Result<Vec<Solid>, ClearanceError>> {
         let mut copies: Vec<Option<Solid>> = vec![None; self.program.copy_count()];
-        let mut all = vec![Vec::new()];
-        for (i, pass) in self.program.passes.iter().enumerate() {
+        let after = move |(i, pass): (usize, &Pass)| {
             if pass.bead.is_some() && !self.stations.is_empty() {
                 copies[pass.copy] = Some(self.of_copy(pass.copy, i + 1)?);
             }
-            all.push(copies.iter().flatten().cloned().collect());
-        }
-        Ok(all)
+            Ok(copies.iter().flatten().cloned().collect())
+        };
+        std::iter::once(Ok(Vec::new())).chain(self.program.passes.iter().enumerate().map(after))
     }
 
     /// The metal on a copy of the seam before pass `before`.
     fn of_copy(&self, copy: usize, before: usize) -> Result<Solid, ClearanceError> {
-        let outlines: Vec<Vec<DVec3>> = self.stations.iter().map(|s| self.outline(s, copy, before)).collect();
+        let all = self.deposits[copy].get_or_init(|| self.stations.iter().map(|s| self.deposits(s, copy)).collect());
+        let outlines: Vec<Vec<DVec3>> =
+            self.stations.iter().zip(all).map(|(station, deposits)| outline(station, deposits, before)).collect();
         let mesh = close_ring(&outlines, self.seam.all_round())?;
         let of = self.program.copy_name(copy).map_or(String::new(), |name| format!(" of {name}"));
         let shape = Shape::Mesh(Arc::new(mesh));
         Solid::new(format!("weld metal{of}"), shape, self.program.copy_in_work(copy))
     }
 
-    /// The metal's outline at a station: its top from the second part to the first, and both roots.
-    fn outline(&self, station: &Station, copy: usize, before: usize) -> Vec<DVec3> {
-        let section = &station.section;
-        let tops = tops(section, &mut self.deposits(station, copy, before));
-        let node = |i: usize| {
-            let beside = [i.checked_sub(1), Some(i).filter(|i| *i < COLUMNS)];
-            let column = |c: usize| tops[c].at(section, i as f64 / COLUMNS as f64);
-            let area = beside.into_iter().flatten().map(column).fold(FILM * section.total(), f64::max);
-            section.point(i as f64 / COLUMNS as f64, area)
-        };
-        let roots = [&section.first, &section.second].map(|edge| edge.first().copied().unwrap_or_default());
-        (0..=COLUMNS).map(node).chain(roots).map(|p| station.point(p)).collect()
-    }
-
-    /// All beads at a station, those of passes before `before` laid.
-    fn deposits(&self, station: &Station, copy: usize, before: usize) -> Vec<Deposit> {
+    /// All beads at a station, in order.
+    fn deposits(&self, station: &Station, copy: usize) -> Vec<Deposit> {
         let mut all: Vec<Deposit> = Vec::new();
         let section = &station.section;
         let passes =
@@ -114,14 +106,15 @@ impl<'a> Metal<'a> {
             let BeadRow { across_mm, out_mm, area_mm2: area } = bead.row_at(station.p.s, period);
             let tip = DVec2::new(across_mm, out_mm);
             let (height, across) = (tip.dot(section.up), tip.dot(section.across()));
-            let laid = i < before;
             // The parts of a bead that is welded in several passes overlap.
             let is_same = |d: &Deposit| (d.height - height).abs() < SAME_MM && (d.across - across).abs() < SAME_MM;
-            match all.iter_mut().find(|d| is_same(d)) {
-                Some(same) => same.laid |= laid,
-                None if area > 0.0 => all.push(Deposit { height, across, area, laid }),
-                None => {}
+            if area > 0.0 && !all.iter().any(is_same) {
+                all.push(Deposit { height, across, area, pass: i });
             }
+        }
+        all.sort_by(|a, b| a.height.total_cmp(&b.height));
+        for layer in all.chunk_by_mut(|a, b| b.height - a.height < SAME_MM) {
+            layer.sort_by(|a, b| a.across.total_cmp(&b.across));
         }
         all
     }
@@ -156,19 +149,32 @@ impl Top {
     }
 }
 
-/// The tops of all columns.
-fn tops(section: &Section, deposits: &mut [Deposit]) -> [Top; COLUMNS] {
-    deposits.sort_by(|a, b| a.height.total_cmp(&b.height));
+/// The outline at a station of the metal laid before pass `before`: its top from the second part to the first, and both
+/// roots.
+fn outline(station: &Station, deposits: &[Deposit], before: usize) -> Vec<DVec3> {
+    let section = &station.section;
+    let tops = tops(section, deposits, before);
+    let node = |i: usize| {
+        let beside = [i.checked_sub(1), Some(i).filter(|i| *i < COLUMNS)];
+        let column = |c: usize| tops[c].at(section, i as f64 / COLUMNS as f64);
+        let area = beside.into_iter().flatten().map(column).fold(FILM * section.total(), f64::max);
+        section.point(i as f64 / COLUMNS as f64, area)
+    };
+    let roots = [&section.first, &section.second].map(|edge| edge.first().copied().unwrap_or_default());
+    (0..=COLUMNS).map(node).chain(roots).map(|p| station.point(p)).collect()
+}
+
+/// The tops of all columns, of beads laid before pass `before`.
+fn tops(section: &Section, deposits: &[Deposit], before: usize) -> [Top; COLUMNS] {
     let mut tops = [Top::default(); COLUMNS];
     let mut below = 0.0;
-    for layer in deposits.chunk_by_mut(|a, b| b.height - a.height < SAME_MM) {
-        layer.sort_by(|a, b| a.across.total_cmp(&b.across));
+    for layer in deposits.chunk_by(|a, b| b.height - a.height < SAME_MM) {
         let area: f64 = layer.iter().map(|d| d.area).sum();
         for (c, top) in tops.iter_mut().enumerate() {
             let share = layer.len() as f64 / COLUMNS as f64;
             let (from, to) = (c as f64 * share, (c + 1) as f64 * share);
             let touched = from.floor() as usize..(to.ceil() as usize).min(layer.len());
-            if layer[touched].iter().any(|d| d.laid) {
+            if layer[touched].iter().any(|d| d.pass < before) {
                 *top = Top { level: (below + area).min(section.total()), layer: area, beads: layer.len() };
             }
         }

@@ -237,7 +237,9 @@ fn the_wire_is_never_inside_metal() {
         }
         welds += 1;
         let part = welding.clamped(NO_STL).unwrap().part;
-        let metal = welding.metal().unwrap().by_pass().unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let metal = welding.metal().unwrap();
+        let metal: Vec<Vec<Solid>> =
+            metal.by_pass().collect::<Result<_, _>>().unwrap_or_else(|e| panic!("{e}\n{text}"));
         for (i, before) in metal.iter().enumerate().take(welding.program.value.passes.len()) {
             let path = welding.path(i);
             let path = path.along_seam().unwrap();

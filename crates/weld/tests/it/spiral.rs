@@ -171,7 +171,7 @@ fn one_arc_start_for_each_role() {
     }
     assert!(spiral.findings().is_empty(), "{:#?}", spiral.findings());
     // Both welds end with the same metal.
-    let last = |welding: &Welding| welding.metal().unwrap().by_pass().unwrap().pop().unwrap();
+    let last = |welding: &Welding| welding.metal().unwrap().by_pass().last().unwrap().unwrap();
     let plain = without(GIRTH);
     for (a, b) in last(&spiral).iter().zip(&last(&plain)) {
         assert_eq!(format!("{:?}", a.shape()), format!("{:?}", b.shape()));

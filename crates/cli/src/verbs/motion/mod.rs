@@ -16,7 +16,7 @@ use seamwright_message::{Message, Unit};
 use seamwright_motion::{SetPoint, WeldMotion};
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
-use seamwright_project::load::{Loaded, load};
+use seamwright_project::load::Loaded;
 use seamwright_report::CertificateFigures;
 use serde::Serialize;
 use std::path::Path;
@@ -24,7 +24,7 @@ use table::{Along, More, Row, Table};
 use two_level::TwoLevel;
 
 pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
-    let loaded = load(&args.job)?;
+    let loaded = planning::load(&args.job, &args.planning)?;
     let period = period(args.period_ms, &loaded.machine)?;
     let commands = args.commands.as_deref().map(commands::read).transpose()?;
     if commands.is_some() {

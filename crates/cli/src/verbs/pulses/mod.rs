@@ -19,7 +19,6 @@ use seamwright_message::{Language, Message};
 use seamwright_motion::pulses::Edge;
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
-use seamwright_project::load::load;
 use seamwright_record::{VcdAxis, VcdWriter, Wire};
 use std::io::Write;
 use std::path::Path;
@@ -31,7 +30,7 @@ pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
         let allowed = Message::new("cli-pulses-vcd");
         return Err(refused("-o", path.display(), Message::new("cli-pulses-not-vcd"), allowed));
     }
-    let loaded = load(&args.job)?;
+    let loaded = planning::load(&args.job, &args.planning)?;
     let period = args.period_ms.map_or(Ok(loaded.machine.servo_period_s * 1e3), |ms| positive("--period-ms", ms))?;
     let clock = Clock::new(period, args.tick_ns)?;
     let Some(mut stepped) = Stepped::all(&loaded.machine, &clock)? else {

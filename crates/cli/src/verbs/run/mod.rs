@@ -22,7 +22,7 @@ use seamwright_program::is_before;
 use seamwright_project::devices::{self, Lines};
 use seamwright_project::failure::Failure;
 use seamwright_project::files::Output;
-use seamwright_project::load::{Loaded, load};
+use seamwright_project::load::Loaded;
 use seamwright_project::power_loss;
 use seamwright_simulation::SimulatedCell;
 use seamwright_simulation::devices::Fault;
@@ -47,7 +47,7 @@ pub(super) struct Ended {
 }
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
-    let loaded = load(&args.job)?;
+    let loaded = planning::load(&args.job, &args.planning)?;
     let part = simulated_part::read(&args.part)?;
     let around = loaded.surroundings()?;
     let conditions = part.conditions(args.seed, &args.fault, &around);

@@ -4,7 +4,7 @@
 use super::super::BeadAt;
 use super::{Planned, shoelace, try_plan};
 use crate::joint::Section;
-use seamwright_program::{FilletOrButt, Role};
+use seamwright_program::Role;
 use seamwright_testkit::{Random, cases};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -162,8 +162,6 @@ fn check(planned: &Planned, text: &str, census: &mut Census) {
         }
         let sum: f64 = beads.iter().map(|b| b.area).sum();
         assert!((sum / section.total() - 1.0).abs() < 1e-9, "{sum} {} {text}", section.total());
-        let fillet = section.dihedral.to_degrees() <= 135.0;
-        let kind = if fillet { FilletOrButt::Fillet } else { FilletOrButt::Butt };
         for (b, bead) in beads.iter().enumerate().filter(|(_, bead)| bead.area > 0.0) {
             let numbers = [bead.width, bead.height, bead.layer_height, bead.toes.first, bead.toes.second];
             assert!(numbers.iter().all(|v| v.is_finite() && *v > 0.0), "{bead:?} {text}");
@@ -180,7 +178,7 @@ fn check(planned: &Planned, text: &str, census: &mut Census) {
             let toe = toes.fold(f64::INFINITY, f64::min);
             // A flat face may be steeper than the limit: then only what convexity adds is reported.
             let flat = toe + bead.toes.convexity.to_degrees();
-            let steep = is_cap && toe < run.window.min_toe_deg(kind).min(flat) - 1e-3;
+            let steep = is_cap && toe < run.window.min_toe_deg(section.dihedral).min(flat) - 1e-3;
             assert!(!steep || reported("weld-bead-toe"), "{bead:?} {text}");
             census.beads += 1;
             census.outside += usize::from(!is_kept);
