@@ -91,6 +91,7 @@ impl WeldMotion {
                 explains: true,
                 weld: passes,
                 clearance: None,
+                is_quick: false,
             };
             let (motion, clearance) = one(machine, &arounds[i], request).map_err(|mut f| {
                 f.extend(planned.findings.clone());
