@@ -639,3 +639,5 @@ cli-reach-cells-allowed = insgesamt bis zu { $max } Plätze
 cli-reach-no-file = es gibt keine solche Datei zum Schreiben
 cli-reach-job-file = eine Auftrags- oder Programmdatei; `seamwright examples NAME > job.toml` erzeugt eine
 cli-reach-changed = { $file } wurde während der Suche geändert: nichts wurde geschrieben
+cli-label-planned = geplant
+cli-reach-planned = Achse { $axis } behält im Plan { $margin } ihres Bereichs frei

@@ -988,3 +988,5 @@ cli-reach-job-file = a job or program file; `seamwright examples NAME > job.toml
 cli-reach-changed = { $file } has changed during the search: nothing was written
     .cause = Somebody else has written the file since it was read.
     .cure = Run the command again.
+cli-label-planned = planned
+cli-reach-planned = axis { $axis } keeps { $margin } of its range free in the plan

@@ -669,3 +669,5 @@ cli-reach-cells-allowed = всего до { $max } мест
 cli-reach-no-file = нет такого файла для записи
 cli-reach-job-file = файл задания или программы; его создаёт `seamwright examples NAME > job.toml`
 cli-reach-changed = { $file } изменён во время поиска: ничего не записано
+cli-label-planned = план
+cli-reach-planned = в плане у оси { $axis } остаётся { $margin } диапазона

@@ -669,3 +669,5 @@ cli-reach-cells-allowed = загалом до { $max } місць
 cli-reach-no-file = немає такого файла для запису
 cli-reach-job-file = файл завдання або програми; його створює `seamwright examples NAME > job.toml`
 cli-reach-changed = { $file } змінено під час пошуку: нічого не записано
+cli-label-planned = план
+cli-reach-planned = у плані в осі { $axis } лишається { $margin } діапазону

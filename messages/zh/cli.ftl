@@ -549,3 +549,5 @@ cli-reach-cells-allowed = 总共最多 { $max } 个位置
 cli-reach-no-file = 没有可写入的此文件
 cli-reach-job-file = 作业或程序文件；`seamwright examples NAME > job.toml` 可生成一个
 cli-reach-changed = { $file } 在搜索期间被修改：未写入任何内容
+cli-label-planned = 已规划
+cli-reach-planned = 在规划中，轴 { $axis } 保留其行程的 { $margin }

@@ -80,7 +80,7 @@ fn on_arm(machine: &str, ranges: [&str; 4]) {
 
 #[test]
 fn the_best_placement_on_an_arm_is_planned() {
-    on_arm("irb-2600", ["--x=800,1400,3", "--y=-300,300,3", "--z=0,0", "--turn=0,0"]);
+    on_arm("irb-2600", ["--x=-200,300,3", "--y=-300,300,3", "--z=0,0", "--turn=0,0"]);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-use super::margin::{FaultKind, Judgement, MarginAxis, PlacementFault, PlacementMargin};
+use super::margin::{FaultKind, Judgement, PlacementFault, PlacementMargin, places};
 use crate::effort::{Effort, Watch};
 use crate::follower::Follower;
 use crate::joint_path::{JointPath, JointPoint};
@@ -13,8 +13,6 @@ use seamwright_program::{Finding, Inclination, OnLimit, Pass, Procedure, TorchPa
 
 /// Stations along a pass at which reach is explained.
 const STATIONS: u32 = 24;
-/// Samples along a pass at which margins are measured, besides the ends of the panels of the axes' path.
-const SAMPLES: u32 = 360;
 
 /// A weld that is to be placed: its passes as they stand now.
 #[derive(Clone, Copy)]
@@ -94,13 +92,13 @@ fn jump(pass: usize, s: f64) -> PlacementFault {
 /// plus the part of stations out of reach.
 fn explain(machine: &Machine, request: &Request, found: Vec<Finding>) -> PlacementFault {
     let number = request.number;
-    let told = |found: Vec<Finding>| {
+    let described = |found: Vec<Finding>| {
         let first = found.into_iter().find(|f| !f.allowed);
         first.map_or_else(|| jump(number, 0.0), |f| fault(FaultKind::Reach, number, f.from_mm, f.message))
     };
     // Without a closed form the reach at a station takes a second.
     if machine.heads[0].is_numeric() {
-        return told(found);
+        return described(found);
     }
     let path = request.path;
     let stations = (0..=STATIONS).map(|i| path.length() * f64::from(i) / f64::from(STATIONS));
@@ -115,7 +113,7 @@ fn explain(machine: &Machine, request: &Request, found: Vec<Finding>) -> Placeme
     let worst =
         missed.into_iter().reduce(|worst, other| if excess(&other.1) > excess(&worst.1) { other } else { worst });
     match worst {
-        None => told(found),
+        None => described(found),
         Some((s, why)) => PlacementFault {
             axis: axis_of(&why).and_then(|name| machine.axis(name)),
             shortfall: 1.0 + part,
@@ -157,7 +155,7 @@ impl Walk<'_> {
         let decided: AxisSet = (0..self.machine.axes.len()).filter(|&i| !self.free.has(i)).collect();
         let allowed = procedure.and_then(|procedure| AllowedPositions::of(procedure, path, pass, number));
         let mut worst: Option<PlacementFault> = None;
-        for s in self.places() {
+        for s in places(self.joints) {
             let point = self.joints.point(s, s > 0.0);
             let range = self.range(s, &point.q, margin);
             let position = allowed.as_ref().and_then(|allowed| self.position(s, &point.q, allowed));
@@ -173,27 +171,14 @@ impl Walk<'_> {
         worst.map_or(Ok(()), Err)
     }
 
-    /// Even samples and the ends of panels: where an axis turns back, a panel is short.
-    fn places(&self) -> Vec<f64> {
-        let length = self.joints.length();
-        let mut places = self.joints.edges();
-        places.extend((0..=SAMPLES).map(|i| length * f64::from(i) / f64::from(SAMPLES)));
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        places
-    }
-
     /// Lowers `margin` to the distance of the axes at `q` from the ends of their ranges; the axis farthest beyond one.
     fn range(&self, s: f64, q: &Joints, margin: &mut PlacementMargin) -> Option<PlacementFault> {
         let number = self.request.number;
+        margin.lower_range(self.machine, q, number, s);
         let mut worst: Option<PlacementFault> = None;
         for (i, axis) in self.machine.axes.iter().enumerate() {
             let Some((low, high)) = axis.range else { continue };
             let part = (q[i] - low).min(high - q[i]) / (high - low);
-            if part < margin.range {
-                margin.range = part.max(0.0);
-                margin.nearest = Some(MarginAxis { axis: i, pass: number, s });
-            }
             let Some(limit) = axis.outside(q[i]) else { continue };
             if worst.as_ref().is_none_or(|worst| -part > worst.shortfall) {
                 let by = axis.to_file((q[i] - limit).abs());

@@ -47,6 +47,10 @@ impl SearchResult {
         self.judged.first()
     }
 
+    fn known(&self, placement: &Placement) -> Option<&Judged> {
+        self.judged.iter().find(|judged| judged.placement == *placement)
+    }
+
     /// Judges `placements`. Returns false if the judge stopped the search.
     fn add(&mut self, placements: Vec<(Placement, Option<[usize; 4]>)>, judge: &mut JudgeAll) -> bool {
         let only: Vec<Placement> = placements.iter().map(|(placement, _)| *placement).collect();
@@ -73,9 +77,17 @@ pub fn search(grid: &ReachGrid, judge: &mut JudgeAll) -> SearchResult {
 }
 
 fn search_grid(grid: &ReachGrid, result: &mut SearchResult, judge: &mut JudgeAll) -> bool {
+    let present = result.judged.clone();
     grid.order().chunks(BATCH).all(|cells| {
-        let cells = cells.iter().map(|&at| (grid.placement(at), Some(at))).collect();
-        result.add(cells, judge)
+        let mut placements = Vec::with_capacity(cells.len());
+        for &at in cells {
+            let (placement, cell) = (grid.placement(at), Some(at));
+            match present.iter().find(|judged| judged.placement == placement) {
+                Some(known) => result.judged.push(Judged { cell, ..known.clone() }),
+                None => placements.push((placement, cell)),
+            }
+        }
+        result.add(placements, judge)
     })
 }
 
@@ -85,32 +97,44 @@ fn search_locally(grid: &ReachGrid, result: &mut SearchResult, judge: &mut Judge
         let ends = grid.spans.iter().map(super::placement::ReachSpan::ends);
         p.coordinates().iter().zip(ends).all(|(v, (from, to))| (from..=to).contains(v))
     };
-    let starts = result.ranked().into_iter().filter(|j| inside(&j.placement));
-    let starts: Vec<(Placement, f64)> = starts.take(STARTS).map(|j| (j.placement, j.judgement.score())).collect();
+    let mut starts: Vec<Start> = Vec::new();
+    for judged in result.ranked().into_iter().filter(|judged| inside(&judged.placement)) {
+        if starts.len() == STARTS {
+            break;
+        }
+        if starts.iter().all(|start| start.at != judged.placement) {
+            starts.push(Start { at: judged.placement, score: judged.judgement.score() });
+        }
+    }
     starts.into_iter().all(|start| climb(grid, start, result, judge))
 }
 
-/// A compass search from `start`, a placement with its score.
-fn climb(grid: &ReachGrid, start: (Placement, f64), result: &mut SearchResult, judge: &mut JudgeAll) -> bool {
-    let (mut at, mut score) = start;
+/// A placement from which a local search starts, with its rank.
+#[derive(Clone, Copy)]
+struct Start {
+    at: Placement,
+    score: f64,
+}
+
+/// A compass search. Placements that an earlier one has judged are not judged again.
+fn climb(grid: &ReachGrid, start: Start, result: &mut SearchResult, judge: &mut JudgeAll) -> bool {
+    let mut best = start;
     let mut part = 0.5;
     for _ in 0..MAX_ROUNDS {
         if part < FINEST {
             break;
         }
-        let around = neighbours(grid, &at, part);
-        if around.is_empty() {
-            break;
-        }
-        let first = result.judged.len();
-        if !result.add(around.into_iter().map(|p| (p, None)).collect(), judge) {
+        let around = neighbours(grid, &best.at, part);
+        let new = around.iter().filter(|p| result.known(p).is_none()).map(|p| (*p, None)).collect();
+        if !result.add(new, judge) {
             return false;
         }
         // The first of several that are equally good.
-        let best = result.judged[first..].iter().map(|j| (j.placement, j.judgement.score()));
-        let best = best.reduce(|best, other| if other.1 > best.1 { other } else { best });
-        match best.filter(|best| best.1 > score + GAIN) {
-            Some(best) => (at, score) = best,
+        let ranks = around.iter().filter_map(|p| result.known(p));
+        let ranks = ranks.map(|judged| Start { at: judged.placement, score: judged.judgement.score() });
+        let next = ranks.reduce(|best, other| if other.score > best.score { other } else { best });
+        match next.filter(|next| next.score > best.score + GAIN) {
+            Some(next) => best = next,
             None => part *= 0.5,
         }
     }

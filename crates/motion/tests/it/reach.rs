@@ -157,7 +157,8 @@ fn the_search_finds_the_middle_of_the_box() {
         on(&machine, &welding, |task| judge(task, &at(-300.0 + 550.0 * x, -150.0 + 270.0 * y, 0.0, 0.0)).score())
     });
     let brute = brute.fold(f64::NEG_INFINITY, f64::max);
-    assert!(best.judgement.score() >= brute - 1e-9, "{} {brute}", best.judgement.score());
+    // A step of the local search is 1.4 mm of 400.
+    assert!(best.judgement.score() >= brute - 8e-3, "{} {brute}", best.judgement.score());
     // The same again.
     assert_eq!(found, on(&machine, &welding, |task| searched(task, &grid)));
 }
@@ -224,9 +225,9 @@ fn judgements_on_an_arm_agree_with_planner_and_brute_force() {
     let mut counts = [0, 0, 0];
     for _ in 0..cases(16) {
         let place = at(
-            random.within(300.0, 1800.0),
-            random.within(-900.0, 900.0),
-            random.within(-100.0, 900.0),
+            random.within(-500.0, 500.0),
+            random.within(-700.0, 700.0),
+            random.within(-150.0, 300.0),
             random.within(-PI, PI),
         );
         let welding = read(&job);

@@ -30,6 +30,10 @@ pub struct BestPlacement {
     /// The placement with its margin.
     #[serde(flatten)]
     pub row: PlacementRow,
+    /// Minimum distance of an axis from an end of its range in the plan, as a fraction of the range.
+    pub planned_range_margin: f64,
+    /// The axis with it; none if no axis has a range.
+    pub planned_axis: Option<String>,
     /// Minimum clearance along the passes, mm; none if nothing is watched.
     pub clearance_mm: Option<f64>,
     /// Key of the job file that holds the placement.

@@ -5,8 +5,9 @@ use crate::progress::Progress;
 use crate::refusals::{at_most, not_allowed, refused};
 use crate::rows::{json_text, print_either};
 use crate::verbs::positive;
+use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
-use seamwright_motion::reach::{ReachGrid, ReachSpan, SpanError};
+use seamwright_motion::reach::{PlacementMargin, ReachGrid, ReachSpan, SpanError};
 use seamwright_project::failure::Failure;
 use seamwright_project::files::{self, Output};
 use seamwright_project::load::{Loaded, load};
@@ -111,14 +112,21 @@ fn figures(loaded: &Loaded, reached: &Reached) -> ReachFigures {
     let title = &loaded.welding.program.value.title;
     let mut figures = ReachFigures::new(title, machine, &reached.pivot, &reached.search);
     figures.cut_off = reached.is_cut_off;
-    figures.best = reached.best().map(|best| BestPlacement {
+    figures.best = reached.best().map(|best| best_placement(machine, best));
+    figures
+}
+
+fn best_placement(machine: &Machine, best: &TriedPlacement) -> BestPlacement {
+    let planned = best.plan.as_ref().map(|plan| PlacementMargin::of_plan(machine, plan)).unwrap_or_default();
+    BestPlacement {
         row: PlacementRow::new(machine, &best.judged),
+        planned_range_margin: planned.range,
+        planned_axis: planned.nearest.map(|nearest| machine.axes[nearest.axis].name.clone()),
         clearance_mm: best.clearance_mm(),
         key: best.placed.key.clone(),
         move_mm: best.placed.transform.move_mm.get().to_array(),
         angle_deg: best.placed.transform.angle_deg.get(),
-    });
-    figures
+    }
 }
 
 /// Writes the job with the best placement, unless somebody else has changed it since.
@@ -155,6 +163,11 @@ fn summary(figures: &ReachFigures, reached: &Reached, budget: f64) -> String {
             let row = &best.row;
             labelled(&mut text, "cli-label-best", at(row.x_mm, row.y_mm, row.z_mm, row.turn_deg));
             labelled(&mut text, "cli-label-best", described(row));
+            if let Some(axis) = &best.planned_axis {
+                let margin = 100.0 * best.planned_range_margin;
+                let planned = Message::new("cli-reach-planned").quantity("margin", margin, Unit::Percent, 1);
+                labelled(&mut text, "cli-label-planned", planned.axis("axis", axis));
+            }
             if let Some(clearance) = best.clearance_mm {
                 let clearance = Message::new("quantity").quantity("value", clearance, Unit::Mm, 1);
                 labelled(&mut text, "cli-label-clearance", clearance);
