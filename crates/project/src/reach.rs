@@ -18,6 +18,8 @@ use std::time::{Duration, Instant};
 const SEARCH_PART: f64 = 0.7;
 /// Maximum number of placements that are planned.
 const MAX_PLANS: usize = 6;
+/// Ranks of placements closer than this are equal.
+const SAME_SCORE: f64 = 2e-3;
 /// Minimum distance of a placement from one whose plan failed, in cells of the grid.
 const APART: f64 = 0.5;
 /// Number of samples of the seam whose middle is the pivot.
@@ -170,10 +172,15 @@ fn pivot(loaded: &Loaded) -> Pivot {
     Pivot { point, up: loaded.machine.up_in_work(&loaded.machine.home()) }
 }
 
-/// Weldable placements from the best to the worst, rounded.
+/// Weldable placements from the best to the worst, rounded; among equal ones the nearest to the present one first.
 fn candidates(search: &SearchResult) -> Vec<Placement> {
-    let weldable = search.ranked().into_iter().filter(|judged| judged.judgement.margin().is_some());
-    weldable.map(|judged| judged.placement.rounded()).collect()
+    let mut weldable: Vec<&Judged> = search.judged.iter().filter(|j| j.judgement.margin().is_some()).collect();
+    // A degree counts like a mm.
+    let moved = |p: &Placement| p.by.length() + p.turn.to_degrees().abs();
+    let rank = |judged: &Judged| (judged.judgement.score() / SAME_SCORE).round();
+    weldable
+        .sort_by(|a, b| rank(b).total_cmp(&rank(a)).then_with(|| moved(&a.placement).total_cmp(&moved(&b.placement))));
+    weldable.into_iter().map(|judged| judged.placement.rounded()).collect()
 }
 
 /// True if `b` is so near to `a` that a plan would fail for the same reason.

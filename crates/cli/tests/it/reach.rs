@@ -72,7 +72,7 @@ fn on_arm(machine: &str, ranges: [&str; 4]) {
     println!("{machine}: {best}");
     assert_eq!(best["weldable"], Value::Bool(true), "{found}");
     let score = |row: &Value| row["score"].as_f64().unwrap();
-    assert!(score(best) >= score(&found["placements"][0]) - 1e-3);
+    assert!(score(best) >= score(&found["placements"][0]) - 5e-3);
     assert_eq!(best["key"], "placement");
     assert!(fs::read_to_string(&job).unwrap().contains("# on the plate"));
     good(&["check", &job]);

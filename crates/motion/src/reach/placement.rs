@@ -170,9 +170,8 @@ mod tests {
 
     #[test]
     fn a_single_cell_is_at_the_present_placement() {
-        assert_eq!(ReachSpan::new(-10.0, 30.0, 1).unwrap().at(0), 0.0);
-        assert_eq!(ReachSpan::new(10.0, 30.0, 1).unwrap().at(0), 20.0);
-        assert_eq!(ReachSpan::new(10.0, 30.0, 3).unwrap().at(2), 30.0);
+        let is_at = |from, cells, i, at: f64| (ReachSpan::new(from, 30.0, cells).unwrap().at(i) - at).abs() < 1e-12;
+        assert!(is_at(-10.0, 1, 0, 0.0) && is_at(10.0, 1, 0, 20.0) && is_at(10.0, 3, 2, 30.0));
         assert_eq!(ReachSpan::new(1.0, 0.0, 3), Err(SpanError::Reversed));
         assert_eq!(ReachSpan::new(0.0, 1.0, 0), Err(SpanError::NoCells));
         assert_eq!(ReachSpan::new(f64::NAN, 1.0, 1), Err(SpanError::NotFinite));
