@@ -13,7 +13,6 @@ use seamwright_weld::Welding;
 use std::f64::consts::{PI, TAU};
 
 const ELLIPSE: &str = include_str!("../../../../examples/ellipse.toml");
-const TORCH: &str = include_str!("../../../../examples/first-weld.toml");
 
 /// A nozzle on a shell, near enough for the arms.
 const NOZZLE: &str = r#"
@@ -258,17 +257,12 @@ fn judgements_on_an_arm_agree_with_planner_and_brute_force() {
 /// Longer strokes never make a weldable placement fail, and shorter ones never make a failing one weldable.
 #[test]
 fn longer_ranges_keep_what_is_weldable() {
-    let welding = read(TORCH);
+    let welding = read(ELLIPSE);
     let machine = machine_of(&welding);
     let mut random = Random::new(11);
     let mut changed = 0;
     for _ in 0..cases(40) {
-        let place = at(
-            random.within(-500.0, 500.0),
-            random.within(-500.0, 500.0),
-            random.within(-200.0, 200.0),
-            random.within(-PI, PI),
-        );
+        let place = at(random.within(-800.0, 800.0), random.within(-300.0, 300.0), 0.0, random.within(-PI, PI));
         let mut longer = machine.clone();
         for axis in longer.axes.iter_mut().filter(|axis| axis.kind == AxisKind::Linear) {
             let by = random.within(0.0, 300.0);
@@ -281,6 +275,7 @@ fn longer_ranges_keep_what_is_weldable() {
         changed += usize::from(short.margin().is_none() && long.margin().is_some());
     }
     println!("{changed} became weldable");
+    assert!(changed > 2);
 }
 
 /// A search that is stopped keeps what it has judged.
