@@ -614,3 +614,30 @@ cli-no-arm-angle = die Maschine ist kein Arm mit sieben Achsen
 # Roboterprogramme.
 cli-not-for-robots = nicht für Roboter
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+
+# Search for placements of the work.
+cli-progress-reach = Suche nach Aufstellungen
+cli-label-judged = geprüft
+cli-label-budget = Zeitrahmen
+cli-label-present = jetzt
+cli-label-best = beste
+cli-label-entry = Eintrag
+cli-reach-judged = Aufstellungen: { $placements }, schweißbar: { $weldable }
+cli-reach-cut-off = { $budget } beendeten die Suche: --budget gibt ihr mehr
+cli-reach-at = x { $x }, y { $y }, z { $z } von der jetzigen Aufstellung, gedreht { $turn }
+cli-reach-margin = Achse { $axis } behält { $margin } ihres Bereichs frei (Lage { $pass }, s = { $s })
+cli-reach-free = schweißbar; keine Achse hat einen Bereich
+cli-reach-fails = nicht schweißbar bei Lage { $pass }, s = { $s }: { $reason }
+cli-reach-not-planned = { $placement }: der Planer lehnt sie ab: { $reason }
+cli-reach-none = keine Aufstellung ist schweißbar und geplant
+cli-reach-entry = { $key }: move_mm = { $vector }, Winkel { $angle }
+cli-reach-form = VON,BIS oder VON,BIS,ZELLEN mit VON bis BIS und 1 oder mehr Zellen, etwa -300,300,9
+cli-reach-ends = Enden von { $min } bis { $max }
+cli-reach-reversed = der Bereich beginnt über seinem Ende
+cli-reach-too-many-cells = das Gitter hat { $cells } Plätze
+cli-reach-cells-allowed = insgesamt bis zu { $max } Plätze
+cli-reach-no-file = es gibt keine solche Datei zum Schreiben
+cli-reach-job-file = eine Auftrags- oder Programmdatei; `seamwright examples NAME > job.toml` erzeugt eine
+cli-reach-changed = { $file } wurde während der Suche geändert: nichts wurde geschrieben
+cli-label-planned = geplant
+cli-reach-planned = Achse { $axis } behält im Plan { $margin } ihres Bereichs frei

@@ -294,3 +294,8 @@ motion-step-too-long = ein Schritt von { $step } (Geschwindigkeit mal Periode) i
 motion-pulse-too-large = ein Impuls von { $pulse } ist zu groß für diese Form: höchstens { $max }
 motion-too-many-steps = das braucht etwa { $steps } Schritte oder Impulse; die Grenze ist { $max }
 motion-not-verified = Lage { $pass }: die geplante Bewegung ist nicht abspielbar ({ $why })
+
+# Reach of placements.
+motion-reach-jump = keine stetige Bewegung der Achsen führt über die Bahn
+motion-reach-speed = Achse { $axis } bräuchte { $used } ihrer Geschwindigkeit bei { $asked }
+motion-reach-position = die Schweißposition liegt { $by } außerhalb der von der Anweisung erlaubten

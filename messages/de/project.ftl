@@ -145,3 +145,7 @@ project-teach-no-joint = keine Fuge gefunden
 project-teach-no-more-frames = die Bilder enden vor der Fuge
 project-cure-teach = von dort mit --start weiter teachen, ein größeres --longest-tack-mm erlauben oder die Punkte von Hand aufnehmen
 project-goes-on = geht in Lage { $pass } ab { $from } weiter
+
+# Search for placements.
+project-reach-axes = Lage { $pass } ist durch Achspositionen gegeben: keine Aufstellung verschiebt sie
+project-reach-axes-allowed = Lagen entlang einer Naht oder durch Punkte des Brenners

@@ -951,3 +951,42 @@ cli-not-for-robots = not for robots
     .cause = Robot languages give poses of the tool and its speed. They have no levels, feed words or block types.
     .cure = Leave the option out.
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+
+# Search for placements of the work.
+cli-progress-reach = searching placements
+cli-label-judged = judged
+cli-label-budget = budget
+cli-label-present = present
+cli-label-best = best
+cli-label-entry = entry
+cli-reach-judged = placements: { $placements }, weldable: { $weldable }
+cli-reach-cut-off = { $budget } ended the search: --budget gives it more
+cli-reach-at = x { $x }, y { $y }, z { $z } from the present placement, turned { $turn }
+cli-reach-margin = axis { $axis } keeps { $margin } of its range free (pass { $pass }, s = { $s })
+cli-reach-free = weldable; no axis has a range
+cli-reach-fails = not weldable at pass { $pass }, s = { $s }: { $reason }
+cli-reach-not-planned = { $placement }: the planner refuses it: { $reason }
+    .cause = The axes reach the whole seam there, but clearance, a transfer move or the speed profile fails.
+    .cure = No action is needed: the next best placement is tried.
+cli-reach-none = no placement is weldable and planned
+    .cause = No judged placement passes all checks; the reasons are in reach.html with -o.
+    .cure = Widen --x, --y, --z or --turn, or give more cells or a larger --budget.
+cli-reach-entry = { $key }: move_mm = { $vector }, angle { $angle }
+cli-reach-form = FROM,TO or FROM,TO,CELLS with FROM up to TO and 1 or more cells, such as -300,300,9
+cli-reach-ends = ends from { $min } to { $max }
+cli-reach-reversed = the range starts above its end
+    .cause = The first number of the range is larger than the second.
+    .cure = Swap the two numbers.
+cli-reach-too-many-cells = the grid has { $cells } places
+    .cause = The numbers of cells of --x, --y, --z and --turn are multiplied.
+    .cure = Give fewer cells; the local search refines the best ones.
+cli-reach-cells-allowed = up to { $max } places in all
+cli-reach-no-file = there is no such file to write to
+    .cause = An example is part of the program, so the placement cannot be written into it.
+    .cure = Copy the example with `seamwright examples NAME > job.toml`, and give that file.
+cli-reach-job-file = a job or program file; `seamwright examples NAME > job.toml` makes one
+cli-reach-changed = { $file } has changed during the search: nothing was written
+    .cause = Somebody else has written the file since it was read.
+    .cure = Run the command again.
+cli-label-planned = planned
+cli-reach-planned = axis { $axis } keeps { $margin } of its range free in the plan

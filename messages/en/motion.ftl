@@ -536,3 +536,14 @@ motion-too-many-steps = this needs about { $steps } steps or pulses; the limit i
 motion-not-verified = pass { $pass }: the planned motion cannot be played ({ $why })
     .cause = A motion from another process is incomplete or exceeds a limit of an axis of this machine.
     .cure = Load the job again. If it remains, report it with the job and the machine file.
+
+# Reach of placements.
+motion-reach-jump = no continuous motion of the axes leads along the path
+    .cause = Each station is reached, but an axis would have to jump to another configuration or another whole turn.
+    .cure = Move or turn the work; `seamwright machine reach` searches placements.
+motion-reach-speed = axis { $axis } would need { $used } of its speed at { $asked }
+    .cause = With this placement the requested speed takes the axis beyond its limit, and the pass does not slow down.
+    .cure = Choose another placement, lower the speed, or set `on_limit = "slow"`.
+motion-reach-position = the welding position is { $by } outside those that the procedure allows
+    .cause = The machine cannot tilt the work far enough with this placement.
+    .cure = Choose another placement, or allow the position in the procedure.

@@ -264,3 +264,9 @@ project-teach-no-more-frames = the frames end before the joint does
 project-cure-teach = teach on from there with --start, allow a longer --longest-tack-mm, or take the points by hand
 project-goes-on = goes on in pass { $pass } from { $from }
     .cause = The weld was continued with `--from` or from the panel; it starts before the welded end by `overlap_mm`.
+
+# Search for placements.
+project-reach-axes = pass { $pass } is given by axis positions: no placement moves it
+    .cause = A pass through taught axis positions stays where it was taught.
+    .cure = Use a job whose passes follow a seam or points of the torch.
+project-reach-axes-allowed = passes along a seam, or through points of the torch

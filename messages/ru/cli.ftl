@@ -644,3 +644,30 @@ cli-no-arm-angle = станок не является рукой с семью �
 # Программы роботов.
 cli-not-for-robots = не для роботов
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+
+# Search for placements of the work.
+cli-progress-reach = поиск установок детали
+cli-label-judged = проверено
+cli-label-budget = бюджет
+cli-label-present = сейчас
+cli-label-best = лучшая
+cli-label-entry = запись
+cli-reach-judged = установки: { $placements }, пригодны: { $weldable }
+cli-reach-cut-off = { $budget } завершили поиск: --budget даст больше
+cli-reach-at = x { $x }, y { $y }, z { $z } от нынешней установки, поворот { $turn }
+cli-reach-margin = у оси { $axis } остаётся { $margin } диапазона (проход { $pass }, s = { $s })
+cli-reach-free = пригодна; ни у одной оси нет диапазона
+cli-reach-fails = непригодна: проход { $pass }, s = { $s }: { $reason }
+cli-reach-not-planned = { $placement }: планировщик отклоняет: { $reason }
+cli-reach-none = нет пригодной и запланированной установки
+cli-reach-entry = { $key }: move_mm = { $vector }, угол { $angle }
+cli-reach-form = ОТ,ДО или ОТ,ДО,ЯЧЕЙКИ, где ОТ не больше ДО и ячеек не меньше 1, например -300,300,9
+cli-reach-ends = концы от { $min } до { $max }
+cli-reach-reversed = диапазон начинается выше своего конца
+cli-reach-too-many-cells = в сетке { $cells } мест
+cli-reach-cells-allowed = всего до { $max } мест
+cli-reach-no-file = нет такого файла для записи
+cli-reach-job-file = файл задания или программы; его создаёт `seamwright examples NAME > job.toml`
+cli-reach-changed = { $file } изменён во время поиска: ничего не записано
+cli-label-planned = план
+cli-reach-planned = в плане у оси { $axis } остаётся { $margin } диапазона

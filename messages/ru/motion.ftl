@@ -301,3 +301,8 @@ motion-step-too-long = шаг { $step } (скорость, умноженная 
 motion-pulse-too-large = импульс { $pulse } слишком велик для этой формы: не больше { $max }
 motion-too-many-steps = для этого нужно около { $steps } шагов или импульсов; предел { $max }
 motion-not-verified = проход { $pass }: запланированное движение невыполнимо ({ $why })
+
+# Reach of placements.
+motion-reach-jump = нет непрерывного движения осей вдоль пути
+motion-reach-speed = ось { $axis } потребовала бы { $used } своей скорости при { $asked }
+motion-reach-position = положение сварки на { $by } вне разрешённых процедурой

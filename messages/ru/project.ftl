@@ -151,3 +151,7 @@ project-teach-no-joint = стык не найден
 project-teach-no-more-frames = кадры кончились раньше стыка
 project-cure-teach = продолжайте обучение оттуда с --start, разрешите больше --longest-tack-mm или возьмите точки вручную
 project-goes-on = продолжено в проходе { $pass } с { $from }
+
+# Search for placements.
+project-reach-axes = проход { $pass } задан положениями осей: установка детали его не сдвигает
+project-reach-axes-allowed = проходы вдоль шва или через точки горелки

@@ -644,3 +644,30 @@ cli-no-arm-angle = верстат не є рукою із сімома осям�
 # Програми роботів.
 cli-not-for-robots = не для роботів
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+
+# Search for placements of the work.
+cli-progress-reach = пошук установлень деталі
+cli-label-judged = перевірено
+cli-label-budget = бюджет
+cli-label-present = зараз
+cli-label-best = найкраще
+cli-label-entry = запис
+cli-reach-judged = установлення: { $placements }, придатні: { $weldable }
+cli-reach-cut-off = { $budget } завершили пошук: --budget дасть більше
+cli-reach-at = x { $x }, y { $y }, z { $z } від нинішнього установлення, поворот { $turn }
+cli-reach-margin = у осі { $axis } лишається { $margin } діапазону (прохід { $pass }, s = { $s })
+cli-reach-free = придатне; жодна вісь не має діапазону
+cli-reach-fails = непридатне: прохід { $pass }, s = { $s }: { $reason }
+cli-reach-not-planned = { $placement }: планувальник відхиляє: { $reason }
+cli-reach-none = немає придатного і запланованого установлення
+cli-reach-entry = { $key }: move_mm = { $vector }, кут { $angle }
+cli-reach-form = ВІД,ДО або ВІД,ДО,КЛІТИНКИ, де ВІД не більше ДО і клітинок не менше 1, наприклад -300,300,9
+cli-reach-ends = кінці від { $min } до { $max }
+cli-reach-reversed = діапазон починається вище за свій кінець
+cli-reach-too-many-cells = у сітці { $cells } місць
+cli-reach-cells-allowed = загалом до { $max } місць
+cli-reach-no-file = немає такого файла для запису
+cli-reach-job-file = файл завдання або програми; його створює `seamwright examples NAME > job.toml`
+cli-reach-changed = { $file } змінено під час пошуку: нічого не записано
+cli-label-planned = план
+cli-reach-planned = у плані в осі { $axis } лишається { $margin } діапазону

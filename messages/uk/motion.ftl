@@ -301,3 +301,8 @@ motion-step-too-long = крок { $step } (швидкість, помножен�
 motion-pulse-too-large = імпульс { $pulse } завеликий для цієї форми: щонайбільше { $max }
 motion-too-many-steps = для цього потрібно близько { $steps } кроків або імпульсів; межа { $max }
 motion-not-verified = прохід { $pass }: заплановане переміщення невиконуване ({ $why })
+
+# Reach of placements.
+motion-reach-jump = немає неперервного руху осей уздовж шляху
+motion-reach-speed = вісь { $axis } потребувала б { $used } своєї швидкості при { $asked }
+motion-reach-position = положення зварювання на { $by } поза дозволеними процедурою

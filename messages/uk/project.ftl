@@ -151,3 +151,7 @@ project-teach-no-joint = стику не знайдено
 project-teach-no-more-frames = кадри закінчилися раніше за стик
 project-cure-teach = продовжуйте навчання звідти з --start, дозвольте більше --longest-tack-mm або візьміть точки вручну
 project-goes-on = продовжує прохід { $pass } від { $from }
+
+# Search for placements.
+project-reach-axes = прохід { $pass } заданий положеннями осей: установлення деталі його не зсуває
+project-reach-axes-allowed = проходи вздовж шва або через точки пальника

@@ -524,3 +524,30 @@ cli-no-arm-angle = 该机床不是七轴机械臂
 # 机器人程序。
 cli-not-for-robots = 不适用于机器人
 cli-options-of-robots = --tolerance-mm、--speed-percent、--retract-mm
+
+# Search for placements of the work.
+cli-progress-reach = 搜索摆放
+cli-label-judged = 已判定
+cli-label-budget = 时间预算
+cli-label-present = 当前
+cli-label-best = 最佳
+cli-label-entry = 条目
+cli-reach-judged = { $placements } 个摆放，{ $weldable } 个可焊
+cli-reach-cut-off = { $budget } 到时结束搜索：--budget 可给更多时间
+cli-reach-at = 距当前摆放 x { $x }、y { $y }、z { $z }，转 { $turn }
+cli-reach-margin = 轴 { $axis } 保留其行程的 { $margin }（焊道 { $pass }，s = { $s }）
+cli-reach-free = 可焊；没有轴有行程限制
+cli-reach-fails = 在焊道 { $pass }、s = { $s } 处不可焊：{ $reason }
+cli-reach-not-planned = { $placement }：规划器拒绝：{ $reason }
+cli-reach-none = 没有可焊且已规划的摆放
+cli-reach-entry = { $key }：move_mm = { $vector }，角度 { $angle }
+cli-reach-form = FROM,TO 或 FROM,TO,CELLS，FROM 不大于 TO，单元数不少于 1，例如 -300,300,9
+cli-reach-ends = 两端在 { $min } 到 { $max } 之间
+cli-reach-reversed = 范围的起点大于终点
+cli-reach-too-many-cells = 网格有 { $cells } 个位置
+cli-reach-cells-allowed = 总共最多 { $max } 个位置
+cli-reach-no-file = 没有可写入的此文件
+cli-reach-job-file = 作业或程序文件；`seamwright examples NAME > job.toml` 可生成一个
+cli-reach-changed = { $file } 在搜索期间被修改：未写入任何内容
+cli-label-planned = 已规划
+cli-reach-planned = 在规划中，轴 { $axis } 保留其行程的 { $margin }

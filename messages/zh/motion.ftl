@@ -279,3 +279,8 @@ motion-step-too-long = 步长 { $step }（速度与周期之积）对此路径�
 motion-pulse-too-large = 脉冲当量 { $pulse } 对此形状太大：最多 { $max }
 motion-too-many-steps = 这需要约 { $steps } 个步或脉冲；上限为 { $max }
 motion-not-verified = 焊道 { $pass }：规划的运动无法执行（{ $why }）
+
+# Reach of placements.
+motion-reach-jump = 没有沿路径的连续轴运动
+motion-reach-speed = 轴 { $axis } 在 { $asked } 时需要其速度的 { $used }
+motion-reach-position = 焊接位置超出工艺规程允许范围 { $by }

@@ -127,3 +127,7 @@ project-teach-no-joint = 没有找到接头
 project-teach-no-more-frames = 图像帧先于接头结束
 project-cure-teach = 从那里用 --start 继续示教，放宽 --longest-tack-mm，或手动取点
 project-goes-on = 从焊道 { $pass } 的 { $from } 处继续
+
+# Search for placements.
+project-reach-axes = 焊道 { $pass } 由轴位置给出：摆放不会移动它
+project-reach-axes-allowed = 沿焊缝或经过焊枪点的焊道

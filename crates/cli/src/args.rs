@@ -14,6 +14,7 @@ pub(crate) mod part;
 mod planning;
 pub(crate) mod post;
 mod pulses;
+pub(crate) mod reach;
 pub(crate) mod read;
 pub(crate) mod records;
 pub(crate) mod reduce;

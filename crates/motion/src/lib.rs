@@ -9,6 +9,7 @@
 //! | play a pass period by period, in constant memory, without allocation | [`PassMotion::set_points`] |
 //! | see which limit binds where | [`PassMotion::certificate`], a [`Certificate`](speed_profile::Certificate) |
 //! | play a motion under an operator's commands: override, hold, resume, reverse | [`feed_override`] |
+//! | find a placement of the work at which the whole seam is weldable | [`reach`] |
 //! | move axes without a path | [`jog`], [`transfer`] |
 //! | follow any number of taught points | [`taught`] |
 //! | compare a plan with a welding procedure specification | [`procedure`] |
@@ -79,9 +80,11 @@ mod pass_heat;
 mod pass_motion;
 mod pass_order;
 mod pass_time;
+mod placed_path;
 mod planned;
 pub mod procedure;
 pub mod pulses;
+pub mod reach;
 pub mod redundancy;
 mod set_points;
 mod singular;

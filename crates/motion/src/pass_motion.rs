@@ -60,6 +60,8 @@ pub(crate) struct Request<'a> {
     /// All passes of the weld in order, including this one; empty if no others are known.
     pub(crate) weld: &'a [(&'a dyn TorchPath, &'a Pass)],
     pub(crate) clearance: Option<Clearance<'a>>,
+    /// True if the search of free axes may miss a path, in a small part of the time.
+    pub(crate) is_quick: bool,
 }
 
 impl PassMotion {
@@ -86,6 +88,7 @@ impl PassMotion {
             explains: true,
             weld: &[],
             clearance: None,
+            is_quick: false,
         };
         Self::of(machine, known)
     }
@@ -284,6 +287,7 @@ pub(crate) fn along_axes(machine: &Machine, request: Request) -> Result<(FreeAxe
         clearance: request.clearance,
         positions: request.procedure.and_then(|p| AllowedPositions::of(p, line, pass, number)),
         explains: request.explains,
+        is_quick: request.is_quick,
     };
     let free = resolve_within(effort, machine, line, aim, number)?;
     effort.begin(SearchStage::Reach);

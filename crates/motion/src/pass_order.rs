@@ -179,6 +179,7 @@ impl Order<'_> {
             explains: true,
             weld: self.passes,
             clearance: None,
+            is_quick: false,
         }
     }
 

@@ -2,6 +2,7 @@
 //!
 //! - [`load`] reads a job with its machine, part and fixtures ([`load::Loaded`]), and plans it.
 //! - [`planning`] limits the time of a plan, shows its progress and cancels it.
+//! - [`reach`](mod@reach) searches the best placement of the work; [`placing`] writes it into the job.
 //! - [`posting`] writes part programs, [`recording`] records welds.
 //! - [`Failure`] is the reason why a command ends without its result, with its exit code.
 //!
@@ -29,10 +30,12 @@ pub mod files;
 pub mod load;
 mod outside_data;
 pub mod own_machine;
+pub mod placing;
 pub mod planning;
 pub mod posting;
 pub mod power_loss;
 mod pulse_file;
+pub mod reach;
 #[cfg(feature = "library")]
 pub mod recording;
 pub mod run_rows;

@@ -4,6 +4,7 @@ use super::arm::{ImportArgs, NewArgs};
 use super::io::IoArgs;
 use super::move_to::MoveArgs;
 use super::planning::KinematicsArgs;
+use super::reach::ReachArgs;
 use super::run::LatencyArgs;
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -27,6 +28,8 @@ pub(crate) enum MachineVerb {
     New(NewArgs),
     /// Find the work offset from touched points: the position of the part in the machine
     Place(PlaceArgs),
+    /// Find the placement of the work with which the axes keep the largest margin over the whole seam; draw a map
+    Reach(Box<ReachArgs>),
     /// Test a machine file: inverse, Jacobian, units, singular configurations, reach; draw its axes
     Check(CheckMachineArgs),
     /// Tune the position loops on the drives of a machine file, in simulation, and measure their margins

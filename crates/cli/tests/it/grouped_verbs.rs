@@ -24,8 +24,21 @@ fn the_verbs_are_grouped() {
     ];
     assert_eq!(top, expected);
     let machine = verbs(&good(&["machine", "--help"]));
-    let expected =
-        ["list", "show", "import", "new", "place", "check", "tune", "kinematics", "move", "io", "latency", "help"];
+    let expected = [
+        "list",
+        "show",
+        "import",
+        "new",
+        "place",
+        "reach",
+        "check",
+        "tune",
+        "kinematics",
+        "move",
+        "io",
+        "latency",
+        "help",
+    ];
     assert_eq!(machine, expected);
     assert_eq!(verbs(&good(&["vision", "--help"])), ["joint", "stripe", "scan", "help"]);
 }

@@ -32,6 +32,7 @@ mod place;
 mod procedure;
 mod pulses;
 mod ramps;
+mod reach;
 mod read;
 mod records;
 mod reduce;

@@ -55,7 +55,7 @@ impl<'a> AllowedPositions<'a> {
     }
 
     /// Distance of a weld outside all of them, degrees; negative within one.
-    fn beyond(&self, at: Inclination) -> f64 {
+    pub(crate) fn beyond(&self, at: Inclination) -> f64 {
         let each = self.positions.iter().map(|position| self.limits.beyond(self.joint, *position, at));
         // A joint without any of these positions gets a constant.
         each.fold(180.0, f64::min)
@@ -195,6 +195,8 @@ pub(crate) struct Aim<'a> {
     pub(crate) positions: Option<AllowedPositions<'a>>,
     /// False if the reason for a missing path is not needed: without a closed form it is slow to find.
     pub(crate) explains: bool,
+    /// True for a search that may miss a path which a thorough one finds, in a small part of its time.
+    pub(crate) is_quick: bool,
 }
 
 pub(super) struct Place {

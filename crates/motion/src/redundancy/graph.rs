@@ -92,6 +92,11 @@ impl<'t, 'a> Graph<'t, 'a> {
         graph
     }
 
+    /// Positions along the best path.
+    pub(super) fn best(&self) -> Option<Vec<Joints>> {
+        self.way().map(|way| self.positions(&way))
+    }
+
     /// Positions along the best path, and along others of similar cost through nodes as far apart as possible: the
     /// samples do not include the cost of acceleration, by which one of these may be best. Empty without a path.
     pub(super) fn ways(&mut self) -> Vec<Vec<Joints>> {

@@ -125,7 +125,7 @@ pub fn resolve(
     pass: usize,
 ) -> Result<FreeAxes, Vec<Finding>> {
     let machine = holding(machine, wishes).map_err(|e| vec![explain::hold(e, path.length(), pass)])?;
-    let aim = Aim { speed, wishes, clearance, positions: None, explains: true };
+    let aim = Aim { speed, wishes, clearance, positions: None, explains: true, is_quick: false };
     resolve_within(&Effort::new(None), &machine, path, aim, pass)
 }
 
@@ -180,9 +180,10 @@ impl<'a> Task<'a> {
             None if self.machine.heads[0].is_numeric() => NUMERIC_EFFORTS,
             None => EFFORTS,
         };
-        for (stations, samples) in efforts {
+        let efforts = if self.is_quick { &efforts[..1] } else { &efforts[..] };
+        for &(stations, samples) in efforts {
             let mut graph = graph::Graph::new(self, stations, samples);
-            let mut ways = graph.ways();
+            let mut ways = if self.is_quick { graph.best().into_iter().collect() } else { graph.ways() };
             if let Some(best) = ways.first() {
                 ways.push(self.closer(best.clone(), graph.steps.clone()));
             }

@@ -27,13 +27,14 @@ pub(super) fn refine(task: &Task, ways: &[Vec<Joints>], still: Vec<(usize, f64)>
         Some((stage.cost, way, stage.coefficients))
     };
     task.effort.begin(SearchStage::Refining);
-    let stages = (ways.len() + STAGES.len()) as f64;
+    let finer = if task.is_quick { &STAGES[..1] } else { &STAGES[..] };
+    let stages = (ways.len() + finer.len()) as f64;
     let first = ways.iter().enumerate().filter_map(|(i, way)| {
         task.effort.spend(0, i as f64 / stages);
         stage(FIRST_STAGE, way)
     });
     let mut best = first.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    for (i, size) in STAGES.into_iter().enumerate() {
+    for (i, &size) in finer.iter().enumerate() {
         task.effort.spend(0, (ways.len() + i) as f64 / stages);
         best = stage(size, &best.1)?;
     }

@@ -24,6 +24,8 @@ pub(super) struct Task<'a> {
     pub(super) winding: AxisSet,
     /// See [`Aim::explains`].
     pub(super) explains: bool,
+    /// See [`Aim::is_quick`].
+    pub(super) is_quick: bool,
     pub(super) cost: Cost<'a>,
 }
 
@@ -38,6 +40,7 @@ impl<'a> Task<'a> {
         let mut base = machine.home();
         held.iter().for_each(|&(axis, value)| base[axis] = value);
         let still: AxisSet = held.iter().map(|(axis, _)| *axis).collect();
+        let Aim { explains, is_quick, .. } = aim;
         let mut looked_for = machine.free().different(still);
         let cost = Cost::new(machine, aim, still, &base);
         let mut axes = machine.axes.clone();
@@ -60,7 +63,7 @@ impl<'a> Task<'a> {
         });
         let winding = winding.collect();
         let free = looked_for.iter().collect();
-        Self { effort, machine, path, axes, roll, free, base, winding, explains: aim.explains, cost }
+        Self { effort, machine, path, axes, roll, free, base, winding, explains, is_quick, cost }
     }
 
     fn target(&self, target: Target, q: &Joints) -> Target {

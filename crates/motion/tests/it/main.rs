@@ -23,6 +23,7 @@ mod positions;
 mod procedure;
 mod pulses;
 mod ranges;
+mod reach;
 mod redundancy;
 mod run_up;
 mod searches;

@@ -6,6 +6,7 @@ mod import;
 mod new_arm;
 mod place;
 mod placement_report;
+mod reach;
 mod touched_points;
 mod tune;
 mod tuning_report;
@@ -27,6 +28,7 @@ pub(crate) fn run(args: &MachineArgs) -> Result<(), Failure> {
         MachineVerb::Import(a) => import::run(a),
         MachineVerb::New(NewArgs { kind: NewKind::Arm(a) }) => new_arm::run(a),
         MachineVerb::Place(a) => place::run(a),
+        MachineVerb::Reach(a) => reach::run(a),
         MachineVerb::Check(a) => check::run(a),
         MachineVerb::Tune(a) => tune::run(a),
     }

@@ -1,0 +1,120 @@
+//! `machine reach`: the best placement is planned by the ordinary planner and written into the job.
+
+use crate::common::{bad, example, good, has_all, json, json_file, run, write};
+use serde_json::Value;
+use std::fs;
+
+/// A nozzle on a shell, near enough for the arms.
+const NOZZLE: &str = r#"
+schema = 1
+title = "nozzle 120 on shell 300"
+machine = "MACHINE"
+[placement]
+move_mm = [0, 0, 160] # on the plate
+[seam.nozzle]
+radius_mm = 60
+wall_mm = 6
+[seam.nozzle.body.cylinder]
+radius_mm = 150
+axis = [1, 0, 0]
+[part]
+body_length_mm = 300
+nozzle_length_mm = 80
+[start]
+phi_deg = 0
+overlap_mm = 10
+[weld]
+speed_mm_s = 6
+[weld.process]
+current_a = 220
+voltage_v = 25
+wire_feed_m_min = 7
+"#;
+
+fn ellipse(folder: &tempfile::TempDir, placement: &str) -> String {
+    let text = fs::read_to_string(example("ellipse")).unwrap();
+    write(folder.path(), "job.toml", text.replace("[start]", &format!("{placement}\n[start]")))
+}
+
+const SMALL: [&str; 4] = ["--x=-300,300,3", "--y=-100,100,3", "--z=0,0", "--turn=0,0"];
+
+#[test]
+fn the_best_placement_is_planned_and_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = ellipse(&folder, "# beside the table\n[placement]\nmove_mm = [700, 50, 0] # too far");
+    assert_eq!(run(&["check", &job]).status.code(), Some(1));
+    let out = folder.path().join("out").display().to_string();
+    let text = good(&[&["machine", "reach", &job, "--apply", "-o", &out], &SMALL[..]].concat());
+    has_all(&text, &["axis x", "placement: move_mm", "reach.html", "job.toml"]);
+    good(&["check", &job]);
+    let written = fs::read_to_string(&job).unwrap();
+    has_all(&written, &["# beside the table\n[placement]\n", "# too far", "# eccentric angle: the point (0, 16)"]);
+    let found = json_file(format!("{out}/reach.json"));
+    assert_eq!(found["placements"][0]["weldable"], Value::Bool(false));
+    assert_eq!(found["placements"][0]["fault"], "range");
+    assert_eq!(found["cut_off"], Value::Bool(false));
+    let page = fs::read_to_string(format!("{out}/reach.html")).unwrap();
+    has_all(&page, &["class=\"heat h", "Reasons of failures", "best placement"]);
+    assert!(fs::read_to_string(format!("{out}/reach.svg")).unwrap().starts_with("<svg"));
+}
+
+#[test]
+fn the_result_is_the_same_each_time() {
+    let arguments = [&["machine", "reach", "ellipse", "--json"], &SMALL[..]].concat();
+    assert_eq!(good(&arguments), good(&arguments));
+}
+
+fn on_arm(machine: &str, ranges: [&str; 4]) {
+    let folder = tempfile::tempdir().unwrap();
+    let job = write(folder.path(), "job.toml", NOZZLE.replace("MACHINE", machine));
+    let found = json(&[&["machine", "reach", &job, "--json", "--apply", "--budget", "400"], &ranges[..]].concat());
+    let best = &found["best"];
+    println!("{machine}: {best}");
+    assert_eq!(best["weldable"], Value::Bool(true), "{found}");
+    let score = |row: &Value| row["score"].as_f64().unwrap();
+    assert!(score(best) >= score(&found["placements"][0]) - 5e-3);
+    assert_eq!(best["key"], "placement");
+    assert!(fs::read_to_string(&job).unwrap().contains("# on the plate"));
+    good(&["check", &job]);
+}
+
+#[test]
+fn the_best_placement_on_an_arm_is_planned() {
+    on_arm("irb-2600", ["--x=-200,300,3", "--y=-300,300,3", "--z=0,0", "--turn=0,0"]);
+}
+
+#[test]
+fn the_best_placement_on_an_arm_with_a_positioner_is_planned() {
+    on_arm("ur10e-positioner", ["--x=-60,60,3", "--y=0,0", "--z=0,60,2", "--turn=0,0"]);
+}
+
+#[test]
+fn nothing_is_written_without_a_placement() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = ellipse(&folder, "[placement]\nmove_mm = [0, 0, 50]");
+    let before = fs::read_to_string(&job).unwrap();
+    let output = run(&[&["machine", "reach", &job, "--apply"], &SMALL[..]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8(output.stdout).unwrap().contains("no placement is weldable"));
+    assert_eq!(fs::read_to_string(&job).unwrap(), before);
+}
+
+#[test]
+fn a_small_budget_ends_with_what_was_found() {
+    let output = run(&["machine", "reach", "ellipse", "--json", "--budget", "0.000001"]);
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["cut_off"], Value::Bool(true));
+    assert_eq!(output.status.code(), Some(1));
+}
+
+#[test]
+fn bad_ranges_are_refused_with_what_is_allowed() {
+    let bad = |extra: &[&str]| bad(2, &[&["machine", "reach", "ellipse"], extra].concat());
+    has_all(&bad(&["--x=300,-300,9"]), &["--x 300,-300,9", "starts above its end", "FROM,TO,CELLS"]);
+    has_all(&bad(&["--turn", "1"]), &["--turn 1", "FROM,TO or FROM,TO,CELLS"]);
+    has_all(&bad(&["--y", "0,1,0"]), &["--y 0,1,0", "1 or more cells"]);
+    has_all(&bad(&["--z", "0,1e9"]), &["--z 0,1e9", "100000"]);
+    has_all(&bad(&["--x", "0,1,1000", "--y", "0,1,1000"]), &["1000000 places", "100000"]);
+    has_all(&bad(&["--budget", "0"]), &["--budget 0"]);
+    has_all(&bad(&["--apply"]), &["--apply ellipse", "seamwright examples NAME > job.toml"]);
+}
