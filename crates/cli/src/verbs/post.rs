@@ -119,7 +119,7 @@ fn request(args: &PostArgs) -> Result<Request, Failure> {
             }
             let usual = RobotOptions::default();
             let speed_percent = speed(args.speed_percent.unwrap_or(usual.speed_percent))?;
-            Ok(Request::Robot(language, RobotOptions { tolerance_mm, speed_percent }))
+            Ok(Request::Robot(language, RobotOptions { tolerance_mm, speed_percent, ..usual }))
         }
     }
 }

@@ -279,6 +279,32 @@ fn three_axes_to_spare() {
     }
 }
 
+/// A whole nozzle with the seven-axis arm: the planner swivels the elbow (arm angle, by the third axis) and turns the torch.
+#[test]
+fn a_seven_axis_arm_welds_a_nozzle() {
+    let text = "schema = 1\ntitle = \"nozzle\"\nmachine = \"iiwa-14\"\n[placement]\nmove_mm = [-100, 0, 160]\n\
+        [seam.nozzle]\nradius_mm = 60\nwall_mm = 6\n[seam.nozzle.body.cylinder]\nradius_mm = 150\naxis = [1, 0, 0]\n\
+        [start]\nphi_deg = 0\noverlap_mm = 10\n[weld]\nspeed_mm_s = 6\n";
+    let machine = shipped_machine("iiwa-14");
+    let welding = read(text);
+    let motion = planning::plan(&machine, &welding).unwrap_or_else(|findings| panic!("{findings:#?}"));
+    check_motion(&machine, &welding, &motion);
+    let third = machine.axis("a3").unwrap();
+    let (mut elbow, mut axis) = ([f64::INFINITY, f64::NEG_INFINITY], [f64::INFINITY, f64::NEG_INFINITY]);
+    let widen = |range: &mut [f64; 2], value: f64| *range = [range[0].min(value), range[1].max(value)];
+    let start = machine.arm_configuration(&motion.path.at(0.0)).unwrap();
+    for i in 0..=200 {
+        let q = motion.path.at(motion.path.length() * f64::from(i) / 200.0);
+        widen(&mut elbow, machine.arm_angle(&q).unwrap().to_degrees());
+        widen(&mut axis, q[third].to_degrees());
+        let now = machine.arm_configuration(&q).unwrap();
+        assert_eq!((now.shoulder, now.elbow, now.wrist), (start.shoulder, start.elbow, start.wrist));
+        assert!(machine.arm_margins(&q).unwrap().min() > 0.05);
+    }
+    println!("arm angle {elbow:.1?} degrees, a3 {axis:.1?} degrees");
+    assert!(elbow[1] - elbow[0] > 2.0, "{elbow:?}");
+}
+
 #[test]
 fn a_held_axis_stands_still() {
     let held = EXAMPLE.replace("# hold = { u = 90 } ", "hold = { u = 88, w = -20 } ");
