@@ -51,6 +51,19 @@ impl RobotLanguage {
         }
     }
 
+    /// The language of a file by the ending of its name.
+    pub fn of_file(file: &str) -> Option<Self> {
+        let ending = file.rsplit_once('.')?.1.to_ascii_lowercase();
+        match ending.as_str() {
+            "mod" | "modx" => Some(Self::Rapid),
+            "src" => Some(Self::Krl),
+            "ls" => Some(Self::FanucLs),
+            "script" => Some(Self::Urscript),
+            "jbi" => Some(Self::Inform),
+            _ => None,
+        }
+    }
+
     /// Maximum number of external axes.
     pub fn max_externals(self) -> usize {
         match self {

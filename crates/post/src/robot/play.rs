@@ -14,6 +14,7 @@ use super::pose::RobotPose;
 use super::program::TcpMove;
 use super::way::{CircularRule, Way};
 use glam::{DQuat, DVec3};
+use std::sync::Arc;
 
 /// Shape of the path round a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,9 +60,9 @@ pub struct RobotPiece {
 #[derive(Debug, Clone, PartialEq)]
 enum PieceCourse {
     /// Parts of a way from one to another.
-    Middle { way: Way, from: f64, to: f64 },
+    Middle { way: Arc<Way>, from: f64, to: f64 },
     /// The end of a way from a part on, and the start of the next one up to a part.
-    Corner { before: Way, from: f64, after: Way, to: f64, shape: BlendShape },
+    Corner { before: Arc<Way>, from: f64, after: Arc<Way>, to: f64, shape: BlendShape },
 }
 
 /// A sequence of moves as played.
@@ -75,7 +76,7 @@ pub struct RobotPlay {
 
 /// A move with what the play needs of it.
 struct Line {
-    way: Way,
+    way: Arc<Way>,
     length: f64,
     speed: f64,
     /// Radii of the corners at both ends.
@@ -121,7 +122,7 @@ fn measured(start: &Station, moves: &[&TcpMove], rule: CircularRule) -> Vec<Line
     let mut from = start.clone();
     let mut all: Vec<Line> = Vec::new();
     for step in moves {
-        let way = Way::of(&from, step, rule);
+        let way = Arc::new(Way::of(&from, step, rule));
         from = way.to.clone();
         all.push(Line { length: way.length(), way, speed: step.speed_mm_s, radii: [0.0; 2] });
     }

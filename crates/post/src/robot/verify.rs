@@ -33,7 +33,7 @@ pub struct PlannedRobot<'a> {
 }
 
 /// Differences of positions (mm, degrees) and times (s) from the order beyond which text is wrong.
-const OTHER: f64 = 2e-3;
+pub(super) const OTHER: f64 = 2e-3;
 /// Difference of orientations, rad.
 const OTHER_TURN: f64 = 2e-5;
 /// Stations checked in a part of the play, its end among them.
@@ -56,7 +56,7 @@ pub fn verify_robot(
 ) -> Result<Verification, Vec<Message>> {
     let arm = RobotArm::new(planned.machine, planned.language).map_err(|e| vec![e.message()])?;
     let rounding = same(asked, told).map_err(|wrong| vec![wrong])?;
-    let steps = on_work(&told.steps, &arm, &planned);
+    let steps = on_work(&told.steps, &arm, planned.machine, planned.language);
     let mut wrong = Vec::new();
     let (mut passes, mut moves) = (Vec::new(), 0);
     for (i, steps) in passes_of(&steps).into_iter().enumerate() {
@@ -78,11 +78,16 @@ pub fn verify_robot(
 }
 
 /// The steps with their poses in the frame of the work, on which lines and arcs are.
-fn on_work<'a>(steps: &'a [RobotStep], arm: &RobotArm, planned: &PlannedRobot) -> Cow<'a, [RobotStep]> {
-    if !planned.language.has_standing_frames(arm) {
+pub(super) fn on_work<'a>(
+    steps: &'a [RobotStep],
+    arm: &RobotArm,
+    machine: &Machine,
+    language: RobotLanguage,
+) -> Cow<'a, [RobotStep]> {
+    if !language.has_standing_frames(arm) {
         return Cow::Borrowed(steps);
     }
-    let back = |pose: &RobotPose, externals: &[f64]| pose.moved(&arm.carried(planned.machine, externals).inverse());
+    let back = |pose: &RobotPose, externals: &[f64]| pose.moved(&arm.carried(machine, externals).inverse());
     let moved = |step: &RobotStep| match step {
         RobotStep::Move(line) => RobotStep::Move(line.mapped(back)),
         step => step.clone(),
@@ -91,7 +96,7 @@ fn on_work<'a>(steps: &'a [RobotStep], arm: &RobotArm, planned: &PlannedRobot) -
 }
 
 /// The steps of each pass.
-fn passes_of(steps: &[RobotStep]) -> Vec<&[RobotStep]> {
+pub(super) fn passes_of(steps: &[RobotStep]) -> Vec<&[RobotStep]> {
     let starts: Vec<usize> = (0..steps.len()).filter(|i| matches!(steps[*i], RobotStep::Pass(_))).collect();
     let ends = starts.iter().skip(1).copied().chain([steps.len()]);
     starts.iter().zip(ends).map(|(from, to)| &steps[from + 1..to]).collect()
@@ -125,7 +130,7 @@ fn same_frames(a: &RobotFrames, t: &RobotFrames) -> Result<f64, Message> {
 }
 
 /// Distance of two poses of the same orientation.
-fn same_pose(a: &RobotPose, t: &RobotPose) -> Option<f64> {
+pub(super) fn same_pose(a: &RobotPose, t: &RobotPose) -> Option<f64> {
     (a.angle_to(t) <= OTHER_TURN).then(|| a.point.distance(t.point))
 }
 

@@ -2,13 +2,15 @@
 
 use crate::common::Planned;
 use glam::{DQuat, DVec3};
+use seamwright_document::Positive;
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::robot::{
-    ArcEnd, ArcStart, JointTarget, PlannedRobot, RobotArm, RobotLanguage, RobotOptions, RobotPose, RobotProgram,
-    RobotStep, RobotText, TcpMove, ThroughPoint, WeldValues, read_robot, robot_program, verify_robot, write_robot,
+    ArcEnd, ArcStart, JointTarget, PlannedRobot, RobotArm, RobotImport, RobotLanguage, RobotOptions, RobotPose,
+    RobotProgram, RobotStep, RobotText, TcpMove, ThroughPoint, WeldValues, read_robot, robot_program, robot_to_program,
+    verify_robot, write_robot,
 };
 use seamwright_post::{Error, Verification};
-use seamwright_program::TorchPath;
+use seamwright_program::{Program, TorchPath};
 use seamwright_testkit::{Random, cases};
 use std::f64::consts::PI;
 
@@ -123,6 +125,36 @@ fn fanuc_ls_is_the_plan() {
 #[test]
 fn inform_is_the_plan() {
     proven_with_arcs("ar1440", RobotLanguage::Inform, 0.9);
+}
+
+/// A text that is read as a weld program has its torch, speeds and values, and plans to the same weld.
+#[test]
+fn programs_come_back_as_welds() {
+    for (machine, language) in [("irb-2600", RobotLanguage::Rapid), ("kr-16", RobotLanguage::Krl)] {
+        let planned = on(machine);
+        let written = text(&planned, language, &program(&planned, language).unwrap());
+        let read = read_robot(language, "p", &written).unwrap();
+        let blend_mm = Positive::new(0.1).unwrap();
+        let import = RobotImport { machine: &planned.machine, machine_name: machine, language, blend_mm };
+        let imported = robot_to_program(&read, &import).unwrap();
+        let again = Program::read("p.toml", &imported.program.to_toml().unwrap()).unwrap().value;
+        let [pass] = &again.passes[..] else { panic!("{}", again.passes.len()) };
+        let (points, first) = (pass.points.as_ref().unwrap(), &planned.motion.passes[0]);
+        assert!((imported.seconds / first.profile.duration() - 1.0).abs() < 1e-3, "{}", imported.seconds);
+        assert_eq!(points.count(), imported.moves);
+        let rows: Vec<Vec<f64>> = points.rows().map(|row| row.iter().map(|v| v.get()).collect()).collect();
+        let end = first.path.length();
+        for (row, s) in [(&rows[0], 0.0), (&rows[rows.len() - 1], end)] {
+            let pose = planned.machine.forward(&first.path.at(s));
+            assert!(pose.point.distance(DVec3::new(row[0], row[1], row[2])) < 1e-3, "{row:?}");
+            assert!(pose.direction.distance(DVec3::new(row[3], row[4], row[5])) < 1e-5, "{row:?}");
+        }
+        assert_eq!(points.columns[6..], ["current_a", "voltage_v", "wire_feed_m_min", "speed_mm_s"]);
+        assert_eq!(rows[1][6..9], [220.0, 25.0, 7.0]);
+        let others = written.replace("tTorch:=[TRUE,[[90", "tTorch:=[TRUE,[[95").replace("$TOOL={X 90", "$TOOL={X 95");
+        let refused = robot_to_program(&read_robot(language, "p", &others).unwrap(), &import).unwrap_err();
+        assert!(matches!(refused, Error::OtherFrames { frame: "tool", .. }), "{refused:?}");
+    }
 }
 
 /// The rail is an external axis.
