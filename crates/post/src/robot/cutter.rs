@@ -204,7 +204,10 @@ impl<'a> Course<'a> {
         let steps = way.length() / time / bounds.language.speed_step_mm_s();
         let off = if (steps - steps.round()).abs() < 0.02 { 0.02 / steps } else { 0.5 / steps };
         let total = self.motion.profile.duration();
-        (ARC_SWEEP[0]..ARC_SWEEP[1]).contains(&way.sweep())
+        // On a smaller arc no zone fits, and the control would stop at its ends.
+        let min_radius_mm = bounds.language.min_zone_mm().powi(2) / bounds.tolerance_mm;
+        way.radius_mm() >= min_radius_mm
+            && (ARC_SWEEP[0]..ARC_SWEEP[1]).contains(&way.sweep())
             && off * way.length() <= ARC_LAG_MM
             && off * time <= ARC_TIME_PART * total
     }

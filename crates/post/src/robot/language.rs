@@ -184,6 +184,15 @@ impl RobotLanguage {
         (self == Self::Inform).then_some(1.5)
     }
 
+    /// Smallest zone beside an arc, mm: a control without it stops there.
+    pub(crate) fn min_zone_mm(self) -> f64 {
+        match (self.arc_ends_mm(), self.zones_mm()) {
+            (Some(short_mm), _) => 0.5 * short_mm,
+            (None, Some(zones)) => zones.first().copied().unwrap_or(0.0),
+            (None, None) => 0.1,
+        }
+    }
+
     /// Zones of its corners, mm, increasing; `None` if any zone can be programmed, in steps of 0.1 mm.
     pub(crate) fn zones_mm(self) -> Option<&'static [f64]> {
         match self {

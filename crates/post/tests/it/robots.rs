@@ -95,11 +95,22 @@ fn moves_and_poses(program: &RobotProgram) -> [usize; 2] {
 fn proven_with_arcs(machine: &str, language: RobotLanguage, max_part: f64) {
     let planned = on(machine);
     proven(&planned, language);
-    let with = moves_and_poses(&program(&planned, language).unwrap());
+    let with_arcs = program(&planned, language).unwrap();
+    assert_eq!(stops_beside_arcs(&with_arcs), 0);
+    let with = moves_and_poses(&with_arcs);
     let lines = program_with(&planned, language, &RobotOptions { arcs: false, ..OPTIONS }).unwrap();
     let without = moves_and_poses(&lines);
     println!("{} moves and poses: {with:?} with arcs, {without:?} with lines", language.name());
     assert!(with[0] as f64 <= max_part * without[0] as f64, "{with:?} {without:?}");
+}
+
+/// Corners between an arc and another move of a weld at which the control would stop.
+fn stops_beside_arcs(program: &RobotProgram) -> usize {
+    let pairs = program.steps.windows(2).filter_map(|pair| match pair {
+        [RobotStep::Move(a), RobotStep::Move(b)] => Some((a, b)),
+        _ => None,
+    });
+    pairs.filter(|(a, b)| a.zone_mm <= 0.0 && (a.via.is_some() || b.via.is_some())).count()
 }
 
 #[test]
