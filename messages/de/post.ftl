@@ -341,5 +341,6 @@ post-robot-no-arc = hier geht eine Schweißung weiter, die nicht begonnen wurde
 post-robot-too-long = das Programm ist länger als { $max } Byte
 post-robot-step = Schritt { $step } wird als ein anderer zurückgelesen
 post-robot-frames = die Bezugssysteme von Werkzeug und Werkstück werden als andere zurückgelesen
+post-robot-other-frames = das Bezugssystem `{ $frame }` des Textes ist nicht das von { $machine }
 post-robot-direction = der Brenner weicht um { $deviation } von der geplanten Orientierung ab; erlaubt sind { $max }
 post-robot-reach = der Arm erreicht nicht alle Posen innerhalb der Bereiche seiner Achsen

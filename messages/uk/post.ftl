@@ -341,5 +341,6 @@ post-robot-no-arc = тут триває зварювання, яке не роз
 post-robot-too-long = програма довша за { $max } байтів
 post-robot-step = крок { $step } прочитано як інший
 post-robot-frames = системи координат інструмента й виробу прочитано як інші
+post-robot-other-frames = система координат `{ $frame }` у тексті не збігається із системою { $machine }
 post-robot-direction = пальник відхиляється на { $deviation } від запланованої орієнтації; дозволено { $max }
 post-robot-reach = маніпулятор досягає не всіх поз у межах ходів осей

@@ -244,7 +244,7 @@ impl Machine {
 
     /// Configuration of the six- or seven-axis arm at positions `q`; none for other machines.
     pub fn arm_configuration(&self, q: &Joints) -> Option<ArmConfiguration> {
-        self.heads[0].inverse.configuration(&self.true_positions(q))
+        self.heads[0].inverse.configuration(&self.true_positions(q), &self.links.base_zero)
     }
 
     /// Distances of the six- or seven-axis arm from its singularities at positions `q`; none for other machines.

@@ -27,6 +27,10 @@ pub const SHIPPED: &[Shipped] = ship![
     "arc-mate-120id",
     "ar1440",
     "ur10e-positioner",
+    "irb-2600-positioner",
+    "kr-16-positioner",
+    "arc-mate-120id-positioner",
+    "ar1440-positioner",
     "irb-2600-rail",
     "iiwa-14",
     "column-boom"

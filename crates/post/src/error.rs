@@ -49,6 +49,13 @@ pub enum Error {
         /// The language.
         language: RobotLanguage,
     },
+    /// A text that is read has another frame of tool or work than the machine.
+    OtherFrames {
+        /// Name of the machine.
+        machine: String,
+        /// `tool` or `work`.
+        frame: &'static str,
+    },
     /// The arm's wrist is not of the kind that the language describes.
     WrongArm {
         /// Name of the machine.
@@ -123,6 +130,9 @@ impl Error {
             }
             Self::NotAnArm { machine, language } => {
                 new("post-robot-no-arm").text("machine", machine).text("language", language.title())
+            }
+            Self::OtherFrames { machine, frame } => {
+                new("post-robot-other-frames").text("machine", machine).text("frame", *frame)
             }
             Self::WrongArm { machine, language } => {
                 let code = match language.has_parallel_axes() {

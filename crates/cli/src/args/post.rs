@@ -4,18 +4,6 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum DialectArg {
-    /// Siemens Sinumerik 840D
-    Sinumerik,
-    /// LinuxCNC 2.8 or newer
-    Linuxcnc,
-    /// grblHAL
-    Grblhal,
-    /// Turbo PMAC motion program
-    Pmac,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PostTargetArg {
     /// Siemens Sinumerik 840D
     Sinumerik,

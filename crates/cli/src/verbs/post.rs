@@ -1,5 +1,5 @@
 use super::positive;
-use crate::args::post::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArgs, PostTargetArg};
+use crate::args::post::{FeedArg, InterpolationArg, LevelArg, PostArgs, PostTargetArg};
 use crate::planning;
 use crate::refusals::{at_least, at_most, between, not_allowed, of_option, refused};
 use crate::rows::{json_text, print_text};
@@ -119,7 +119,7 @@ fn request(args: &PostArgs) -> Result<Request, Failure> {
             }
             let usual = RobotOptions::default();
             let speed_percent = speed(args.speed_percent.unwrap_or(usual.speed_percent))?;
-            Ok(Request::Robot(language, RobotOptions { tolerance_mm, speed_percent }))
+            Ok(Request::Robot(language, RobotOptions { tolerance_mm, speed_percent, ..usual }))
         }
     }
 }
@@ -180,17 +180,6 @@ impl From<PostTargetArg> for PostTarget {
             PostTargetArg::FanucLs => Self::Robot(RobotLanguage::FanucLs),
             PostTargetArg::Inform => Self::Robot(RobotLanguage::Inform),
             PostTargetArg::Urscript => Self::Robot(RobotLanguage::Urscript),
-        }
-    }
-}
-
-impl From<DialectArg> for Dialect {
-    fn from(arg: DialectArg) -> Self {
-        match arg {
-            DialectArg::Sinumerik => Self::Sinumerik,
-            DialectArg::Linuxcnc => Self::Linuxcnc,
-            DialectArg::Grblhal => Self::Grblhal,
-            DialectArg::Pmac => Self::Pmac,
         }
     }
 }

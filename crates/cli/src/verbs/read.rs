@@ -1,15 +1,17 @@
-//! A part program as a weld program.
+//! A part program or a robot program as a weld program.
 
 use super::positive;
 use crate::args::post::LevelArg;
 use crate::args::read::ReadArgs;
-use crate::refusals::{in_file, not_json, refused};
+use crate::refusals::{in_file, not_json, of_option, refused};
 use crate::rows::{print_json, print_text};
 use seamwright_document::Positive;
 use seamwright_message::{Language, Message, Unit};
-use seamwright_post::{Control, Dialect, Level, ReadOptions, Reading, What, read, to_program};
+use seamwright_post::robot::{ImportedRobot, RobotImport, RobotLanguage, read_robot, robot_to_program};
+use seamwright_post::{Control, Dialect, LeftOut, Level, ReadOptions, Reading, What, read, to_program};
 use seamwright_program::Program;
 use seamwright_project::failure::Failure;
+use seamwright_project::posting::PostTarget;
 use seamwright_project::{files, load, posting};
 use serde::Serialize;
 use std::io::{self, Write as _};
@@ -47,7 +49,16 @@ pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
     let machine = load::machine(&args.machine)?;
     let text = files::read(&args.file)?;
     let file = args.file.display().to_string();
-    let dialect = args.dialect.map_or_else(|| Dialect::guess(&file, &text), Into::into);
+    let target = args.dialect.map(PostTarget::from);
+    let target = target.or_else(|| RobotLanguage::of_file(&file).map(PostTarget::Robot));
+    let dialect = match target {
+        Some(PostTarget::Robot(language)) => {
+            let import = RobotImport { machine: &machine, machine_name: &args.machine, language, blend_mm: blend };
+            return robot(args, &file, &text, &import);
+        }
+        Some(PostTarget::Machine(dialect)) => dialect,
+        None => Dialect::guess(&file, &text),
+    };
     let control = Control::new(&machine, dialect).map_err(|e| Failure::input(in_file(&args.machine, &e)))?;
     let start = posting::start(&machine, &control);
     let level = match args.level {
@@ -63,16 +74,57 @@ pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
     }
     let program = to_program(&machine, &control, &reading.program, &start, &args.machine, blend)
         .map_err(|e| Failure::input(in_file(&file, &e)))?;
+    let written = written(&file, &program)?;
+    let (moves, seconds) = moves(&reading);
+    let Reading { left_out, notes, .. } = &reading;
+    let counts = Counts { file: &file, dialect: dialect.name(), moves, seconds, left_out, notes };
+    describe(&counts, &program)?;
+    write(args, &written, || summary(args, &counts, &program))
+}
+
+/// File and dialect of what was read, its moves and their time, texts left out and notes.
+struct Counts<'a> {
+    file: &'a str,
+    dialect: &'static str,
+    moves: usize,
+    seconds: f64,
+    left_out: &'a [LeftOut],
+    notes: &'a [Message],
+}
+
+/// Reads a robot program.
+fn robot(args: &ReadArgs, file: &str, text: &str, import: &RobotImport) -> Result<(), Failure> {
+    if args.lenient {
+        return Err(Failure::Input(of_option("--lenient", Message::new("cli-not-for-robots"))));
+    }
+    let read = read_robot(import.language, file, text).map_err(|e| Failure::Input(e.located()))?;
+    let mut imported = robot_to_program(&read, import).map_err(|e| Failure::input(in_file(file, &e)))?;
+    if imported.program.title.is_empty() {
+        let name = args.file.file_name().unwrap_or_default();
+        imported.program.title = name.to_string_lossy().into_owned();
+    }
+    let ImportedRobot { program, moves, seconds } = &imported;
+    let written = written(file, program)?;
+    let counts =
+        Counts { file, dialect: import.language.name(), moves: *moves, seconds: *seconds, left_out: &[], notes: &[] };
+    describe(&counts, program)?;
+    write(args, &written, || summary(args, &counts, program))
+}
+
+/// The text of the program. All other verbs must accept it, so it is read back.
+fn written(file: &str, program: &Program) -> Result<String, Failure> {
     let written = program.to_toml().map_err(not_json)?;
-    // The written program must be accepted by all other verbs, so it is read back.
-    Program::read(&file, &written)?;
-    describe(&file, dialect, &reading, &program)?;
+    Program::read(file, &written)?;
+    Ok(written)
+}
+
+fn write<'a>(args: &ReadArgs, written: &str, summary: impl FnOnce() -> Summary<'a>) -> Result<(), Failure> {
     if let Some(path) = &args.output {
-        files::write(path, &written)?;
+        files::write(path, written)?;
     }
     match (args.json, &args.output) {
-        (true, _) => print_json(&summary(args, &file, dialect, &reading, &program)),
-        (false, None) => print_text(&written),
+        (true, _) => print_json(&summary()),
+        (false, None) => print_text(written),
         (false, Some(_)) => Ok(()),
     }
 }
@@ -86,17 +138,17 @@ fn moves(reading: &Reading) -> (usize, f64) {
 }
 
 /// Reports on standard error the texts that were read and left out.
-fn describe(file: &str, dialect: Dialect, reading: &Reading, program: &Program) -> Result<(), Failure> {
+fn describe(counts: &Counts, program: &Program) -> Result<(), Failure> {
     let mut err = io::stderr().lock();
-    let (count, seconds) = moves(reading);
     let passes = program.passes.len();
-    let read = Message::new("cli-import").text("file", file).text("dialect", dialect.name()).count("moves", count);
+    let Counts { file, dialect, moves, seconds, left_out, notes } = *counts;
+    let read = Message::new("cli-import").text("file", file).text("dialect", dialect).count("moves", moves);
     let read = read.quantity("time", seconds, Unit::S, 3).number("passes", passes as f64, 0);
     writeln!(err, "{read}")?;
-    for note in &reading.notes {
+    for note in notes {
         writeln!(err, "{}", Message::new("project-note").message("note", note.clone()))?;
     }
-    for left in &reading.left_out {
+    for left in left_out {
         let place = format!("{file}:{}:{}", left.line, left.column);
         let line = Message::new("cli-import-left-out").text("place", place).text("words", &left.text);
         writeln!(err, "{}", line.message("why", left.why.clone()))?;
@@ -104,23 +156,16 @@ fn describe(file: &str, dialect: Dialect, reading: &Reading, program: &Program) 
     Ok(())
 }
 
-fn summary<'a>(
-    args: &'a ReadArgs,
-    file: &'a str,
-    dialect: Dialect,
-    reading: &'a Reading,
-    program: &'a Program,
-) -> Summary<'a> {
-    let (count, seconds) = moves(reading);
-    let left_out = reading.left_out.iter();
+fn summary<'a>(args: &'a ReadArgs, counts: &Counts<'a>, program: &'a Program) -> Summary<'a> {
+    let left_out = counts.left_out.iter();
     let english = |message: &Message| message.in_language(Language::English);
     Summary {
         seamwright: env!("CARGO_PKG_VERSION"),
-        file,
-        dialect: dialect.name(),
+        file: counts.file,
+        dialect: counts.dialect,
         machine: &args.machine,
-        moves: count,
-        seconds,
+        moves: counts.moves,
+        seconds: counts.seconds,
         passes: program
             .passes
             .iter()
@@ -131,6 +176,6 @@ fn summary<'a>(
             })
             .collect(),
         left_out: left_out.map(|l| format!("{}:{}: {}: {}", l.line, l.column, l.text, english(&l.why))).collect(),
-        notes: reading.notes.iter().map(english).collect(),
+        notes: counts.notes.iter().map(english).collect(),
     }
 }

@@ -110,6 +110,35 @@ fn mistakes_have_line_and_column() {
     assert_eq!(out.status.code(), Some(2));
 }
 
+/// A weld that was posted for a robot is read back as a program, planned and posted again; faults have their line.
+#[test]
+fn robot_programs_are_read() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/head-nozzle.toml");
+    let job = fs::read_to_string(example).unwrap();
+    for (machine, dialect, file) in [("irb-2600", "rapid", "weld.mod"), ("kr-16", "krl", "weld.src")] {
+        let lines = job.lines().map(|line| match line.starts_with("machine = ") {
+            true => format!("machine = \"{machine}\""),
+            false => line.to_owned(),
+        });
+        fs::write(at("job.toml"), lines.collect::<Vec<_>>().join("\n")).unwrap();
+        good(&["post", &at("job.toml"), "--dialect", dialect, "-o", &at(file)]);
+        let read = seamwright(&["import", &at(file), "--machine", machine, "-o", &at("weld.toml")]);
+        let told = text(&read.stderr);
+        assert!(read.status.success() && told.contains(&format!("{dialect} program")), "{told}");
+        good(&["post", &at("weld.toml"), "--dialect", dialect, "-o", &at("again")]);
+        let damaged = fs::read_to_string(at(file)).unwrap().replacen("ArcL ", "ArcX ", 1).replacen("LIN {", "LIM {", 1);
+        fs::write(at(file), &damaged).unwrap();
+        let line = damaged.lines().position(|line| line.contains("ArcX ") || line.contains("LIM {")).unwrap() + 1;
+        let refused = seamwright(&["import", &at(file), "--machine", machine]);
+        let told = text(&refused.stderr);
+        assert!(refused.status.code() == Some(2) && told.contains(&format!("{file}:{line}:")), "{told}");
+        let refused = seamwright(&["import", &at(file), "--machine", machine, "--lenient"]);
+        assert_eq!(refused.status.code(), Some(2));
+    }
+}
+
 /// Posts state their proof; text that the control cannot express is not written.
 #[test]
 fn posts_say_how_they_were_proven() {

@@ -29,6 +29,7 @@ pub(crate) use branches::{Query, Which};
 use choice::home;
 pub(crate) use choice::spread;
 pub(crate) use frame::{Frame, FrameInverse};
+use glam::DAffine3;
 use numeric::Numeric;
 use plane_on_rotary::PlaneOnRotary;
 use three_linear::ThreeLinear;
@@ -83,10 +84,11 @@ impl Inverse {
         matches!(self.form, Form::Arm(_) | Form::SevenAxisArm(_))
     }
 
-    /// Configuration of the arm at positions `q`; none for other machines.
-    pub(crate) fn configuration(&self, q: &Joints) -> Option<ArmConfiguration> {
+    /// Configuration of the arm at positions `q` with the base frame at `base` in the work frame, all axes at zero; none
+    /// for other machines.
+    pub(crate) fn configuration(&self, q: &Joints, base: &DAffine3) -> Option<ArmConfiguration> {
         match &self.form {
-            Form::Arm(arm) => Some(arm.configuration(q)),
+            Form::Arm(arm) => Some(arm.configuration(q, base)),
             Form::SevenAxisArm(arm) => Some(arm.configuration(q)),
             _ => None,
         }

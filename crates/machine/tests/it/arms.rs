@@ -220,6 +220,25 @@ fn an_upright_arm_has_elbow_and_wrist_as_engineers_name_them() {
     assert_eq!(of([0.0, -90.0, 0.0, 0.0, -30.0, 0.0]).wrist, WristSide::Flip);
 }
 
+/// KUKA counts its first axis clockwise: the elbow is up with A3 beyond the stretched position all the same.
+#[test]
+fn a_first_axis_that_points_down_changes_no_name() {
+    let of = |name: &str, deg: [f64; 6]| {
+        let machine = shipped_machine(name);
+        let mut joints = Joints::default();
+        deg.iter().zip(&mut joints).for_each(|(a, b)| *b = a.to_radians());
+        machine.arm_configuration(&joints).unwrap()
+    };
+    for (elbow, a3) in [(Elbow::Up, 90.0), (Elbow::Up, 30.0), (Elbow::Down, -30.0)] {
+        assert_eq!(of("kr-16", [0.0, -60.0, a3, 0.0, 30.0, 0.0]).elbow, elbow, "{a3}");
+    }
+    assert_eq!(of("irb-2600", [0.0, 0.0, 0.0, 0.0, 30.0, 0.0]).elbow, Elbow::Up);
+    assert_eq!(
+        of("ur10e", [0.0, -90.0, -90.0, -90.0, 90.0, 0.0]).elbow,
+        of("ur10e", [0.0, -45.0, -60.0, 0.0, 90.0, 0.0]).elbow
+    );
+}
+
 #[test]
 fn singular_poses_keep_the_free_axis_where_it_is() {
     let arms = [("ur10e", plain(&UR10E)), ("opw", plain(&OPW))];
@@ -379,7 +398,7 @@ fn the_shipped_arms_come_back() {
             assert!(!regular || branches.iter().any(|b| same(&machine, &b.joints, &q, 1e-8)), "{}", machine.name);
         }
     }
-    assert_eq!(count, 8);
+    assert_eq!(count, 12);
 }
 
 /// Lines in the base frame, against Denavit and Hartenberg's parameters.

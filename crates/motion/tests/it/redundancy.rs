@@ -213,9 +213,13 @@ fn the_example_keeps_the_beam_on_the_normal_and_the_seam_flat() {
 
 /// Whole plans: in range, on the path, and twice continuously differentiable by differences.
 fn check_motion(machine: &Machine, welding: &Welding, motion: &PassMotion) {
+    check_motion_at(4000, machine, welding, motion);
+}
+
+/// The same at `n` places.
+fn check_motion_at(n: usize, machine: &Machine, welding: &Welding, motion: &PassMotion) {
     let path = welding.path(0);
     let joints = &motion.path;
-    let n = 4000;
     let at = |i: usize| path.length() * i as f64 / n as f64;
     let (mut last, h) = (joints.point(0.0, false), at(1));
     for i in 1..=n {
@@ -277,6 +281,33 @@ fn three_axes_to_spare() {
         let motion = planning::plan(&dual, &welding);
         check_motion(&dual, &welding, &motion.unwrap_or_else(|f| panic!("{f:#?}\n{text}")));
     }
+}
+
+/// A whole nozzle with the seven-axis arm: the planner swivels the elbow (arm angle, by the third axis) and turns the torch.
+#[test]
+fn a_seven_axis_arm_welds_a_nozzle() {
+    let text = "schema = 1\ntitle = \"nozzle\"\nmachine = \"iiwa-14\"\n[placement]\nmove_mm = [-100, 0, 160]\n\
+        [seam.nozzle]\nradius_mm = 60\nwall_mm = 6\n[seam.nozzle.body.cylinder]\nradius_mm = 150\naxis = [1, 0, 0]\n\
+        [start]\nphi_deg = 0\noverlap_mm = 10\n[weld]\nspeed_mm_s = 6\n";
+    let machine = shipped_machine("iiwa-14");
+    let welding = read(text);
+    let motion = planning::plan(&machine, &welding).unwrap_or_else(|findings| panic!("{findings:#?}"));
+    // The wrist turns faster than other machines: the remainder needs finer steps.
+    check_motion_at(8000, &machine, &welding, &motion);
+    let third = machine.axis("a3").unwrap();
+    let (mut elbow, mut axis) = ([f64::INFINITY, f64::NEG_INFINITY], [f64::INFINITY, f64::NEG_INFINITY]);
+    let widen = |range: &mut [f64; 2], value: f64| *range = [range[0].min(value), range[1].max(value)];
+    let start = machine.arm_configuration(&motion.path.at(0.0)).unwrap();
+    for i in 0..=200 {
+        let q = motion.path.at(motion.path.length() * f64::from(i) / 200.0);
+        widen(&mut elbow, machine.arm_angle(&q).unwrap().to_degrees());
+        widen(&mut axis, q[third].to_degrees());
+        let now = machine.arm_configuration(&q).unwrap();
+        assert_eq!((now.shoulder, now.elbow, now.wrist), (start.shoulder, start.elbow, start.wrist));
+        assert!(machine.arm_margins(&q).unwrap().min() > 0.05);
+    }
+    println!("arm angle {elbow:.1?} degrees, a3 {axis:.1?} degrees");
+    assert!(elbow[1] - elbow[0] > 2.0, "{elbow:?}");
 }
 
 #[test]

@@ -12,7 +12,7 @@
 //! LinuxCNC raises feeds below 0.1 per minute without a message, and counts only X, Y and Z while they move. Linear
 //! motion that is too small for this is left to the next block.
 
-mod arcs;
+pub(crate) mod arcs;
 mod axis_positions;
 mod block;
 mod block_cutter;

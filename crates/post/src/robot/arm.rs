@@ -33,8 +33,6 @@ pub struct RobotArm {
     pub work: RobotPose,
     /// The work frame in the base frame with all external axes at zero.
     pub work_at_zero: RobotPose,
-    /// True if the first axis turns clockwise seen from above, as KUKA counts it.
-    pub is_clockwise: bool,
     /// Height of the second axis above the base frame, mm.
     pub shoulder_height_mm: f64,
 }
@@ -80,7 +78,10 @@ impl RobotArm {
             })
             .collect();
         let carries_work = externals.iter().any(|external| external.carries_work);
-        if externals.len() > language.max_externals() || (carries_work && !language.takes_positioner()) {
+        if externals.len() > language.max_externals()
+            || (carries_work && !language.takes_positioner())
+            || (externals.iter().any(|external| !external.carries_work) && !language.takes_rail())
+        {
             let axes = externals.into_iter().map(|external| external.name).collect();
             return Err(Error::ExternalAxes { machine: machine.name.clone(), language, axes });
         }
@@ -89,10 +90,8 @@ impl RobotArm {
         let last = on_positioner.and_then(|external| machine.links.frame(&external.name));
         let work = last.map_or(work_at_zero, |frame| frame.zero).inverse();
         let second = work_at_zero.inverse().transform_point3(chain[4].at);
-        let upright = work_at_zero.inverse().transform_vector3(chain[5].direction);
         let arm = Self {
             joints,
-            is_clockwise: upright.z < 0.0,
             externals,
             tool: RobotPose::of(&machine.heads[0].tool),
             work: RobotPose::of(&work),
@@ -106,6 +105,20 @@ impl RobotArm {
     /// True if external axes move the work.
     pub fn has_positioner(&self) -> bool {
         self.externals.iter().any(|external| external.carries_work)
+    }
+
+    /// Number of external axes that carry the arm; those of the positioner follow them.
+    pub(crate) fn carriers(&self) -> usize {
+        self.externals.iter().filter(|external| !external.carries_work).count()
+    }
+
+    /// Displacement of the work frame by the positioner from its place with all external axes at zero, in that frame.
+    pub(crate) fn carried(&self, machine: &Machine, externals: &[f64]) -> DAffine3 {
+        let mut q = Joints::default();
+        for (external, position) in self.externals.iter().zip(externals) {
+            q[external.axis] = machine.axes[external.axis].from_file(*position);
+        }
+        machine.link_frames(&q)[machine.links.base()].inverse()
     }
 
     /// Positions of the arm's axes in degrees.

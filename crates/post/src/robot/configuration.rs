@@ -13,11 +13,7 @@ impl RobotLanguage {
     /// - INFORM: the first eight numbers of RCONF.
     /// - URScript: none, the arm takes the positions nearest to its own.
     pub(crate) fn configuration(self, machine: &Machine, arm: &RobotArm, q: &Joints) -> Vec<i32> {
-        let Some(mut of) = machine.arm_configuration(q) else { return Vec::new() };
-        if arm.is_clockwise {
-            // The machine's "up" is along the first axis.
-            of.elbow = if of.elbow == Elbow::Up { Elbow::Down } else { Elbow::Up };
-        }
+        let Some(of) = machine.arm_configuration(q) else { return Vec::new() };
         let deg = arm.arm_deg(q);
         match self {
             Self::Rapid => rapid(&deg, &of),

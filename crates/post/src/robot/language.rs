@@ -1,6 +1,7 @@
 use super::arm::RobotArm;
 use super::play::BlendShape;
 use super::program::RobotFrames;
+use super::way::CircularRule;
 use super::weld_values::WeldValues;
 use seamwright_message::named_enum;
 
@@ -50,18 +51,42 @@ impl RobotLanguage {
         }
     }
 
+    /// The language of a file by the ending of its name.
+    pub fn of_file(file: &str) -> Option<Self> {
+        let ending = file.rsplit_once('.')?.1.to_ascii_lowercase();
+        match ending.as_str() {
+            "mod" | "modx" => Some(Self::Rapid),
+            "src" => Some(Self::Krl),
+            "ls" => Some(Self::FanucLs),
+            "script" => Some(Self::Urscript),
+            "jbi" => Some(Self::Inform),
+            _ => None,
+        }
+    }
+
     /// Maximum number of external axes.
     pub fn max_externals(self) -> usize {
         match self {
             Self::Rapid | Self::Krl => 6,
             Self::FanucLs => 3,
-            Self::Urscript | Self::Inform => 0,
+            Self::Inform => 2,
+            Self::Urscript => 0,
         }
     }
 
     /// Whether the arm is coordinated with a positioner.
     pub fn takes_positioner(self) -> bool {
-        matches!(self, Self::Rapid | Self::Krl)
+        self != Self::Urscript
+    }
+
+    /// Whether external axes may carry the arm.
+    pub fn takes_rail(self) -> bool {
+        matches!(self, Self::Rapid | Self::Krl | Self::FanucLs)
+    }
+
+    /// Whether poses on a positioner are in a frame that stands still, and not in that of its last axis: FANUC and Yaskawa.
+    pub(crate) fn has_standing_frames(self, arm: &RobotArm) -> bool {
+        matches!(self, Self::FanucLs | Self::Inform) && arm.has_positioner()
     }
 
     /// Whether the text has times of the gas and the wire feed; otherwise these are settings of the power source.
@@ -102,7 +127,7 @@ impl RobotLanguage {
     /// Frames of tool and work as the control counts them: on FANUC and Yaskawa the base frame is at the height of the
     /// second axis.
     pub(crate) fn frames(self, arm: &RobotArm) -> RobotFrames {
-        let mut work = arm.work;
+        let mut work = if self.has_standing_frames(arm) { arm.work_at_zero } else { arm.work };
         if !self.has_gas_and_wire() {
             work.point.z -= arm.shoulder_height_mm;
         }
@@ -132,10 +157,39 @@ impl RobotLanguage {
     }
 
     /// Shape of its corner paths.
-    pub(crate) fn blend_shape(self) -> BlendShape {
+    pub(super) fn blend_shape(self) -> BlendShape {
         match self {
             Self::Urscript => BlendShape::Circle,
             _ => BlendShape::Parabola,
+        }
+    }
+
+    /// Orientation and external axes along its arcs.
+    pub(crate) fn circular_rule(self) -> CircularRule {
+        match self {
+            Self::Rapid | Self::Krl => CircularRule::Path,
+            Self::Urscript => CircularRule::Work,
+            Self::FanucLs | Self::Inform => CircularRule::Through,
+        }
+    }
+
+    /// Whether a through-point is a whole pose in the text; otherwise only its position.
+    pub(crate) fn has_whole_through_points(self) -> bool {
+        matches!(self, Self::Rapid | Self::FanucLs | Self::Inform)
+    }
+
+    /// Length of a line that an arc needs at each of its ends, mm. On Yaskawa an arc starts at a point of its own to which a
+    /// line leads, and the zone counts up to half of the shorter move: short lines keep the corners short.
+    pub(crate) fn arc_ends_mm(self) -> Option<f64> {
+        (self == Self::Inform).then_some(1.5)
+    }
+
+    /// Smallest zone beside an arc, mm: a control without it stops there.
+    pub(crate) fn min_zone_mm(self) -> f64 {
+        match (self.arc_ends_mm(), self.zones_mm()) {
+            (Some(short_mm), _) => 0.5 * short_mm,
+            (None, Some(zones)) => zones.first().copied().unwrap_or(0.0),
+            (None, None) => 0.1,
         }
     }
 

@@ -4,13 +4,15 @@ use super::arm::RobotArm;
 use super::cutter::{Bounds, Course, Planned};
 use super::language::CNT_S;
 use super::language::RobotLanguage;
-use super::play::{BlendShape, shortening};
-use super::program::{ArcEnd, ArcStart, JointTarget, LineMove, RobotProgram, RobotStep};
+use super::play::{bend, corner_cut};
+use super::pose::RobotPose;
+use super::program::{ArcEnd, ArcStart, JointTarget, RobotProgram, RobotStep, TcpMove, ThroughPoint};
 use super::speeds::{Timed, speeds};
+use super::way::Way;
 use super::weld_values::WeldValues;
 use crate::error::Error;
 use crate::plan::ramps::{ramp_breaks, weave_breaks};
-use glam::DVec3;
+use glam::DQuat;
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::WeldMotion;
 use seamwright_motion::transfer::TransferMove;
@@ -22,6 +24,8 @@ const APPROACH_MM_S: f64 = 50.0;
 const USED: f64 = 0.95;
 /// Part of the shorter line that a zone takes at most, where the language has any zone.
 const ZONE_PART: f64 = 0.4;
+/// Parts of the tolerance by which a corner at an arc may leave the tangents' corner and the arc.
+const CORNER_PARTS: [f64; 2] = [0.25, 0.25];
 /// Step of zones where the language has any, mm.
 const ZONE_STEP_MM: f64 = 0.1;
 
@@ -33,12 +37,14 @@ pub struct RobotOptions {
     /// Maximum deviation of the tip's speed from the planned one inside lines, outside acceleration and deceleration
     /// phases, percent. Passes that weave are exempt.
     pub speed_percent: f64,
+    /// Whether arcs take the place of lines where they save poses.
+    pub arcs: bool,
 }
 
 impl Default for RobotOptions {
     fn default() -> Self {
         // The repeatability of welding robots is of the same size.
-        Self { tolerance_mm: 0.05, speed_percent: 2.0 }
+        Self { tolerance_mm: 0.05, speed_percent: 2.0, arcs: true }
     }
 }
 
@@ -89,6 +95,14 @@ pub fn robot_program(
     if let Some(home) = motion.transfers.last() {
         target.transfer(home, &mut steps);
     }
+    if language.has_standing_frames(arm) {
+        let standing = |pose: &RobotPose, externals: &[f64]| pose.moved(&arm.carried(machine, externals));
+        for step in &mut steps {
+            if let RobotStep::Move(line) | RobotStep::JointsTo(line) = step {
+                *line = line.mapped(standing);
+            }
+        }
+    }
     let frames = Some(language.frames(arm));
     Ok(RobotProgram { title: program.title.clone(), frames, steps })
 }
@@ -116,18 +130,34 @@ impl Target<'_> {
     }
 
     fn line(&self, q: &Joints, speed_mm_s: f64, zone_mm: f64) -> RobotStep {
-        RobotStep::Line(LineMove { speed_mm_s, zone_mm, ..self.line_to(q) })
+        RobotStep::Move(TcpMove { speed_mm_s, zone_mm, ..self.line_to(q) })
     }
 
     /// A move to the pose at `q`, without speed and zone.
-    fn line_to(&self, q: &Joints) -> LineMove {
-        LineMove {
+    fn line_to(&self, q: &Joints) -> TcpMove {
+        TcpMove {
+            via: None,
             to: RobotArm::pose(self.machine, q),
             externals: self.arm.external_positions(self.machine, q),
             configuration: self.language.configuration(self.machine, self.arm, q),
             speed_mm_s: 0.0,
             zone_mm: 0.0,
         }
+    }
+
+    /// The move to a station of a weld.
+    fn move_to(&self, end: &Planned, speed_mm_s: f64, zone_mm: f64) -> RobotStep {
+        let via = end.via.as_deref().map(|via| match self.language.has_whole_through_points() {
+            true => {
+                let TcpMove { to, externals, configuration, .. } = self.line_to(&via.q);
+                ThroughPoint { pose: to, externals, configuration }
+            }
+            false => {
+                let pose = RobotPose { turn: DQuat::IDENTITY, ..via.station.pose };
+                ThroughPoint { pose, externals: Vec::new(), configuration: Vec::new() }
+            }
+        });
+        RobotStep::Move(TcpMove { via, speed_mm_s, zone_mm, ..self.line_to(&end.q) })
     }
 
     /// The legs between the retract and the approach, as planned.
@@ -141,7 +171,7 @@ impl Target<'_> {
         }
     }
 
-    /// The lines of a weld, with the arc.
+    /// The moves of a weld, with the welding arc.
     fn weld(
         &self,
         pass: &Pass,
@@ -152,16 +182,17 @@ impl Target<'_> {
         let tolerance_mm = USED * (options.tolerance_mm - 2.0 * self.language.rounding_mm());
         let is_woven = course.motion.path.is_woven();
         let speed = if is_woven { f64::INFINITY } else { 0.01 * options.speed_percent };
-        let mut ends = course.cut(&breaks(pass, course), &Bounds { tolerance_mm, speed })?;
+        let mut ends = course
+            .cut(&breaks(pass, course), &Bounds { tolerance_mm, speed, language: self.language, arcs: options.arcs })?;
         course.mark_stops(&mut ends);
-        let lengths: Vec<f64> =
-            ends.windows(2).map(|w| w[0].station.pose.point.distance(w[1].station.pose.point)).collect();
-        let means: Vec<f64> = ends.windows(2).zip(&lengths).map(|(w, l)| l / (w[1].time - w[0].time)).collect();
-        let ways = self.ways(&ends, &lengths, &self.zones(&ends, &means, tolerance_mm));
+        let ways: Vec<Way> = ends.windows(2).map(|w| w[1].way(&w[0], self.language)).collect();
+        let times = ends.windows(2).map(|w| w[1].time - w[0].time);
+        let means: Vec<f64> = times.zip(&ways).map(|(time, way)| way.length() / time).collect();
+        let lengths = self.lengths(&ways, &self.zones(&ends, &ways, &means, tolerance_mm));
         let timed: Vec<Timed> =
-            ways.iter().zip(&ends[1..]).map(|(way, end)| Timed { length_mm: *way, end_s: end.time }).collect();
+            lengths.iter().zip(&ends[1..]).map(|(mm, end)| Timed { length_mm: *mm, end_s: end.time }).collect();
         let speeds = speeds(&timed, self.language.speed_step_mm_s(), 0.3 * speed.min(0.05));
-        let zones = self.zones(&ends, &speeds, tolerance_mm);
+        let zones = self.zones(&ends, &ways, &speeds, tolerance_mm);
         let values_at = |s: f64| self.language.values(WeldValues::of(pass, s));
         let mut values = values_at(0.5 * ends[1].s);
         let sequence = &pass.sequence;
@@ -176,7 +207,7 @@ impl Target<'_> {
             if pass.has_arc() && now != std::mem::replace(&mut values, now) {
                 steps.push(RobotStep::Values(now));
             }
-            steps.push(self.line(&end.q, speeds[k - 1], zones[k - 1]));
+            steps.push(self.move_to(end, speeds[k - 1], zones[k - 1]));
         }
         if pass.has_arc() {
             let crater_s = self.language.time_s(sequence.crater_s.get());
@@ -186,25 +217,24 @@ impl Target<'_> {
         Ok(())
     }
 
-    /// The zone at the end of each line.
-    fn zones(&self, ends: &[Planned], speeds: &[f64], tolerance_mm: f64) -> Vec<f64> {
-        let mut zones: Vec<f64> = ends
-            .windows(3)
+    /// The zone at the end of each move.
+    fn zones(&self, ends: &[Planned], ways: &[Way], speeds: &[f64], tolerance_mm: f64) -> Vec<f64> {
+        let mut zones: Vec<f64> = ways
+            .windows(2)
+            .zip(&ends[1..])
             .zip(speeds)
-            .map(|(w, speed)| {
-                if w[1].stops {
+            .map(|((pair, end), speed)| {
+                if end.stops {
                     return 0.0;
                 }
-                let [a, b] = sides(w);
-                let angle = a.angle_between(b);
-                let radius = 2.0 * tolerance_mm / (0.5 * angle).sin().max(1e-9);
+                let radius = max_corner_mm(&pair[0], &pair[1], tolerance_mm);
                 match self.language {
                     // A whole part of a hundred.
                     RobotLanguage::FanucLs => {
                         let full = CNT_S * speed;
                         0.01 * (100.0 * radius / full).floor().min(100.0) * full
                     }
-                    _ => self.language.zone_mm(a.length().min(b.length()), radius),
+                    _ => self.language.zone_mm(pair[0].length().min(pair[1].length()), radius),
                 }
             })
             .collect();
@@ -212,24 +242,28 @@ impl Target<'_> {
         zones
     }
 
-    /// The way of the tip on each line and its halves of the corners.
-    fn ways(&self, ends: &[Planned], lengths: &[f64], zones: &[f64]) -> Vec<f64> {
-        let mut ways = lengths.to_vec();
-        if self.language.blend_shape() == BlendShape::Circle {
-            for (k, w) in ends.windows(3).enumerate() {
-                let [a, b] = sides(w);
-                let shorter = zones[k] * shortening(a.angle_between(b));
-                ways[k] -= shorter;
-                ways[k + 1] -= shorter;
-            }
+    /// The way of the tip on each move and its halves of the corners.
+    fn lengths(&self, ways: &[Way], zones: &[f64]) -> Vec<f64> {
+        let mut lengths: Vec<f64> = ways.iter().map(Way::length).collect();
+        for (k, pair) in ways.windows(2).enumerate() {
+            let shorter = corner_cut(&pair[0], &pair[1], self.language.blend_shape(), zones[k]);
+            lengths[k] -= shorter;
+            lengths[k + 1] -= shorter;
         }
-        ways
+        lengths
     }
 }
 
-/// The lines before and behind the middle one of three stations.
-fn sides(ends: &[Planned]) -> [DVec3; 2] {
-    [[0, 1], [1, 2]].map(|[i, j]| ends[j].station.pose.point - ends[i].station.pose.point)
+/// The largest zone between two moves. Between lines a corner may leave the programmed point by the tolerance; beside an
+/// arc less, and the arc by the sagitta of the zone.
+fn max_corner_mm(before: &Way, after: &Way, tolerance_mm: f64) -> f64 {
+    let sine = (0.5 * bend(before, after)).sin().max(1e-9);
+    let radius_mm = before.radius_mm().min(after.radius_mm());
+    if radius_mm.is_infinite() {
+        return 2.0 * tolerance_mm / sine;
+    }
+    let [corner, sagitta] = CORNER_PARTS.map(|part| part * tolerance_mm);
+    (2.0 * corner / sine).min((8.0 * radius_mm * sagitta).sqrt())
 }
 
 impl RobotLanguage {

@@ -19,6 +19,12 @@ impl RobotPose {
         Self { point, turn: turn.normalize() }
     }
 
+    /// The pose moved by a rigid displacement.
+    pub(crate) fn moved(&self, by: &DAffine3) -> Self {
+        let by = Self::of(by);
+        Self { point: by.point + by.turn * self.point, turn: (by.turn * self.turn).normalize() }
+    }
+
     /// Angle to the orientation of `other`, rad.
     pub fn angle_to(&self, other: &Self) -> f64 {
         let between = self.turn.inverse() * other.turn;
@@ -38,7 +44,7 @@ impl RobotPose {
 }
 
 /// The orientation at the fraction `f` of the shortest rotation from `a` to `b`.
-fn shortest(a: DQuat, b: DQuat, f: f64) -> DQuat {
+pub(super) fn shortest(a: DQuat, b: DQuat, f: f64) -> DQuat {
     let between = a.inverse() * b;
     let between = if between.w < 0.0 { -between } else { between };
     let half = between.xyz().length().atan2(between.w);

@@ -29,9 +29,9 @@ pub enum RobotStep {
     /// All axes go straight in axis space to a stop.
     Joints(JointTarget),
     /// All axes go straight in axis space to a pose and stop there, in languages without targets of axes.
-    JointsTo(LineMove),
-    /// The tool centre point goes straight in the work frame.
-    Line(LineMove),
+    JointsTo(TcpMove),
+    /// The tool centre point goes straight or along an arc in the work frame.
+    Move(TcpMove),
     /// The arc is switched on at rest.
     ArcOn(ArcStart),
     /// The arc is switched off at rest.
@@ -51,9 +51,11 @@ pub struct JointTarget {
     pub externals: Vec<f64>,
 }
 
-/// A straight move of the tool centre point.
+/// A move of the tool centre point: straight, or along an arc.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LineMove {
+pub struct TcpMove {
+    /// Point between its ends through which the arc goes; `None`: the move is straight.
+    pub via: Option<ThroughPoint>,
     /// Its end in the work frame.
     pub to: RobotPose,
     /// External axes at its end, mm or degrees.
@@ -64,6 +66,25 @@ pub struct LineMove {
     pub speed_mm_s: f64,
     /// Radius of the zone in which the corner at its end is rounded, mm; 0: the control stops there.
     pub zone_mm: f64,
+}
+
+impl TcpMove {
+    /// The same with its poses moved as `moved` says for their external axes.
+    pub(crate) fn mapped(&self, moved: impl Fn(&RobotPose, &[f64]) -> RobotPose) -> Self {
+        let via = self.via.as_ref().map(|via| ThroughPoint { pose: moved(&via.pose, &via.externals), ..via.clone() });
+        Self { via, to: moved(&self.to, &self.externals), ..self.clone() }
+    }
+}
+
+/// A point of an arc between its ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ThroughPoint {
+    /// Pose in the work frame; without a rotation in languages that ignore it.
+    pub pose: RobotPose,
+    /// External axes, mm or degrees; empty in languages that ignore them.
+    pub externals: Vec<f64>,
+    /// Configuration of the arm; empty in languages that ignore it.
+    pub configuration: Vec<i32>,
 }
 
 /// Start of a weld at rest.

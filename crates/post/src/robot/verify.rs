@@ -6,13 +6,14 @@ use super::cutter::Course;
 use super::language::RobotLanguage;
 use super::play::{RobotPlay, Station};
 use super::pose::RobotPose;
-use super::program::{LineMove, RobotFrames, RobotProgram, RobotStep};
+use super::program::{RobotFrames, RobotProgram, RobotStep, TcpMove};
 use super::weld_values::{NAMES, WeldValues};
 use crate::verify::{PassVerification, Verification};
 use seamwright_machine::{Machine, Target};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::{PassMotion, TipPath, WeldMotion};
 use seamwright_program::{Pass, PathRange, Program};
+use std::borrow::Cow;
 
 /// Plan against which a robot program is verified.
 #[derive(Debug, Clone, Copy)]
@@ -32,11 +33,13 @@ pub struct PlannedRobot<'a> {
 }
 
 /// Differences of positions (mm, degrees) and times (s) from the order beyond which text is wrong.
-const OTHER: f64 = 2e-3;
+pub(super) const OTHER: f64 = 2e-3;
 /// Difference of orientations, rad.
 const OTHER_TURN: f64 = 2e-5;
 /// Stations checked in a part of the play, its end among them.
 const CHECKS: u32 = 8;
+/// The same in an arc.
+const ARC_CHECKS: u32 = 64;
 /// Permitted deviation of the torch's direction from the planned one, degrees.
 const DIRECTION_DEG: f64 = 0.3;
 /// Slowest planned speed that is compared, as a part of the maximum of the pass.
@@ -53,16 +56,17 @@ pub fn verify_robot(
 ) -> Result<Verification, Vec<Message>> {
     let arm = RobotArm::new(planned.machine, planned.language).map_err(|e| vec![e.message()])?;
     let rounding = same(asked, told).map_err(|wrong| vec![wrong])?;
+    let steps = on_work(&told.steps, &arm, planned.machine, planned.language);
     let mut wrong = Vec::new();
     let (mut passes, mut moves) = (Vec::new(), 0);
-    for (i, steps) in passes_of(&told.steps).into_iter().enumerate() {
+    for (i, steps) in passes_of(&steps).into_iter().enumerate() {
         let (Some(pass), Some(motion)) = (planned.program.passes.get(i), planned.motion.passes.get(i)) else { break };
         let judge = Judge::new(planned, &arm, pass, motion);
         let checked = judge.check(steps);
         wrong.extend(checked.complaints(&planned, i + 1));
         moves += steps
             .iter()
-            .filter(|step| matches!(step, RobotStep::Line(_) | RobotStep::Joints(_) | RobotStep::JointsTo(_)))
+            .filter(|step| matches!(step, RobotStep::Move(_) | RobotStep::Joints(_) | RobotStep::JointsTo(_)))
             .count();
         passes.push(checked.proof);
     }
@@ -73,8 +77,26 @@ pub fn verify_robot(
     if wrong.is_empty() { Ok(Verification { moves, rounding, passes }) } else { Err(wrong) }
 }
 
+/// The steps with their poses in the frame of the work, on which lines and arcs are.
+pub(super) fn on_work<'a>(
+    steps: &'a [RobotStep],
+    arm: &RobotArm,
+    machine: &Machine,
+    language: RobotLanguage,
+) -> Cow<'a, [RobotStep]> {
+    if !language.has_standing_frames(arm) {
+        return Cow::Borrowed(steps);
+    }
+    let back = |pose: &RobotPose, externals: &[f64]| pose.moved(&arm.carried(machine, externals).inverse());
+    let moved = |step: &RobotStep| match step {
+        RobotStep::Move(line) => RobotStep::Move(line.mapped(back)),
+        step => step.clone(),
+    };
+    Cow::Owned(steps.iter().map(moved).collect())
+}
+
 /// The steps of each pass.
-fn passes_of(steps: &[RobotStep]) -> Vec<&[RobotStep]> {
+pub(super) fn passes_of(steps: &[RobotStep]) -> Vec<&[RobotStep]> {
     let starts: Vec<usize> = (0..steps.len()).filter(|i| matches!(steps[*i], RobotStep::Pass(_))).collect();
     let ends = starts.iter().skip(1).copied().chain([steps.len()]);
     starts.iter().zip(ends).map(|(from, to)| &steps[from + 1..to]).collect()
@@ -108,7 +130,7 @@ fn same_frames(a: &RobotFrames, t: &RobotFrames) -> Result<f64, Message> {
 }
 
 /// Distance of two poses of the same orientation.
-fn same_pose(a: &RobotPose, t: &RobotPose) -> Option<f64> {
+pub(super) fn same_pose(a: &RobotPose, t: &RobotPose) -> Option<f64> {
     (a.angle_to(t) <= OTHER_TURN).then(|| a.point.distance(t.point))
 }
 
@@ -123,11 +145,18 @@ fn same_step(a: &RobotStep, t: &RobotStep) -> Option<f64> {
         (RobotStep::Joints(a), RobotStep::Joints(t)) => {
             Some(most(&a.arm, &t.arm)?.max(most(&a.externals, &t.externals)?))
         }
-        (RobotStep::Line(a), RobotStep::Line(t)) | (RobotStep::JointsTo(a), RobotStep::JointsTo(t)) => {
+        (RobotStep::Move(a), RobotStep::Move(t)) | (RobotStep::JointsTo(a), RobotStep::JointsTo(t)) => {
             let values = [(a.speed_mm_s, t.speed_mm_s), (a.zone_mm, t.zone_mm)];
             let known = t.configuration == a.configuration && values.iter().all(|(a, t)| (a - t).abs() < OTHER);
             let off = same_pose(&a.to, &t.to)?.max(most(&a.externals, &t.externals)?);
-            known.then_some(off)
+            let via = match (&a.via, &t.via) {
+                (None, None) => 0.0,
+                (Some(a), Some(t)) if a.configuration == t.configuration => {
+                    same_pose(&a.pose, &t.pose)?.max(most(&a.externals, &t.externals)?)
+                }
+                _ => return None,
+            };
+            known.then_some(off.max(via))
         }
         (RobotStep::ArcOn(a), RobotStep::ArcOn(t)) => {
             let times = most(&[a.preflow_s, a.delay_s], &[t.preflow_s, t.delay_s])?;
@@ -158,7 +187,7 @@ struct Judge<'a> {
 /// A weld in the text: its lines, its times at rest and the values of each line.
 struct Weld<'a> {
     start: Station,
-    lines: Vec<&'a LineMove>,
+    lines: Vec<&'a TcpMove>,
     values: Vec<WeldValues>,
     rest_s: f64,
 }
@@ -185,7 +214,7 @@ impl<'a> Judge<'a> {
             self.proof.time_percent = f64::NAN;
             return self;
         };
-        let play = RobotPlay::new(&weld.start, &weld.lines, self.planned.language.blend_shape());
+        let play = RobotPlay::new(&weld.start, &weld.lines, self.planned.language);
         let expected = if self.pass.has_arc() { self.motion.arc_on_s() } else { self.motion.profile.duration() };
         self.proof.arc_s = weld.rest_s + play.seconds;
         self.proof.time_percent = 100.0 * (self.proof.arc_s / expected - 1.0);
@@ -198,8 +227,8 @@ impl<'a> Judge<'a> {
     /// The lines between arc start and arc end; without an arc, all lines behind the first up to the retract.
     fn weld<'b>(&self, steps: &'b [RobotStep]) -> Option<Weld<'b>> {
         let has_arc = self.pass.has_arc();
-        let first = steps.iter().position(|step| matches!(step, RobotStep::Line(_)))?;
-        let RobotStep::Line(start) = &steps[first] else { return None };
+        let first = steps.iter().position(|step| matches!(step, RobotStep::Move(_)))?;
+        let RobotStep::Move(start) = &steps[first] else { return None };
         let start = Station { pose: start.to, externals: start.externals.clone() };
         let mut weld = Weld { start, lines: Vec::new(), values: Vec::new(), rest_s: 0.0 };
         let mut values = WeldValues::default();
@@ -213,7 +242,7 @@ impl<'a> Judge<'a> {
                     break;
                 }
                 RobotStep::Values(now) => values = *now,
-                RobotStep::Line(line) => {
+                RobotStep::Move(line) => {
                     weld.lines.push(line);
                     weld.values.push(values);
                 }
@@ -237,8 +266,9 @@ impl<'a> Judge<'a> {
         let length = self.motion.path.length();
         let (mut cursor, mut near) = (0, self.course.at(0.0).q);
         for piece in &play.pieces {
-            for k in 0..=CHECKS {
-                let f = f64::from(k) / f64::from(CHECKS);
+            let checks = if piece.is_arc() { ARC_CHECKS } else { CHECKS };
+            for k in 0..=checks {
+                let f = f64::from(k) / f64::from(checks);
                 let station = piece.at(f);
                 let time = (piece.begin_s + f * piece.seconds).clamp(0.0, self.motion.profile.duration());
                 let s = self.motion.profile.at(time, &mut cursor).s;

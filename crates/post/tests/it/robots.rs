@@ -2,17 +2,19 @@
 
 use crate::common::Planned;
 use glam::{DQuat, DVec3};
+use seamwright_document::Positive;
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::robot::{
-    ArcEnd, ArcStart, JointTarget, LineMove, PlannedRobot, RobotArm, RobotLanguage, RobotOptions, RobotPose,
-    RobotProgram, RobotStep, RobotText, WeldValues, read_robot, robot_program, verify_robot, write_robot,
+    ArcEnd, ArcStart, JointTarget, PlannedRobot, RobotArm, RobotImport, RobotLanguage, RobotOptions, RobotPose,
+    RobotProgram, RobotStep, RobotText, TcpMove, ThroughPoint, WeldValues, read_robot, robot_program, robot_to_program,
+    verify_robot, write_robot,
 };
 use seamwright_post::{Error, Verification};
-use seamwright_program::TorchPath;
+use seamwright_program::{Program, TorchPath};
 use seamwright_testkit::{Random, cases};
 use std::f64::consts::PI;
 
-const OPTIONS: RobotOptions = RobotOptions { tolerance_mm: 0.05, speed_percent: 2.0 };
+const OPTIONS: RobotOptions = RobotOptions { tolerance_mm: 0.05, speed_percent: 2.0, arcs: true };
 /// A nozzle on a shell, near enough for all arms.
 const NOZZLE: &str = r#"
 schema = 1
@@ -45,10 +47,14 @@ fn on(machine: &str) -> Planned {
 }
 
 fn program(planned: &Planned, language: RobotLanguage) -> Result<RobotProgram, Error> {
+    program_with(planned, language, &OPTIONS)
+}
+
+fn program_with(planned: &Planned, language: RobotLanguage, options: &RobotOptions) -> Result<RobotProgram, Error> {
     let count = planned.welding.program.value.passes.len();
     let paths: Vec<_> = (0..count).map(|i| planned.welding.path(i)).collect();
     let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
-    robot_program(&planned.machine, language, &planned.welding.program.value, &paths, &planned.motion, &OPTIONS)
+    robot_program(&planned.machine, language, &planned.welding.program.value, &paths, &planned.motion, options)
 }
 
 fn text(planned: &Planned, language: RobotLanguage, program: &RobotProgram) -> String {
@@ -78,30 +84,88 @@ fn proven(planned: &Planned, language: RobotLanguage) -> Verification {
     proof
 }
 
+/// Moves of the weld, and the poses of their text: an arc has two.
+fn moves_and_poses(program: &RobotProgram) -> [usize; 2] {
+    let moves =
+        program.steps.iter().filter_map(|step| if let RobotStep::Move(step) = step { Some(step) } else { None });
+    moves.fold([0, 0], |[moves, poses], step| [moves + 1, poses + 1 + usize::from(step.via.is_some())])
+}
+
+/// The plan is proven, with at most `max_part` of the moves that lines alone need.
+fn proven_with_arcs(machine: &str, language: RobotLanguage, max_part: f64) {
+    let planned = on(machine);
+    proven(&planned, language);
+    let with_arcs = program(&planned, language).unwrap();
+    assert_eq!(stops_beside_arcs(&with_arcs), 0);
+    let with = moves_and_poses(&with_arcs);
+    let lines = program_with(&planned, language, &RobotOptions { arcs: false, ..OPTIONS }).unwrap();
+    let without = moves_and_poses(&lines);
+    println!("{} moves and poses: {with:?} with arcs, {without:?} with lines", language.name());
+    assert!(with[0] as f64 <= max_part * without[0] as f64, "{with:?} {without:?}");
+}
+
+/// Corners between an arc and another move of a weld at which the control would stop.
+fn stops_beside_arcs(program: &RobotProgram) -> usize {
+    let pairs = program.steps.windows(2).filter_map(|pair| match pair {
+        [RobotStep::Move(a), RobotStep::Move(b)] => Some((a, b)),
+        _ => None,
+    });
+    pairs.filter(|(a, b)| a.zone_mm <= 0.0 && (a.via.is_some() || b.via.is_some())).count()
+}
+
 #[test]
 fn rapid_is_the_plan() {
-    let proof = proven(&on("irb-2600"), RobotLanguage::Rapid);
-    assert!(proof.moves < 200, "{}", proof.moves);
+    proven_with_arcs("irb-2600", RobotLanguage::Rapid, 0.5);
 }
 
 #[test]
 fn urscript_is_the_plan() {
-    proven(&on("ur10e"), RobotLanguage::Urscript);
+    proven_with_arcs("ur10e", RobotLanguage::Urscript, 0.8);
 }
 
 #[test]
 fn krl_is_the_plan() {
-    proven(&on("kr-16"), RobotLanguage::Krl);
+    proven_with_arcs("kr-16", RobotLanguage::Krl, 0.5);
 }
 
 #[test]
 fn fanuc_ls_is_the_plan() {
-    proven(&on("arc-mate-120id"), RobotLanguage::FanucLs);
+    proven_with_arcs("arc-mate-120id", RobotLanguage::FanucLs, 0.5);
 }
 
 #[test]
 fn inform_is_the_plan() {
-    proven(&on("ar1440"), RobotLanguage::Inform);
+    proven_with_arcs("ar1440", RobotLanguage::Inform, 0.9);
+}
+
+/// A text that is read as a weld program has its torch, speeds and values, and plans to the same weld.
+#[test]
+fn programs_come_back_as_welds() {
+    for (machine, language) in [("irb-2600", RobotLanguage::Rapid), ("kr-16", RobotLanguage::Krl)] {
+        let planned = on(machine);
+        let written = text(&planned, language, &program(&planned, language).unwrap());
+        let read = read_robot(language, "p", &written).unwrap();
+        let blend_mm = Positive::new(0.1).unwrap();
+        let import = RobotImport { machine: &planned.machine, machine_name: machine, language, blend_mm };
+        let imported = robot_to_program(&read, &import).unwrap();
+        let again = Program::read("p.toml", &imported.program.to_toml().unwrap()).unwrap().value;
+        let [pass] = &again.passes[..] else { panic!("{}", again.passes.len()) };
+        let (points, first) = (pass.points.as_ref().unwrap(), &planned.motion.passes[0]);
+        assert!((imported.seconds / first.profile.duration() - 1.0).abs() < 1e-3, "{}", imported.seconds);
+        assert_eq!(points.count(), imported.moves);
+        let rows: Vec<Vec<f64>> = points.rows().map(|row| row.iter().map(|v| v.get()).collect()).collect();
+        let end = first.path.length();
+        for (row, s) in [(&rows[0], 0.0), (&rows[rows.len() - 1], end)] {
+            let pose = planned.machine.forward(&first.path.at(s));
+            assert!(pose.point.distance(DVec3::new(row[0], row[1], row[2])) < 1e-3, "{row:?}");
+            assert!(pose.direction.distance(DVec3::new(row[3], row[4], row[5])) < 1e-5, "{row:?}");
+        }
+        assert_eq!(points.columns[6..], ["current_a", "voltage_v", "wire_feed_m_min", "speed_mm_s"]);
+        assert_eq!(rows[1][6..9], [220.0, 25.0, 7.0]);
+        let others = written.replace("tTorch:=[TRUE,[[90", "tTorch:=[TRUE,[[95").replace("$TOOL={X 90", "$TOOL={X 95");
+        let refused = robot_to_program(&read_robot(language, "p", &others).unwrap(), &import).unwrap_err();
+        assert!(matches!(refused, Error::OtherFrames { frame: "tool", .. }), "{refused:?}");
+    }
 }
 
 /// The rail is an external axis.
@@ -113,42 +177,53 @@ fn a_rail_goes_with_the_arm() {
     }
 }
 
-/// A positioner carries the work: lines are straight on it.
+/// A positioner carries the work: lines and arcs are straight and round on it. On FANUC and Yaskawa poses stand still in
+/// space.
 #[test]
 fn a_positioner_is_coordinated() {
-    let axes = r#"[[work]]
-fixed = { move_mm = [900, 0, 300] }
-[[work]]
-axis = "tilt"
-turn = [0, 1, 0]
-range_deg = [-90, 90]
-max_speed_deg_s = 30
-max_acceleration_deg_s2 = 60
-max_jerk_deg_s3 = 600
-[[work]]
-fixed = { move_mm = [0, 0, 100] }
-[[work]]
-axis = "turn"
-turn = [0, 0, 1]
-range_deg = [-720, 720]
-max_speed_deg_s = 60
-max_acceleration_deg_s2 = 120
-max_jerk_deg_s3 = 1200
-"#;
-    let fixed = "[[work]]\nfixed = { move_mm = [900, 0, 0] }\n";
-    let planned = Planned::on(&NOZZLE.replace("MACHINE", "irb-2600"), |file| {
-        assert!(file.contains(fixed));
-        file.replace(fixed, axes)
-    });
-    for language in [RobotLanguage::Rapid, RobotLanguage::Krl] {
+    for (machine, language) in [
+        ("irb-2600-positioner", RobotLanguage::Rapid),
+        ("kr-16-positioner", RobotLanguage::Krl),
+        ("arc-mate-120id-positioner", RobotLanguage::FanucLs),
+        ("ar1440-positioner", RobotLanguage::Inform),
+    ] {
+        let planned = on(machine);
         proven(&planned, language);
+        if language == RobotLanguage::FanucLs {
+            stands_still_in_space(&planned);
+        }
+        let positions = |axis: &str| {
+            let i = planned.machine.axes.iter().position(|a| a.name == axis).unwrap();
+            let motion = &planned.motion.passes[0];
+            let ends = [0.0, 0.5, 1.0].map(|f| motion.path.at(f * motion.path.length())[i].to_degrees());
+            println!("{machine} {axis}: {ends:.1?} degrees");
+            ends
+        };
+        assert!(["tilt", "turn"].map(positions).concat().iter().any(|deg| deg.abs() > 1.0), "{machine}");
     }
-    let refused = RobotArm::new(&planned.machine, RobotLanguage::FanucLs).unwrap_err();
-    assert!(matches!(refused, Error::ExternalAxes { .. }));
+}
+
+/// A weld on a tilted positioner by hand: the pose in space is the pose on the plate, turned by the plate.
+fn stands_still_in_space(planned: &Planned) {
+    let [rapid, fanuc] =
+        [RobotLanguage::Rapid, RobotLanguage::FanucLs].map(|language| program(planned, language).unwrap());
+    let first = |program: &RobotProgram| {
+        let step = program
+            .steps
+            .iter()
+            .find_map(|step| if let RobotStep::Move(step) = step { Some(step.clone()) } else { None });
+        step.unwrap()
+    };
+    let (on_plate, standing) = (first(&rapid), first(&fanuc));
+    let [tilt, turn] = on_plate.externals[..] else { panic!("{on_plate:?}") };
+    // The plate is 100 mm above the tilt axis; the work frame is the plate's.
+    let turned = DQuat::from_rotation_z(turn.to_radians()) * on_plate.to.point + DVec3::new(0.0, 0.0, 100.0);
+    let expected = DQuat::from_rotation_y(tilt.to_radians()) * turned - DVec3::new(0.0, 0.0, 100.0);
+    assert!(standing.to.point.distance(expected) < 1e-9, "{expected} {:?}", standing.to);
 }
 
 /// A move to a random pose with a configuration of the language.
-fn random_move(random: &mut Random, language: RobotLanguage) -> LineMove {
+fn random_move(random: &mut Random, language: RobotLanguage) -> TcpMove {
     let turn = DQuat::from_axis_angle(random.vector(1.0).normalize(), random.within(-PI, PI));
     let flag = |random: &mut Random| i32::from(random.within(0.0, 1.0) < 0.5);
     let quarter = |random: &mut Random| random.within(-3.0, 3.0) as i32;
@@ -161,13 +236,27 @@ fn random_move(random: &mut Random, language: RobotLanguage) -> LineMove {
         RobotLanguage::Inform => vec![flag(random), flag(random), 0, 1, 0, 0, 0, 0],
         RobotLanguage::Urscript => Vec::new(),
     };
-    LineMove {
+    TcpMove {
+        via: None,
         to: RobotPose { point: random.vector(2000.0), turn },
         externals: Vec::new(),
         configuration,
         speed_mm_s: (random.within(0.1, 200.0) * 10.0).ceil() / 10.0,
         zone_mm: 0.0,
     }
+}
+
+/// The same, possibly along an arc.
+fn random_step(random: &mut Random, language: RobotLanguage, is_arc: bool) -> TcpMove {
+    let step = random_move(random, language);
+    if !is_arc {
+        return step;
+    }
+    let TcpMove { to: mut pose, mut configuration, .. } = random_move(random, language);
+    if matches!(language, RobotLanguage::Krl | RobotLanguage::Urscript) {
+        (pose.turn, configuration) = (DQuat::IDENTITY, Vec::new());
+    }
+    TcpMove { via: Some(ThroughPoint { pose, externals: Vec::new(), configuration }), ..step }
 }
 
 /// Random poses and positions come back from the text, to its decimals.
@@ -183,16 +272,17 @@ fn random_programs_come_back() {
             let mut steps = vec![RobotStep::Pass("p".to_owned())];
             steps.push(match language {
                 RobotLanguage::Inform => {
-                    RobotStep::JointsTo(LineMove { speed_mm_s: 0.0, ..random_move(&mut random, language) })
+                    RobotStep::JointsTo(TcpMove { speed_mm_s: 0.0, ..random_move(&mut random, language) })
                 }
                 _ => RobotStep::Joints(JointTarget {
                     arm: [(); 6].map(|()| random.within(-180.0, 180.0)),
                     externals: Vec::new(),
                 }),
             });
-            steps.push(RobotStep::Line(random_move(&mut random, language)));
+            steps.push(RobotStep::Move(random_move(&mut random, language)));
             steps.push(RobotStep::ArcOn(ArcStart { preflow_s: 0.0, delay_s: 0.25, values }));
-            steps.extend((0..20).map(|_| RobotStep::Line(random_move(&mut random, language))));
+            // Every fourth move is an arc between lines.
+            steps.extend((0..20).map(|k| RobotStep::Move(random_step(&mut random, language, k % 4 == 2))));
             steps.push(RobotStep::ArcOff(ArcEnd { crater_s: 0.5, postflow_s: 0.0 }));
             steps.push(RobotStep::Wait(1.5));
             let program = RobotProgram { title: "random".to_owned(), frames: None, steps };
@@ -208,8 +298,17 @@ fn random_programs_come_back() {
 
 fn is_near(asked: &RobotStep, told: &RobotStep) -> bool {
     match (asked, told) {
-        (RobotStep::Line(a), RobotStep::Line(t)) | (RobotStep::JointsTo(a), RobotStep::JointsTo(t)) => {
-            a.to.point.distance(t.to.point) < 2e-3
+        (RobotStep::Move(a), RobotStep::Move(t)) | (RobotStep::JointsTo(a), RobotStep::JointsTo(t)) => {
+            let is_same_via = match (&a.via, &t.via) {
+                (Some(a), Some(t)) => {
+                    a.pose.point.distance(t.pose.point) < 2e-3
+                        && a.pose.angle_to(&t.pose) < 2e-5
+                        && a.configuration == t.configuration
+                }
+                (a, t) => a.is_none() && t.is_none(),
+            };
+            is_same_via
+                && a.to.point.distance(t.to.point) < 2e-3
                 && a.to.angle_to(&t.to) < 2e-5
                 && a.configuration == t.configuration
                 && (a.speed_mm_s - t.speed_mm_s).abs() < 1e-6
@@ -396,6 +495,7 @@ fn machines_that_do_not_fit_are_refused() {
         ("ur10e", RobotLanguage::Rapid, "post-robot-not-spherical"),
         ("irb-2600", RobotLanguage::Urscript, "post-robot-not-parallel"),
         ("ur10e-positioner", RobotLanguage::Urscript, "post-robot-external-axes"),
+        ("irb-2600-rail", RobotLanguage::Inform, "post-robot-external-axes"),
     ] {
         let error = RobotArm::new(&of(machine), language).unwrap_err();
         assert!(error.message().as_data().contains(code), "{error:?}");

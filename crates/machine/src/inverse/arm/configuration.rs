@@ -1,5 +1,6 @@
-use super::{Arm, Tail};
+use super::{Arm, MEET_MM, Tail};
 use crate::chain::{Joints, Turn};
+use glam::{DAffine3, DVec3};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -17,7 +18,7 @@ pub enum Shoulder {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Elbow {
-    /// Above, with the wrist in front.
+    /// On the side away from the base, with the wrist in front.
     Up,
     /// Below.
     Down,
@@ -83,15 +84,25 @@ struct Signed {
 }
 
 impl Arm {
-    /// Configuration at positions `q`.
-    pub(crate) fn configuration(&self, q: &Joints) -> ArmConfiguration {
+    /// Configuration at positions `q`; `base` is the base frame, seen as the arm's axes, with all axes at zero.
+    pub(crate) fn configuration(&self, q: &Joints, base: &DAffine3) -> ArmConfiguration {
         let signed = self.signed(q);
         ArmConfiguration {
             shoulder: if signed.forward_mm >= 0.0 { Shoulder::Front } else { Shoulder::Back },
-            elbow: if signed.elbow >= 0.0 { Elbow::Up } else { Elbow::Down },
+            elbow: if signed.elbow * self.sense_upwards(base) >= 0.0 { Elbow::Up } else { Elbow::Down },
             wrist: if signed.wrist >= 0.0 { WristSide::NoFlip } else { WristSide::Flip },
             turns: self.axes.map(|axis| turns(q[axis])),
         }
+    }
+
+    /// 1 if the first axis points from the base to the shoulder, -1 if it points back (KUKA counts it clockwise).
+    fn sense_upwards(&self, base: &DAffine3) -> f64 {
+        let height_mm = (self.links.origin - base.translation).dot(self.upright);
+        if height_mm.abs() > MEET_MM {
+            return height_mm.signum();
+        }
+        // The shoulder is at the base's height.
+        base.transform_vector3(DVec3::Z).dot(self.upright).signum()
     }
 
     /// Distances from the singularities at positions `q`.
@@ -111,7 +122,7 @@ impl Arm {
             Tail::Wrist(wrist) => wrist.bend(q[self.axes[4]]),
             Tail::Parallel(tail) => Turn::by(q[self.axes[4]]).and(tail.straight(self.normal).back()).angle(),
         };
-        // Angle of the elbow from the stretched links; negative about the second axis is up if y points up.
+        // Angle of the elbow from the stretched links; negative about the second axis is along the first one if y is.
         let elbow = Turn::by(self.third * q[self.axes[2]]).and(self.links.in_line().back());
         let up = self.links.y.dot(self.upright).signum();
         Signed {

@@ -5,7 +5,9 @@ use crate::read::error::{Fault, Read, Span};
 use crate::robot::angles::from_euler_zyx;
 use crate::robot::language::CNT_S;
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{ArcEnd, ArcStart, JointTarget, LineMove, RobotFrames, RobotProgram, RobotStep};
+use crate::robot::program::{
+    ArcEnd, ArcStart, JointTarget, RobotFrames, RobotProgram, RobotStep, TcpMove, ThroughPoint,
+};
 use crate::robot::weld_values::WeldValues;
 use glam::DVec3;
 use seamwright_message::Message;
@@ -25,16 +27,23 @@ enum Section {
 #[derive(Default, Clone)]
 struct Position<'a> {
     numbers: BTreeMap<&'a str, f64>,
+    /// The same of group 2, the positioner.
+    second: BTreeMap<&'a str, f64>,
+    in_second: bool,
     configuration: Vec<i32>,
 }
 
 /// A motion before its position is known.
 struct Motion {
     point: i32,
+    /// Through-point of an arc.
+    via: Option<i32>,
     span: Span,
     speed_mm_s: f64,
     zone_mm: f64,
     is_line: bool,
+    /// Whether the positioner leads: the move is straight or round on it.
+    is_coordinated: bool,
 }
 
 enum Item {
@@ -64,6 +73,8 @@ struct Reader<'a> {
     /// Position under way.
     open: Option<(i32, Position<'a>)>,
     burning: bool,
+    /// Through-point of an arc whose end is in the next line.
+    via: Option<i32>,
 }
 
 impl<'a> Reader<'a> {
@@ -88,6 +99,14 @@ impl<'a> Reader<'a> {
 
     /// `12:L P[3] 6.0mm/sec CNT100 ;`
     fn instruction(&mut self, line: &mut Scan<'a>) -> Read {
+        if let Some(via) = self.via.take() {
+            line.expect(":")?;
+            let from = line.at;
+            line.expect("P[")?;
+            self.motion(from, Some(via), line)?;
+            line.expect(";")?;
+            return line.end_of_line("\r");
+        }
         line.number()?;
         line.expect(":")?;
         if line.take("!PASS ") {
@@ -104,10 +123,21 @@ impl<'a> Reader<'a> {
             let point = index(line)?;
             line.number()?;
             line.expect("% FINE")?;
-            let motion = Motion { point, span: line.since(from), speed_mm_s: 0.0, zone_mm: 0.0, is_line: false };
+            let motion = Motion {
+                point,
+                via: None,
+                span: line.since(from),
+                speed_mm_s: 0.0,
+                zone_mm: 0.0,
+                is_line: false,
+                is_coordinated: true,
+            };
             self.items.push(Item::Motion(motion));
         } else if line.take("L P[") {
-            self.motion(from, line)?;
+            self.motion(from, None, line)?;
+        } else if line.take("C P[") {
+            self.via = Some(index(line)?);
+            return line.end_of_line("\r");
         } else if line.take("Weld Start[1,") {
             self.weld_start(line)?;
         } else if line.take("Weld End[1,") {
@@ -130,7 +160,7 @@ impl<'a> Reader<'a> {
         line.end_of_line("\r")
     }
 
-    fn motion(&mut self, from: usize, line: &mut Scan<'a>) -> Read {
+    fn motion(&mut self, from: usize, via: Option<i32>, line: &mut Scan<'a>) -> Read {
         let point = index(line)?;
         let speed_mm_s = positive(line.number()?, line.since(from))?;
         line.expect("mm/sec")?;
@@ -144,7 +174,9 @@ impl<'a> Reader<'a> {
             }
             0.01 * part * CNT_S * speed_mm_s
         };
-        let motion = Motion { point, span: line.since(from), speed_mm_s, zone_mm, is_line: true };
+        let is_coordinated = line.take("COORD");
+        let span = line.since(from);
+        let motion = Motion { point, via, span, speed_mm_s, zone_mm, is_line: true, is_coordinated };
         self.items.push(Item::Motion(motion));
         Ok(())
     }
@@ -214,7 +246,9 @@ impl<'a> Reader<'a> {
             self.positions.insert(number, position);
             return line.end_of_line("\r");
         }
-        if !line.take("GP1:") {
+        if line.take("GP2:") {
+            position.in_second = true;
+        } else if !line.take("GP1:") {
             words(line, &mut position)?;
         }
         self.open = Some((number, position));
@@ -231,12 +265,24 @@ impl<'a> Reader<'a> {
                 }
                 Item::Motion(motion) => motion,
             };
-            let undeclared = || {
-                let name = format!("P[{}]", motion.point);
+            let undeclared = |point: i32| {
+                let name = format!("P[{point}]");
                 Fault::new(motion.span, Message::new("post-robot-undeclared").text("name", name))
             };
-            let position = self.positions.get(&motion.point).ok_or_else(undeclared)?;
-            steps.push(step(&motion, position).ok_or_else(undeclared)?);
+            if self
+                .positions
+                .get(&motion.point)
+                .is_some_and(|at| at.in_second != motion.is_coordinated && motion.is_line)
+            {
+                let message = Message::new("post-robot-expected").text("token", "COORD, GP2");
+                return Err(Fault::new(motion.span, message));
+            }
+            let at = |point: i32| self.positions.get(&point).ok_or_else(|| undeclared(point));
+            let via = match motion.via {
+                Some(point) => Some(through_point(at(point)?).ok_or_else(|| undeclared(point))?),
+                None => None,
+            };
+            steps.push(step(&motion, via, at(motion.point)?).ok_or_else(|| undeclared(motion.point))?);
         }
         let frame = |name| self.frames.get(name).ok_or_else(|| scan.missing(name)).map(pose);
         let frames = RobotFrames { tool: frame("UTOOL")?, work: frame("UFRAME")? };
@@ -245,19 +291,35 @@ impl<'a> Reader<'a> {
 }
 
 /// The step of a motion; `None` if its position lacks a number.
-fn step(motion: &Motion, position: &Position) -> Option<RobotStep> {
-    let of = |name: &str| position.numbers.get(name).copied();
-    let externals = ["E1", "E2", "E3"].iter().map_while(|name| of(name)).collect();
+fn step(motion: &Motion, via: Option<ThroughPoint>, position: &Position) -> Option<RobotStep> {
     if motion.is_line {
-        let to = pose(&[of("X")?, of("Y")?, of("Z")?, of("W")?, of("P")?, of("R")?]);
-        let configuration = position.configuration.clone();
+        let ThroughPoint { pose: to, externals, configuration } = through_point(position)?;
         let (speed_mm_s, zone_mm) = (motion.speed_mm_s, motion.zone_mm);
-        return Some(RobotStep::Line(LineMove { to, externals, configuration, speed_mm_s, zone_mm }));
+        return Some(RobotStep::Move(TcpMove { via, to, externals, configuration, speed_mm_s, zone_mm }));
     }
+    let of = |name: &str| position.numbers.get(name).copied();
+    let externals = position.externals();
     let mut arm = [of("J1")?, of("J2")?, of("J3")?, of("J4")?, of("J5")?, of("J6")?];
     // J3 of the pendant is counted from the horizontal.
     arm[2] += arm[1];
     Some(RobotStep::Joints(JointTarget { arm, externals }))
+}
+
+/// The pose of a position; `None` if it lacks a number.
+fn through_point(position: &Position) -> Option<ThroughPoint> {
+    let of = |name: &str| position.numbers.get(name).copied();
+    let pose = pose(&[of("X")?, of("Y")?, of("Z")?, of("W")?, of("P")?, of("R")?]);
+    let configuration = position.configuration.clone();
+    Some(ThroughPoint { pose, externals: position.externals(), configuration })
+}
+
+impl Position<'_> {
+    /// Extended axes of the arm, then those of the positioner.
+    fn externals(&self) -> Vec<f64> {
+        let extended = ["E1", "E2", "E3"].iter().map_while(|name| self.numbers.get(name).copied());
+        let positioner = ["J1", "J2", "J3"].iter().map_while(|name| self.second.get(name).copied());
+        extended.chain(positioner).collect()
+    }
 }
 
 /// X, Y, Z, and W, P, R about the fixed x, y and z.
@@ -284,7 +346,8 @@ fn words<'a>(line: &mut Scan<'a>, position: &mut Position<'a>) -> Read {
             if !line.take("mm") && !line.take("deg") {
                 return Err(line.missing("mm"));
             }
-            if position.numbers.insert(name, value).is_some() {
+            let numbers = if position.in_second { &mut position.second } else { &mut position.numbers };
+            if numbers.insert(name, value).is_some() {
                 return Err(line.unknown(from, name));
             }
         }

@@ -5,7 +5,7 @@ use crate::read::error::{Fault, Read};
 use crate::robot::angles::from_euler_zyx;
 use crate::robot::language::POSITION_LEVEL_1_MM;
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{ArcEnd, ArcStart, LineMove, RobotProgram, RobotStep};
+use crate::robot::program::{ArcEnd, ArcStart, RobotProgram, RobotStep, TcpMove, ThroughPoint};
 use crate::robot::weld_values::WeldValues;
 use glam::DVec3;
 use seamwright_message::Message;
@@ -20,7 +20,7 @@ pub(super) fn read(text: &str) -> Read<RobotProgram> {
     if reader.part != Part::Ended {
         return Err(scan.missing("END"));
     }
-    if reader.points != Some(reader.positions.len()) {
+    if reader.points != Some([reader.positions.len(), reader.stations.len()]) {
         return Err(scan.missing("NPOS"));
     }
     Ok(RobotProgram { title: String::new(), frames: None, steps: reader.steps })
@@ -40,13 +40,27 @@ enum Part {
 #[derive(Default)]
 struct Reader<'a> {
     part: Part,
-    points: Option<usize>,
+    /// Numbers of positions of the arm and of the station.
+    points: Option<[usize; 2]>,
     /// Form of the positions that follow: all must be in the user frame, in rectangular form.
     in_user_frame: bool,
     rectangular: bool,
     configuration: Vec<i32>,
-    positions: BTreeMap<&'a str, LineMove>,
+    positions: BTreeMap<&'a str, TcpMove>,
+    /// Angles of the station, degrees.
+    stations: BTreeMap<&'a str, Vec<f64>>,
     steps: Vec<RobotStep>,
+    arc: ArcPoints,
+}
+
+/// Positions of an arc so far.
+#[derive(Default)]
+enum ArcPoints {
+    #[default]
+    None,
+    Started,
+    Through(ThroughPoint),
+    Ended,
 }
 
 impl<'a> Reader<'a> {
@@ -82,11 +96,13 @@ impl<'a> Reader<'a> {
             self.part = Part::Settings;
         } else if line.take("///NPOS") {
             let counts = line.numbers::<6>(",")?;
-            self.points = Some(counts[0].max(0.0) as usize);
+            self.points = Some([counts[0], counts[2]].map(|count| count.max(0.0) as usize));
         } else if line.take("///POSTYPE") {
             self.in_user_frame = line.name()? == "USER";
         } else if line.take("///RECTAN") {
             self.rectangular = true;
+        } else if line.take("///ANGLE") {
+            self.rectangular = false;
         } else if line.take("///RCONF") {
             self.configuration = line.numbers::<8>(",")?.map(|number| number as i32).to_vec();
         } else if line.take("///USER") || line.take("///TOOL") {
@@ -94,6 +110,10 @@ impl<'a> Reader<'a> {
         } else {
             let from = line.at;
             let name = line.name()?;
+            if name.starts_with("EC") && !self.rectangular {
+                self.station(name, line)?;
+                return line.end_of_line("\r");
+            }
             if !(self.in_user_frame && self.rectangular) || self.configuration.is_empty() {
                 return Err(line.unknown(from, name));
             }
@@ -102,10 +122,21 @@ impl<'a> Reader<'a> {
             let turn = from_euler_zyx([rz, ry, rx].map(f64::to_radians));
             let to = RobotPose { point: DVec3::new(x, y, z), turn };
             let configuration = self.configuration.clone();
-            let line = LineMove { to, externals: Vec::new(), configuration, speed_mm_s: 0.0, zone_mm: 0.0 };
+            let line = TcpMove { via: None, to, externals: Vec::new(), configuration, speed_mm_s: 0.0, zone_mm: 0.0 };
             self.positions.insert(name, line);
         }
         line.end_of_line("\r")
+    }
+
+    /// `EC00000=12.5,30`
+    fn station(&mut self, name: &'a str, line: &mut Scan<'a>) -> Read {
+        line.expect("=")?;
+        let mut angles = vec![line.number()?];
+        while line.take(",") {
+            angles.push(line.number()?);
+        }
+        self.stations.insert(name, angles);
+        Ok(())
     }
 
     fn instruction(&mut self, line: &mut Scan<'a>) -> Read {
@@ -120,25 +151,16 @@ impl<'a> Reader<'a> {
         let word = line.name()?;
         match word {
             "MOVJ" => {
-                let to = self.point(line)?;
-                line.expect("VJ=")?;
+                let mut to = self.point(line)?;
+                if !line.take("VJ=") {
+                    to.externals = self.angles(line)?;
+                    line.expect("VJ=")?;
+                }
                 positive(line.number()?, line.since(from))?;
                 line.expect("PL=0")?;
                 self.steps.push(RobotStep::JointsTo(to));
             }
-            "MOVL" => {
-                let mut to = self.point(line)?;
-                line.expect("V=")?;
-                to.speed_mm_s = positive(line.number()?, line.since(from))?;
-                line.expect("PL=")?;
-                let level = line.number()?;
-                to.zone_mm = match level {
-                    0.0 => 0.0,
-                    1.0 => POSITION_LEVEL_1_MM,
-                    _ => return Err(Fault::new(line.since(from), "post-robot-zone")),
-                };
-                self.steps.push(RobotStep::Line(to));
-            }
+            "MOVL" | "MOVC" | "SMOVL" | "SMOVC" => self.motion(word, from, line)?,
             "ARCON" => {
                 let values = values(line)?;
                 line.expect("T=")?;
@@ -161,8 +183,53 @@ impl<'a> Reader<'a> {
         line.end_of_line("\r")
     }
 
+    /// A move to a position. Of the positions of MOVC in a row the first is the start of an arc, to which a line leads, the
+    /// second its through-point and the third its end.
+    fn motion(&mut self, word: &str, from: usize, line: &mut Scan<'a>) -> Read {
+        let (is_arc, is_coordinated) = (word.ends_with('C'), word.starts_with('S'));
+        let mut to = self.point(line)?;
+        line.expect("V=")?;
+        to.speed_mm_s = positive(line.number()?, line.since(from))?;
+        let zone = if line.take("PL=") { Some(line.number()?) } else { None };
+        if is_coordinated {
+            line.expect("+MOVJ")?;
+            to.externals = self.angles(line)?;
+        }
+        self.arc = match (is_arc, std::mem::take(&mut self.arc)) {
+            (false, ArcPoints::None | ArcPoints::Ended) => ArcPoints::None,
+            (true, ArcPoints::None) => ArcPoints::Started,
+            (true, ArcPoints::Started) => {
+                let TcpMove { to: pose, externals, configuration, .. } = to;
+                self.arc = ArcPoints::Through(ThroughPoint { pose, externals, configuration });
+                return Ok(());
+            }
+            (true, ArcPoints::Through(via)) => {
+                to.via = Some(via);
+                ArcPoints::Ended
+            }
+            _ => return Err(line.unknown(from, "MOVC")),
+        };
+        to.zone_mm = match zone {
+            Some(0.0) => 0.0,
+            Some(1.0) => POSITION_LEVEL_1_MM,
+            None => return Err(line.missing("PL=")),
+            Some(_) => return Err(Fault::new(line.since(from), "post-robot-zone")),
+        };
+        self.steps.push(RobotStep::Move(to));
+        Ok(())
+    }
+
+    /// The station's position that a move names.
+    fn angles(&self, line: &mut Scan<'a>) -> Read<Vec<f64>> {
+        line.blanks();
+        let from = line.at;
+        let name = line.name()?;
+        let undeclared = || Fault::new(line.since(from), Message::new("post-robot-undeclared").text("name", name));
+        self.stations.get(name).cloned().ok_or_else(undeclared)
+    }
+
     /// The position that a move names.
-    fn point(&self, line: &mut Scan<'a>) -> Read<LineMove> {
+    fn point(&self, line: &mut Scan<'a>) -> Read<TcpMove> {
         line.blanks();
         let from = line.at;
         let name = line.name()?;

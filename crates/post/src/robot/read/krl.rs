@@ -1,10 +1,12 @@
-//! Reader of KUKA KRL: one main program with frames, speeds, PTP and LIN, and calls of the arc's subprograms.
+//! Reader of KUKA KRL: one main program with frames, speeds, PTP, LIN and CIRC, and calls of the arc's subprograms.
 
 use super::scan::{Scan, positive};
 use crate::read::error::{Fault, Read};
 use crate::robot::angles::from_euler_zyx;
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{ArcEnd, ArcStart, JointTarget, LineMove, RobotFrames, RobotProgram, RobotStep};
+use crate::robot::program::{
+    ArcEnd, ArcStart, JointTarget, RobotFrames, RobotProgram, RobotStep, TcpMove, ThroughPoint,
+};
 use crate::robot::weld_values::WeldValues;
 use glam::DVec3;
 use seamwright_message::Message;
@@ -78,6 +80,7 @@ impl<'a> Reader<'a> {
     fn statement(&mut self, word: &str, from: usize, line: &mut Scan<'a>) -> Read {
         match word {
             "BAS" => drop(line.until(')')?),
+            "$CIRC_TYPE" => line.expect("=#PATH")?,
             "$ADVANCE" | "$ORI_TYPE" => {
                 line.expect("=")?;
                 line.take("#");
@@ -104,7 +107,11 @@ impl<'a> Reader<'a> {
                 self.zone_mm = positive(line.number()?, line.since(from))?;
             }
             "PTP" => self.joints(line)?,
-            "LIN" => self.motion(from, line)?,
+            "LIN" => self.motion(from, None, line)?,
+            "CIRC" => {
+                let via = through_point(line)?;
+                self.motion(from, Some(via), line)?;
+            }
             "ARC_ON" => {
                 self.calls.push("ARC_ON");
                 let [preflow_s, delay_s, current_a, voltage_v, wire_feed_m_min] = arguments(line)?;
@@ -141,14 +148,15 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn motion(&mut self, from: usize, line: &mut Scan<'a>) -> Read {
+    fn motion(&mut self, from: usize, via: Option<ThroughPoint>, line: &mut Scan<'a>) -> Read {
         let parts = aggregate(line)?;
         let to = pose(&parts, line)?;
         let data = ["S", "T"].map(|name| part(&parts, name, line));
         let [Ok(status), Ok(turn)] = data else { return Err(line.missing("S, T")) };
         let rounds = line.take("C_DIS");
         let speed_mm_s = positive(self.speed_mm_s, line.since(from))?;
-        self.steps.push(RobotStep::Line(LineMove {
+        self.steps.push(RobotStep::Move(TcpMove {
+            via,
             to,
             externals: externals(&parts),
             configuration: vec![status as i32, turn as i32],
@@ -175,6 +183,15 @@ fn aggregate<'a>(line: &mut Scan<'a>) -> Read<BTreeMap<&'a str, f64>> {
     }
     line.expect("}")?;
     Ok(parts)
+}
+
+/// The through-point of an arc and the comma behind it; only its position counts.
+fn through_point(line: &mut Scan) -> Read<ThroughPoint> {
+    let parts = aggregate(line)?;
+    let of = |name| part(&parts, name, line);
+    let pose = RobotPose { point: DVec3::new(of("X")?, of("Y")?, of("Z")?), ..RobotPose::IDENTITY };
+    line.expect(",")?;
+    Ok(ThroughPoint { pose, externals: Vec::new(), configuration: Vec::new() })
 }
 
 fn part(parts: &BTreeMap<&str, f64>, name: &str, line: &Scan) -> Read<f64> {

@@ -3,7 +3,9 @@
 use super::scan::{Scan, positive};
 use crate::read::error::{Fault, Read, Span};
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{ArcEnd, ArcStart, JointTarget, LineMove, RobotFrames, RobotProgram, RobotStep};
+use crate::robot::program::{
+    ArcEnd, ArcStart, JointTarget, RobotFrames, RobotProgram, RobotStep, TcpMove, ThroughPoint,
+};
 use crate::robot::weld_values::WeldValues;
 use glam::{DQuat, DVec3};
 use seamwright_message::Message;
@@ -104,10 +106,13 @@ impl<'a> Reader<'a> {
         }
         let steps = match word.to_ascii_uppercase().as_str() {
             "MOVEABSJ" => self.joints(line)?,
-            "MOVEL" => self.move_line(line)?,
+            "MOVEL" => self.move_tcp(line, false)?,
+            "MOVEC" => self.move_tcp(line, true)?,
             "ARCLSTART" => self.arc_start(line)?,
-            "ARCL" => self.arc_line(line)?,
-            "ARCLEND" => self.arc_end(line)?,
+            "ARCL" => self.arc_line(line, false)?,
+            "ARCC" => self.arc_line(line, true)?,
+            "ARCLEND" => self.arc_end(line, false)?,
+            "ARCCEND" => self.arc_end(line, true)?,
             "WAITTIME" => vec![RobotStep::Wait(line.number()?)],
             _ => return Err(line.unknown(from, word)),
         };
@@ -126,67 +131,78 @@ impl<'a> Reader<'a> {
         Ok(vec![RobotStep::Joints(JointTarget { arm, externals })])
     }
 
-    fn move_line(&self, line: &mut Scan<'a>) -> Read<Vec<RobotStep>> {
-        let mut to = self.target(line)?;
+    fn move_tcp(&self, line: &mut Scan<'a>, is_arc: bool) -> Read<Vec<RobotStep>> {
+        let mut to = self.targets(line, is_arc)?;
         let arguments = self.arguments(line, 2)?;
         let [speed, zone] = <[Value; 2]>::try_from(arguments).map_err(|_| line.missing("zone"))?;
         to.speed_mm_s = self.speed(&speed)?;
         to.zone_mm = zone_mm(&zone)?;
         tool(line)?;
-        Ok(vec![RobotStep::Line(to)])
+        Ok(vec![RobotStep::Move(to)])
     }
 
     /// Target, speed, seam, weld and zone of an arc instruction.
-    fn arc(&self, line: &mut Scan<'a>) -> Read<ArcMove<'a>> {
-        let to = self.target(line)?;
+    fn arc(&self, line: &mut Scan<'a>, is_arc: bool) -> Read<ArcMove<'a>> {
+        let to = self.targets(line, is_arc)?;
         let arguments = self.arguments(line, 4)?;
         tool(line)?;
         let [speed, seam, weld, zone] = <[Value; 4]>::try_from(arguments).map_err(|_| line.missing("zone"))?;
-        Ok(ArcMove { to: LineMove { zone_mm: zone_mm(&zone)?, ..to }, speed, seam, weld })
+        Ok(ArcMove { to: TcpMove { zone_mm: zone_mm(&zone)?, ..to }, speed, seam, weld })
     }
 
     fn arc_start(&mut self, line: &mut Scan<'a>) -> Read<Vec<RobotStep>> {
-        let ArcMove { mut to, speed, seam, weld } = self.arc(line)?;
+        let ArcMove { mut to, speed, seam, weld } = self.arc(line, false)?;
         to.speed_mm_s = self.speed(&speed)?;
         let (_, values) = self.weld(&weld)?;
         let seam = self.resolve(&seam)?;
         let parts = self.list::<16>(seam)?;
         let start = ArcStart { preflow_s: self.number(parts[1])?, delay_s: self.number(parts[3])?, values };
         self.values = Some(values);
-        Ok(vec![RobotStep::Line(to), RobotStep::ArcOn(start)])
+        Ok(vec![RobotStep::Move(to), RobotStep::ArcOn(start)])
     }
 
-    fn arc_line(&mut self, line: &mut Scan<'a>) -> Read<Vec<RobotStep>> {
+    fn arc_line(&mut self, line: &mut Scan<'a>, is_arc: bool) -> Read<Vec<RobotStep>> {
         let from = line.at;
-        let ArcMove { mut to, weld, .. } = self.arc(line)?;
+        let ArcMove { mut to, weld, .. } = self.arc(line, is_arc)?;
         let (speed, values) = self.weld(&weld)?;
         let Some(before) = self.values.replace(values) else {
             return Err(Fault::new(line.since(from), "post-robot-no-arc"));
         };
         to.speed_mm_s = speed;
         let change = (before != values).then_some(RobotStep::Values(values));
-        Ok(change.into_iter().chain([RobotStep::Line(to)]).collect())
+        Ok(change.into_iter().chain([RobotStep::Move(to)]).collect())
     }
 
-    fn arc_end(&mut self, line: &mut Scan<'a>) -> Read<Vec<RobotStep>> {
+    fn arc_end(&mut self, line: &mut Scan<'a>, is_arc: bool) -> Read<Vec<RobotStep>> {
         let mut again = *line;
-        let mut steps = self.arc_line(line)?;
+        let mut steps = self.arc_line(line, is_arc)?;
         self.values = None;
-        let ArcMove { seam, .. } = self.arc(&mut again)?;
+        let ArcMove { seam, .. } = self.arc(&mut again, is_arc)?;
         let parts = self.list::<16>(self.resolve(&seam)?)?;
         let (crater_s, postflow_s) = (self.number(parts[10])?, self.number(parts[15])?);
         steps.push(RobotStep::ArcOff(ArcEnd { crater_s, postflow_s }));
         Ok(steps)
     }
 
+    /// The end of a move, behind the through-point of an arc.
+    fn targets(&self, line: &mut Scan<'a>, is_arc: bool) -> Read<TcpMove> {
+        if !is_arc {
+            return self.target(line);
+        }
+        let TcpMove { to: pose, externals, configuration, .. } = self.target(line)?;
+        line.expect(",")?;
+        let via = Some(ThroughPoint { pose, externals, configuration });
+        Ok(TcpMove { via, ..self.target(line)? })
+    }
+
     /// The pose of a robtarget, with its configuration and external axes.
-    fn target(&self, line: &mut Scan<'a>) -> Read<LineMove> {
+    fn target(&self, line: &mut Scan<'a>) -> Read<TcpMove> {
         let given = value(line, 0)?;
         let [point, turn, configuration, externals] = self.list(self.resolve(&given)?)?;
         let configuration = self.numbers::<4>(configuration)?.map(|number| number as i32).to_vec();
         let to = self.pose(point, turn)?;
         let externals = self.externals(externals)?;
-        Ok(LineMove { to, externals, configuration, speed_mm_s: 0.0, zone_mm: 0.0 })
+        Ok(TcpMove { via: None, to, externals, configuration, speed_mm_s: 0.0, zone_mm: 0.0 })
     }
 
     /// Values with commas before them.
@@ -298,7 +314,7 @@ impl<'a> Reader<'a> {
 
 /// Arguments of an arc instruction.
 struct ArcMove<'a> {
-    to: LineMove,
+    to: TcpMove,
     speed: Value<'a>,
     seam: Value<'a>,
     weld: Value<'a>,

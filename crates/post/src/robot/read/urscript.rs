@@ -4,9 +4,11 @@ use super::scan::{Scan, positive};
 use crate::read::error::{Fault, Read};
 use crate::robot::angles::from_rotation_vector;
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{ArcEnd, ArcStart, JointTarget, LineMove, RobotFrames, RobotProgram, RobotStep};
+use crate::robot::program::{
+    ArcEnd, ArcStart, JointTarget, RobotFrames, RobotProgram, RobotStep, TcpMove, ThroughPoint,
+};
 use crate::robot::weld_values::WeldValues;
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use seamwright_message::Message;
 use std::collections::BTreeMap;
 
@@ -103,10 +105,11 @@ impl<'a> Reader<'a> {
                 self.options(line)?;
                 self.steps.push(RobotStep::Joints(JointTarget { arm, externals: Vec::new() }));
             }
-            "movel" | "movep" => {
+            "movel" | "movep" | "movec" => {
+                let via = if word == "movec" { Some(self.through_point(line)?) } else { None };
                 let Motion { to, speed_mm_s, zone_mm } = self.motion(line)?;
-                let line = LineMove { to, externals: Vec::new(), configuration: Vec::new(), speed_mm_s, zone_mm };
-                self.steps.push(RobotStep::Line(line));
+                let line = TcpMove { via, to, externals: Vec::new(), configuration: Vec::new(), speed_mm_s, zone_mm };
+                self.steps.push(RobotStep::Move(line));
             }
             "arc_on" => {
                 let [preflow_s, delay_s, current_a, voltage_v, wire_feed_m_min] = line.numbers(",")?;
@@ -137,8 +140,15 @@ impl<'a> Reader<'a> {
         Ok(RobotPose { point: MM_PER_M * DVec3::new(x, y, z), turn })
     }
 
-    /// `pose_trans(work, p[...]), a=, v=, r=`
-    fn motion(&self, line: &mut Scan<'a>) -> Read<Motion> {
+    /// The through-point of an arc and the comma behind it; its rotation is ignored.
+    fn through_point(&self, line: &mut Scan<'a>) -> Read<ThroughPoint> {
+        let pose = RobotPose { turn: DQuat::IDENTITY, ..self.work_pose(line)? };
+        line.expect(",")?;
+        Ok(ThroughPoint { pose, externals: Vec::new(), configuration: Vec::new() })
+    }
+
+    /// `pose_trans(work, p[...])`
+    fn work_pose(&self, line: &mut Scan<'a>) -> Read<RobotPose> {
         line.expect("pose_trans(")?;
         let from = line.at;
         let name = line.name()?;
@@ -147,10 +157,19 @@ impl<'a> Reader<'a> {
             return Err(Fault::new(line.since(from), message));
         }
         line.expect(",")?;
-        let to = self.pose(line)?;
+        let pose = self.pose(line)?;
         line.expect(")")?;
+        Ok(pose)
+    }
+
+    /// A pose, `a=, v=, r=`; only mode 0 of arcs is known.
+    fn motion(&self, line: &mut Scan<'a>) -> Read<Motion> {
+        let to = self.work_pose(line)?;
         let from = line.at;
         let options = self.options(line)?;
+        if options.get("mode").is_some_and(|mode| *mode != 0.0) {
+            return Err(line.unknown(from, "mode"));
+        }
         let speed = options.get("v").copied().unwrap_or(0.25);
         let zone_mm = MM_PER_M * options.get("r").copied().unwrap_or(0.0).max(0.0);
         Ok(Motion { to, speed_mm_s: MM_PER_M * positive(speed, line.since(from))?, zone_mm })
@@ -162,7 +181,7 @@ impl<'a> Reader<'a> {
         while line.take(",") {
             let from = line.at;
             let name = line.name()?;
-            if !["a", "v", "t", "r"].contains(&name) {
+            if !["a", "v", "t", "r", "mode"].contains(&name) {
                 return Err(line.unknown(from, name));
             }
             line.expect("=")?;

@@ -1,14 +1,14 @@
 //! FANUC teach pendant programs as text (LS) with the instructions of ArcTool.
 //!
 //! Source: FANUC, R-30iB Operator's Manual (Basic Operation) and ArcTool Operator's Manual: position data, motion
-//! instructions with CNT, `Weld Start` and `Weld End`.
+//! instructions L and C with CNT and COORD, groups, `Weld Start` and `Weld End`.
 
 use super::RobotText;
 use super::text::{head, plain};
 use crate::robot::angles::euler_zyx;
 use crate::robot::language::{CNT_S, RobotLanguage};
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{JointTarget, LineMove, RobotProgram, RobotStep};
+use crate::robot::program::{JointTarget, RobotProgram, RobotStep, TcpMove};
 use crate::robot::weld_values::WeldValues;
 use crate::write::fixed;
 
@@ -18,7 +18,7 @@ const REGISTERS: [u32; 2] = [90, 91];
 const LONGEST_REMARK: usize = 32;
 
 pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
-    let mut ls = Ls::default();
+    let mut ls = Ls { carriers: options.arm.carriers(), is_coordinated: options.arm.has_positioner(), ..Ls::default() };
     for line in head(RobotLanguage::FanucLs, program, options) {
         ls.remark(&line);
     }
@@ -31,7 +31,8 @@ pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
     let title: String = plain(&program.title).chars().take(16).collect();
     let mut text =
         format!("/PROG  SEAMWRIGHT\n/ATTR\nOWNER\t\t= MNEDITOR;\nCOMMENT\t\t= \"{}\";\n", title.replace('"', "'"));
-    text.push_str(&format!("LINE_COUNT\t= {};\nDEFAULT_GROUP\t= 1,*,*,*,*;\n", ls.lines));
+    let second = if ls.is_coordinated { '1' } else { '*' };
+    text.push_str(&format!("LINE_COUNT\t= {};\nDEFAULT_GROUP\t= 1,{second},*,*,*;\n", ls.lines));
     text.push_str(&format!("/MN\n{}/POS\n{}/END\n", ls.program, ls.positions));
     text
 }
@@ -43,6 +44,10 @@ struct Ls {
     lines: usize,
     points: usize,
     values: WeldValues,
+    /// Number of external axes that carry the arm: those of group 1.
+    carriers: usize,
+    /// Whether a positioner is group 2.
+    is_coordinated: bool,
 }
 
 impl Ls {
@@ -73,7 +78,7 @@ impl Ls {
             match step {
                 RobotStep::Pass(name) => self.line(&format!("  !PASS {} ;", plain(name).replace(';', ","))),
                 RobotStep::Joints(target) => self.joints(target),
-                RobotStep::Line(line) | RobotStep::JointsTo(line) => self.motion(line),
+                RobotStep::Move(line) | RobotStep::JointsTo(line) => self.motion(line),
                 RobotStep::ArcOn(on) => {
                     self.values = on.values;
                     self.line(&format!("  Weld Start[1,{}] ;", values(&on.values)));
@@ -101,29 +106,52 @@ impl Ls {
         let mut arm = target.arm;
         arm[2] -= arm[1];
         let angles: Vec<String> = arm.iter().zip(1..).map(|(deg, n)| format!("J{n}= {} deg", fixed(*deg, 4))).collect();
-        let body = format!("UF : 1, UT : 1,\n\t{}{}", angles.join(",\t"), externals(&target.externals));
-        self.position(&body);
+        let body = format!("UF : 1, UT : 1,\n\t{}", angles.join(",\t"));
+        self.position(&body, &target.externals);
     }
 
-    fn motion(&mut self, line: &LineMove) {
-        self.points += 1;
+    fn motion(&mut self, line: &TcpMove) {
+        let via = line.via.as_ref().map(|via| self.pose(&via.pose, &via.configuration, &via.externals));
+        let to = self.pose(&line.to, &line.configuration, &line.externals);
         let speed = fixed(line.speed_mm_s, 1);
         let end = match line.zone_mm > 0.0 {
             true => format!("CNT{}", (100.0 * line.zone_mm / (CNT_S * line.speed_mm_s)).round()),
             false => "FINE".to_owned(),
         };
-        self.line(&format!("L P[{}] {speed}mm/sec {end} ;", self.points));
-        let [x, y, z, w, p, r] = numbers(&line.to);
-        let body = format!(
-            "UF : 1, UT : 1,\tCONFIG : '{}',\n\tX = {x} mm,\tY = {y} mm,\tZ = {z} mm,\n\tW = {w} deg,\tP = {p} deg,\tR = {r} deg{}",
-            configuration(&line.configuration),
-            externals(&line.externals)
-        );
-        self.position(&body);
+        let end = if self.is_coordinated { format!("{end} COORD") } else { end };
+        match via {
+            // An arc has a line for each of its points.
+            Some(via) => {
+                self.line(&format!("C P[{via}]"));
+                self.program.push_str(&format!("    :  P[{to}] {speed}mm/sec {end} ;\n"));
+            }
+            None => self.line(&format!("L P[{to}] {speed}mm/sec {end} ;")),
+        }
     }
 
-    fn position(&mut self, body: &str) {
-        self.positions.push_str(&format!("P[{}]{{\n   GP1:\n\t{body}\n}};\n", self.points));
+    /// Adds a pose and gives its number.
+    fn pose(&mut self, to: &RobotPose, data: &[i32], external: &[f64]) -> usize {
+        self.points += 1;
+        let [x, y, z, w, p, r] = numbers(to);
+        let body = format!(
+            "UF : 1, UT : 1,\tCONFIG : '{}',\n\tX = {x} mm,\tY = {y} mm,\tZ = {z} mm,\n\tW = {w} deg,\tP = {p} deg,\tR = {r} deg",
+            configuration(data)
+        );
+        self.position(&body, external);
+        self.points
+    }
+
+    /// Group 1 is the arm with its extended axes, group 2 the positioner.
+    fn position(&mut self, body: &str, external: &[f64]) {
+        let (carriers, positioner) = external.split_at(self.carriers.min(external.len()));
+        let extended = externals(carriers);
+        self.positions.push_str(&format!("P[{}]{{\n   GP1:\n\t{body}{extended}\n", self.points));
+        if !positioner.is_empty() {
+            let of = |(value, n): (&f64, usize)| format!("J{n}= {} deg", fixed(*value, 4));
+            let joints: Vec<String> = positioner.iter().zip(1..).map(of).collect();
+            self.positions.push_str(&format!("   GP2:\n\tUF : 1, UT : 1,\n\t{}\n", joints.join(",\t")));
+        }
+        self.positions.push_str("};\n");
     }
 }
 

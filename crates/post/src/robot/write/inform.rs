@@ -1,6 +1,7 @@
 //! Yaskawa INFORM jobs (JBI) with arc instructions.
 //!
-//! Source: Yaskawa, INFORM Language manual for YRC1000 (RE-CKI-A467): job header, MOVJ, MOVL with V and PL, ARCON, ARCSET,
+//! Source: Yaskawa, INFORM Language manual for YRC1000 (RE-CKI-A467): job header, MOVJ, MOVL and MOVC with V and PL, SMOVL and SMOVC with +MOVJ of a
+//! station, ARCON, ARCSET,
 //! ARCOF, TIMER.
 
 use super::RobotText;
@@ -8,7 +9,7 @@ use super::text::{head, joined, plain};
 use crate::robot::angles::euler_zyx;
 use crate::robot::language::RobotLanguage;
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{LineMove, RobotProgram, RobotStep};
+use crate::robot::program::{RobotProgram, RobotStep, TcpMove};
 use crate::robot::weld_values::WeldValues;
 use crate::write::fixed;
 
@@ -16,7 +17,7 @@ use crate::write::fixed;
 const LONGEST_REMARK: usize = 32;
 
 pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
-    let mut job = Job::default();
+    let mut job = Job { has_station: options.arm.has_positioner(), ..Job::default() };
     for line in head(RobotLanguage::Inform, program, options) {
         job.remark(&line);
     }
@@ -25,9 +26,17 @@ pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
     job.remark(&format!("TOOL 1 {}", numbers(&frames.tool)));
     job.steps(&program.steps);
     let mut text = String::from("/JOB\n//NAME SEAMWRIGHT\n//POS\n");
-    text.push_str(&format!("///NPOS {},0,0,0,0,0\n///USER 1\n///TOOL 1\n///POSTYPE USER\n///RECTAN\n", job.points));
+    let stations = if job.has_station { job.points } else { 0 };
+    text.push_str(&format!(
+        "///NPOS {},0,{stations},0,0,0\n///USER 1\n///TOOL 1\n///POSTYPE USER\n///RECTAN\n",
+        job.points
+    ));
     text.push_str(&job.positions);
-    text.push_str("//INST\n///ATTR SC,RW,RJ\n////FRAME USER 1\n///GROUP1 RB1\nNOP\n");
+    if job.has_station {
+        text.push_str(&format!("///POSTYPE ANGLE\n///ANGLE\n{}", job.stations));
+    }
+    let station = if job.has_station { "///GROUP2 ST1\n" } else { "" };
+    text.push_str(&format!("//INST\n///ATTR SC,RW,RJ\n////FRAME USER 1\n///GROUP1 RB1\n{station}NOP\n"));
     text.push_str(&job.program);
     text.push_str("END\n");
     text
@@ -37,6 +46,9 @@ pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
 struct Job {
     program: String,
     positions: String,
+    /// Positions of the station.
+    stations: String,
+    has_station: bool,
     points: usize,
     configuration: Vec<i32>,
 }
@@ -56,7 +68,7 @@ impl Job {
     }
 
     fn steps(&mut self, steps: &[RobotStep]) {
-        for step in steps {
+        for (i, step) in steps.iter().enumerate() {
             match step {
                 RobotStep::Pass(name) => {
                     let name: String = plain(name).chars().take(LONGEST_REMARK - 5).collect();
@@ -65,14 +77,11 @@ impl Job {
                 // Jobs have poses for these moves: see JointsTo.
                 RobotStep::Joints(_) => {}
                 RobotStep::JointsTo(line) => {
-                    let point = self.position(line);
-                    self.line(&format!("MOVJ {point} VJ=20.00 PL=0"));
+                    let point = self.position(&line.to, &line.configuration, &line.externals);
+                    let station = if self.has_station { format!(" E{point}") } else { String::new() };
+                    self.line(&format!("MOVJ {point}{station} VJ=20.00 PL=0"));
                 }
-                RobotStep::Line(line) => {
-                    let (point, speed) = (self.position(line), line.speed_mm_s);
-                    let level = u32::from(line.zone_mm > 0.0);
-                    self.line(&format!("MOVL {point} V={speed:.1} PL={level}"));
-                }
+                RobotStep::Move(line) => self.motion(line, leads_to_arc(&steps[i + 1..])),
                 RobotStep::ArcOn(on) => {
                     self.line(&format!("ARCON {} T={}", values(&on.values), fixed(on.delay_s, 2)));
                 }
@@ -83,18 +92,47 @@ impl Job {
         }
     }
 
+    /// An arc goes through three positions of MOVC: the line that leads to it has the first.
+    fn motion(&mut self, line: &TcpMove, leads_to_arc: bool) {
+        let (speed, level) = (line.speed_mm_s, u32::from(line.zone_mm > 0.0));
+        if let Some(via) = &line.via {
+            let point = self.position(&via.pose, &via.configuration, &via.externals);
+            self.tcp_move("MOVC", &point, &format!("V={speed:.1}"));
+        }
+        let point = self.position(&line.to, &line.configuration, &line.externals);
+        let word = if leads_to_arc || line.via.is_some() { "MOVC" } else { "MOVL" };
+        self.tcp_move(word, &point, &format!("V={speed:.1} PL={level}"));
+    }
+
+    /// With a station the move is coordinated: S, and the station's own move.
+    fn tcp_move(&mut self, word: &str, point: &str, rest: &str) {
+        self.line(&match self.has_station {
+            true => format!("S{word} {point} {rest} +MOVJ E{point}"),
+            false => format!("{word} {point} {rest}"),
+        });
+    }
+
     /// Adds a position and gives its name. Configurations hold for the positions that follow.
-    fn position(&mut self, line: &LineMove) -> String {
-        if self.configuration != line.configuration {
-            self.configuration.clone_from(&line.configuration);
-            let data: Vec<String> = line.configuration.iter().map(i32::to_string).collect();
+    fn position(&mut self, to: &RobotPose, configuration: &[i32], externals: &[f64]) -> String {
+        if self.configuration != configuration {
+            self.configuration = configuration.to_vec();
+            let data: Vec<String> = configuration.iter().map(i32::to_string).collect();
             self.positions.push_str(&format!("///RCONF {}\n", data.join(",")));
         }
         let name = format!("C{:05}", self.points);
         self.points += 1;
-        self.positions.push_str(&format!("{name}={}\n", numbers(&line.to)));
+        if self.has_station {
+            self.stations.push_str(&format!("E{name}={}\n", joined(externals.iter().copied(), 4, ",")));
+        }
+        self.positions.push_str(&format!("{name}={}\n", numbers(to)));
         name
     }
+}
+
+/// Whether the next move is an arc.
+fn leads_to_arc(steps: &[RobotStep]) -> bool {
+    let next = steps.iter().find(|step| !matches!(step, RobotStep::Values(_)));
+    matches!(next, Some(RobotStep::Move(TcpMove { via: Some(_), .. })))
 }
 
 /// X, Y, Z in mm, and Rx, Ry, Rz about the fixed x, y and z in degrees.

@@ -1,6 +1,6 @@
 //! KUKA KRL with arc instructions.
 //!
-//! Source: KUKA, KSS 8.x Operating and Programming Instructions for System Integrators (LIN, C_DIS, $APO, $ORI_TYPE,
+//! Source: KUKA, KSS 8.x Operating and Programming Instructions for System Integrators (LIN, CIRC, C_DIS, $APO, $ORI_TYPE, $CIRC_TYPE,
 //! E6POS with S and T, EK for a coupled positioner).
 
 use super::RobotText;
@@ -8,7 +8,7 @@ use super::text::{head, joined, plain};
 use crate::robot::angles::euler_zyx;
 use crate::robot::language::RobotLanguage;
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{JointTarget, LineMove, RobotProgram, RobotStep};
+use crate::robot::program::{JointTarget, RobotProgram, RobotStep, TcpMove};
 use crate::robot::weld_values::WeldValues;
 use crate::write::fixed;
 
@@ -22,6 +22,7 @@ pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
     krl.line("BAS(#INITMOV,0)");
     krl.line("$ADVANCE=3");
     krl.line("$ORI_TYPE=#VAR");
+    krl.line("$CIRC_TYPE=#PATH");
     krl.line(&format!("$TOOL={{{}}}", frame(&options.arm.tool)));
     let work = frame(&options.arm.work);
     krl.line(&match options.arm.has_positioner() {
@@ -67,7 +68,7 @@ impl Krl {
             match step {
                 RobotStep::Pass(name) => self.line(&format!(";PASS {}", plain(name))),
                 RobotStep::Joints(target) => self.line(&joints(target)),
-                RobotStep::Line(line) | RobotStep::JointsTo(line) => self.motion(line),
+                RobotStep::Move(line) | RobotStep::JointsTo(line) => self.motion(line),
                 RobotStep::ArcOn(on) => {
                     let times = joined([on.preflow_s, on.delay_s], 3, ",");
                     self.line(&format!("ARC_ON({times},{})", values(&on.values)));
@@ -84,7 +85,7 @@ impl Krl {
         }
     }
 
-    fn motion(&mut self, line: &LineMove) {
+    fn motion(&mut self, line: &TcpMove) {
         if self.speed.to_bits() != line.speed_mm_s.to_bits() {
             self.speed = line.speed_mm_s;
             self.line(&format!("$VEL.CP={}", fixed(line.speed_mm_s * M_PER_MM, 8)));
@@ -98,7 +99,14 @@ impl Krl {
             _ => String::new(),
         };
         let zone = if line.zone_mm > 0.0 { " C_DIS" } else { "" };
-        self.line(&format!("LIN {{{}{data}{}}}{zone}", frame(&line.to), externals(&line.externals)));
+        let word = match &line.via {
+            Some(via) => {
+                let [x, y, z] = via.pose.point.to_array().map(|v| fixed(v, 4));
+                format!("CIRC {{X {x},Y {y},Z {z}}},")
+            }
+            None => "LIN ".to_owned(),
+        };
+        self.line(&format!("{word}{{{}{data}{}}}{zone}", frame(&line.to), externals(&line.externals)));
     }
 }
 

@@ -7,7 +7,7 @@ use super::RobotText;
 use super::text::{head, joined};
 use crate::robot::language::RobotLanguage;
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{ArcEnd, ArcStart, JointTarget, LineMove, RobotProgram, RobotStep};
+use crate::robot::program::{ArcEnd, ArcStart, JointTarget, RobotProgram, RobotStep, TcpMove};
 use crate::robot::weld_values::WeldValues;
 use crate::write::fixed;
 use std::fmt::Write as _;
@@ -77,7 +77,7 @@ impl Rapid {
             match step {
                 RobotStep::Pass(name) => self.pass(name),
                 RobotStep::Joints(target) => self.joints(target),
-                RobotStep::Line(line) | RobotStep::JointsTo(line) => {
+                RobotStep::Move(line) | RobotStep::JointsTo(line) => {
                     let next = steps.get(i + 1);
                     if let Some(RobotStep::ArcOn(start)) = next {
                         seam += 1;
@@ -86,7 +86,12 @@ impl Rapid {
                         self.arc("ArcLStart", line, seam, (first_speed(&steps[i + 2..]), start.values));
                     } else if let Some(now) = values {
                         let is_end = matches!(next, Some(RobotStep::ArcOff(_)));
-                        let word = if is_end { "ArcLEnd" } else { "ArcL" };
+                        let word = match (line.via.is_some(), is_end) {
+                            (false, false) => "ArcL",
+                            (false, true) => "ArcLEnd",
+                            (true, false) => "ArcC",
+                            (true, true) => "ArcCEnd",
+                        };
                         self.arc(word, line, seam, (line.speed_mm_s, now));
                     } else {
                         self.line(line);
@@ -127,25 +132,34 @@ impl Rapid {
         self.statement(&format!("MoveAbsJ [[{arm}],[{externals}]],v200,fine,tTorch"));
     }
 
-    fn target(&self, line: &LineMove) -> String {
-        let pose = pose(&line.to);
+    fn target(&self, to: &RobotPose, configuration: &[i32], externals: &[f64]) -> String {
+        let pose = pose(to);
         let inner = &pose[1..pose.len() - 1];
-        let data: Vec<String> = line.configuration.iter().map(i32::to_string).collect();
-        format!("[{inner},[{}],[{}]]", data.join(","), self.externals(&line.externals))
+        let data: Vec<String> = configuration.iter().map(i32::to_string).collect();
+        format!("[{inner},[{}],[{}]]", data.join(","), self.externals(externals))
     }
 
-    fn line(&mut self, line: &LineMove) {
-        let (target, speed) = (self.target(line), speed_data(line.speed_mm_s));
-        let zone = zone(line.zone_mm);
-        self.statement(&format!("MoveL {target},{speed},{zone},{TOOL}"));
+    /// The end of a move, behind the through-point of an arc.
+    fn targets(&self, line: &TcpMove) -> String {
+        let to = self.target(&line.to, &line.configuration, &line.externals);
+        match &line.via {
+            Some(via) => format!("{},{to}", self.target(&via.pose, &via.configuration, &via.externals)),
+            None => to,
+        }
     }
 
-    fn arc(&mut self, word: &str, line: &LineMove, seam: usize, weld: (f64, WeldValues)) {
+    fn line(&mut self, line: &TcpMove) {
+        let (targets, speed) = (self.targets(line), speed_data(line.speed_mm_s));
+        let (word, zone) = (if line.via.is_some() { "MoveC" } else { "MoveL" }, zone(line.zone_mm));
+        self.statement(&format!("{word} {targets},{speed},{zone},{TOOL}"));
+    }
+
+    fn arc(&mut self, word: &str, line: &TcpMove, seam: usize, weld: (f64, WeldValues)) {
         let weld = self.weld(weld);
-        let (target, zone) = (self.target(line), zone(line.zone_mm));
+        let (targets, zone) = (self.targets(line), zone(line.zone_mm));
         // Lines of a weld have the speed of their weld data; theirs is for trial runs without an arc.
         let speed = if word == "ArcLStart" { speed_data(line.speed_mm_s) } else { "v50".to_owned() };
-        self.statement(&format!("{word} {target},{speed},sm{seam},wd{weld},{zone},{TOOL}"));
+        self.statement(&format!("{word} {targets},{speed},sm{seam},wd{weld},{zone},{TOOL}"));
     }
 
     /// Number of the weld data for a speed and values.
@@ -191,6 +205,6 @@ fn ending(steps: &[RobotStep]) -> ArcEnd {
 
 fn first_speed(steps: &[RobotStep]) -> f64 {
     let speed =
-        steps.iter().find_map(|step| if let RobotStep::Line(line) = step { Some(line.speed_mm_s) } else { None });
+        steps.iter().find_map(|step| if let RobotStep::Move(line) = step { Some(line.speed_mm_s) } else { None });
     speed.unwrap_or(1.0)
 }

@@ -1,13 +1,13 @@
 //! Universal Robots URScript.
 //!
-//! Source: Universal Robots, The URScript Programming Language (5.12), `movep`, `movel`, `movej`, `pose_trans`.
+//! Source: Universal Robots, The URScript Programming Language (5.12), `movep`, `movec`, `movel`, `movej`, `pose_trans`.
 
 use super::RobotText;
 use super::text::{head, joined, plain};
 use crate::robot::angles::rotation_vector;
 use crate::robot::language::RobotLanguage;
 use crate::robot::pose::RobotPose;
-use crate::robot::program::{ArcEnd, ArcStart, LineMove, RobotProgram, RobotStep};
+use crate::robot::program::{ArcEnd, ArcStart, RobotProgram, RobotStep, TcpMove};
 use crate::robot::weld_values::WeldValues;
 use crate::write::fixed;
 use std::fmt::Write as _;
@@ -31,7 +31,7 @@ pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
                 let radians = target.arm.map(f64::to_radians);
                 format!("movej([{}], a=0.8, v=0.5)", joined(radians, 8, ", "))
             }
-            RobotStep::Line(line) | RobotStep::JointsTo(line) => motion(line, burning),
+            RobotStep::Move(line) | RobotStep::JointsTo(line) => motion(line, burning),
             RobotStep::ArcOn(start) => {
                 burning = true;
                 arc_on(start)
@@ -84,10 +84,16 @@ fn pose(pose: &RobotPose) -> String {
     format!("p[{point}, {}]", joined(rotation_vector(pose.turn).to_array(), 8, ", "))
 }
 
-/// Lines of a weld keep the speed of the tool round corners: movep. Others stop: movel.
-fn motion(line: &LineMove, burning: bool) -> String {
+/// Lines of a weld keep the speed of the tool round corners: movep. Others stop: movel. Arcs are movec; mode 0 turns the tool
+/// from start to end, whatever the through-point's orientation.
+fn motion(line: &TcpMove, burning: bool) -> String {
+    let via = line.via.as_ref().map(|via| format!("pose_trans(work, {})", pose(&via.pose)));
     let pose = format!("pose_trans(work, {})", pose(&line.to));
     let speed = fixed(line.speed_mm_s * M_PER_MM, 8);
+    if let Some(via) = via {
+        let radius = fixed(line.zone_mm * M_PER_MM, 8);
+        return format!("movec({via}, {pose}, a=1.2, v={speed}, r={radius}, mode=0)");
+    }
     match burning || line.zone_mm > 0.0 {
         true => format!("movep({pose}, a=1.2, v={speed}, r={})", fixed(line.zone_mm * M_PER_MM, 8)),
         false => format!("movel({pose}, a=0.5, v={speed})"),
