@@ -203,7 +203,8 @@ fn try_placement(
     let stop = AtomicBool::new(false);
     let progress = |_: &SearchProgress| stop.store(deadline.is_over(), Ordering::Relaxed);
     let planning = Planning { limit: None, cancel: Some(&stop), progress: Some(&progress) };
-    match moved.try_plan_under(&moved.machine, &planning) {
+    let planned = moved.with_torch_angles(&planning).and_then(|moved| moved.try_plan_under(&moved.machine, &planning));
+    match planned {
         Ok(plan) => Ok(Some(TriedPlacement { judged, plan, placed })),
         Err(Failure::Cancelled) => Ok(None),
         Err(failure) => Err(failure),
