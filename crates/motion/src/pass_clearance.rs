@@ -24,6 +24,9 @@ pub struct PassClearance {
 
 const STATIONS: usize = 400;
 const CUTOFF_MM: f64 = 60.0;
+/// Maximum length of the shortest cells, mm: in longer ones a clearance near its minimum is not proven. A spiral may be
+/// hundreds of metres long.
+const MAX_SMALLEST_MM: f64 = 1e-3;
 
 /// Computes distances along the axes' `path` of pass `number`, whose torch follows `torch`, and findings for stretches
 /// below a minimum clearance. None if nothing is watched.
@@ -33,7 +36,8 @@ pub(crate) fn pass_clearance(
     torch: &dyn TorchPath,
     number: usize,
 ) -> (Option<PassClearance>, Vec<Finding>) {
-    let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest: 1e-6 * path.length() };
+    let smallest = (1e-6 * path.length()).min(MAX_SMALLEST_MM);
+    let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest };
     if around.is_empty() {
         return (None, Vec::new());
     }

@@ -163,7 +163,7 @@ struct Search<'a> {
     most: usize,
     /// Changes of the work angle that are tried, rad.
     works: Vec<f64>,
-    /// What stood in the way of the changes that came farthest.
+    /// Obstacle of the changes that came farthest.
     setback: Setback,
 }
 

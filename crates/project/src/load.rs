@@ -412,6 +412,9 @@ impl Loaded {
         let mut findings = self.welding.findings();
         debug_assert!(!self.asks_for_angles(), "torch angles are searched before a plan");
         findings.extend(self.angle_findings.iter().cloned());
+        if self.is_angle_search_stopped() {
+            return Ok(Err(findings));
+        }
         if self.welding.seam.as_ref().is_some_and(SeamCurve::is_double) && machine.heads.len() < 2 {
             let path = "seam.t_joint.fillet";
             let message = Message::new("project-one-head").text("machine", &machine.name);

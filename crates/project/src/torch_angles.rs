@@ -32,13 +32,12 @@ impl Loaded {
             let metal = self.welding.metal();
             let mut metal = metal.as_ref().map(seamwright_weld::Metal::by_pass);
             for (i, pass) in self.welding.program.value.passes.iter().enumerate() {
-                let before = metal.as_mut().and_then(Iterator::next).unwrap_or_else(|| Ok(Vec::new()));
-                if pass.torch.search.is_none() {
-                    continue;
-                }
                 let mut torch = Torch { search: None, ..pass.torch.clone() };
-                let is_stopped = findings.iter().any(|f: &Finding| f.kind == "search");
-                if !is_stopped {
+                if !is_stopped(&findings) {
+                    let before = metal.as_mut().and_then(Iterator::next).unwrap_or_else(|| Ok(Vec::new()));
+                    if pass.torch.search.is_none() {
+                        continue;
+                    }
                     let around = before.and_then(|solids| around.with_part(&solids));
                     let around = around.map_err(|e| self.fault(e.message()))?;
                     self.search_pass(i, &around, &clocked, &mut torch, &mut findings);
@@ -55,6 +54,11 @@ impl Loaded {
         self.angle_findings = findings;
         self.searching = clocked.spent();
         Ok(self)
+    }
+
+    /// True if the search of torch angles was stopped: a plan would be, too.
+    pub(crate) fn is_angle_search_stopped(&self) -> bool {
+        is_stopped(&self.angle_findings)
     }
 
     /// True if the angles of a pass are to be searched still.
@@ -102,6 +106,10 @@ impl Loaded {
             AngleSearch::Blocked(found) => findings.extend(found),
         }
     }
+}
+
+fn is_stopped(findings: &[Finding]) -> bool {
+    findings.iter().any(|finding| finding.kind == "search")
 }
 
 /// Maximum addition to the stick-out of a pass, mm: up to its own limit and that of the procedure's `run`.

@@ -44,7 +44,7 @@ pub(super) enum Reason {
     },
 }
 
-/// What stood in the way of the changes that came farthest, those with the most room among equals.
+/// Obstacle of the changes that came farthest, of those with the most room among equals.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Setback(Option<Known>);
 

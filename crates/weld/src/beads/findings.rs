@@ -211,9 +211,7 @@ impl BeadPlan {
             let toes = [(on_second, bead.toes.second), (on_first, bead.toes.first)];
             let angle = toes.iter().filter(|(is_on_part, _)| *is_on_part).map(|(_, angle)| angle.to_degrees());
             let angle = angle.fold(f64::INFINITY, f64::min);
-            let min = asked.window.min_toe_deg(self.dihedrals[i]);
-            // A joint whose flat face would be steeper is reported only for what the beads add.
-            let min = min.min(angle + bead.toes.convexity.to_degrees());
+            let min = min_toe_deg(&asked.window, self.dihedrals[i], angle, bead);
             (angle < min - TOE_ROUNDING_DEG).then_some((min - angle, SteepToe { angle, min }))
         };
         let wrong = self.wrong_at(b, steep)?;
@@ -241,4 +239,11 @@ pub(super) fn toe_finding(angle: f64, min: f64, pass: usize, range: PathRange, w
         Message::new("weld-bead-toe-steep").quantity("angle", angle, Unit::Deg, 0).quantity("min", min, Unit::Deg, 0);
     let finding = Finding::error("bead", message, pass, range, Message::new("weld-cure-bead-toe"));
     Finding { allowed: window.given_toe_deg.is_none(), ..finding }
+}
+
+/// Minimum toe angle of `bead` with the toe `angle` between faces with this angle (rad), degrees. A joint whose flat face
+/// would be steeper than usual is reported only for what the beads add.
+pub(super) fn min_toe_deg(window: &BeadWindow, dihedral: f64, angle: f64, bead: &BeadAt) -> f64 {
+    let flat = if window.given_toe_deg.is_some() { f64::INFINITY } else { angle + bead.toes.convexity.to_degrees() };
+    window.min_toe_deg(dihedral).min(flat)
 }

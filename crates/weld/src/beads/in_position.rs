@@ -1,6 +1,6 @@
 //! Beads of passes in the cross-sections, and their toes in the positions in which they are welded.
 
-use super::findings::{TOE_ROUNDING_DEG, toe_finding};
+use super::findings::{TOE_ROUNDING_DEG, min_toe_deg, toe_finding};
 use crate::welding::Welding;
 use seamwright_program::{Bead, Finding, Inclination, PathRange, Role};
 
@@ -90,8 +90,7 @@ impl Welding {
         let steep = self.toes(pass, number, inclinations).into_iter().filter_map(|toe| {
             let at = &plan.at_station(toe.station)[bead];
             let angle = toe.angle.to_degrees();
-            let min = window.min_toe_deg(plan.dihedrals[toe.station]);
-            let min = min.min(angle + at.toes.convexity.to_degrees());
+            let min = min_toe_deg(window, plan.dihedrals[toe.station], angle, at);
             (angle < min - TOE_ROUNDING_DEG).then_some((toe.s, angle, min))
         });
         let steep: Vec<(f64, f64, f64)> = steep.collect();

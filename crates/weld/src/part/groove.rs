@@ -5,8 +5,7 @@
 //! outline goes on outwards, so that it cuts surfaces that curve.
 //!
 //! **Accuracy.** Stations are so close, and corners of arcs so many, that the region is within [`WITHIN_MM`] of the swept
-//! cross-section, unless the cross-section changes so fast that [`HALVINGS`] of the distance of stations do not suffice.
-//! Where an outline cannot be divided alike at both stations, less is cut away, never more.
+//! cross-section, unless that changes so fast that [`HALVINGS`] of the distance of stations do not suffice. If an outline cannot be divided alike at both stations, less is cut away, never more.
 
 use super::vessel_heads::turned;
 use crate::joint::{SeamJoint, Section};
