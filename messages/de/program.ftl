@@ -219,6 +219,7 @@ program-hysteresis-too-large = keine Neigung überschreitet vertical_slope_deg s
 program-no-power = das Produkt dieser Werte ist keine Leistung
 program-power-values = ["current_a", "voltage_v"], ["laser_w"]: einer in W oder kW, oder ein Strom in A, mA oder kA und eine Spannung in V oder kV
 program-window-order = der kleinste Wert, { $min }, liegt über dem größten, { $max }
+program-window-negative = dieser Bereich beginnt unter 0
 program-window = [kleinster, größter]
 program-processes = { $processes }
 program-process = { $number } ({ $name })

@@ -224,6 +224,7 @@ program-hysteresis-too-large = ни один наклон не превышае�
 program-no-power = произведение этих значений — не мощность
 program-power-values = ["current_a", "voltage_v"], ["laser_w"]: одно в Вт или кВт, либо ток в А, мА или кА и напряжение в В или кВ
 program-window-order = наименьшее значение, { $min }, больше наибольшего, { $max }
+program-window-negative = этот диапазон начинается ниже 0
 program-window = [наименьшее, наибольшее]
 program-processes = { $processes }
 program-process = { $number } ({ $name })

@@ -224,6 +224,7 @@ program-hysteresis-too-large = жоден нахил не перевищує ver
 program-no-power = добуток цих значень — не потужність
 program-power-values = ["current_a", "voltage_v"], ["laser_w"]: одне у Вт чи кВт, або струм в А, мА чи кА і напруга у В чи кВ
 program-window-order = найменше значення, { $min }, більше за найбільше, { $max }
+program-window-negative = цей діапазон починається нижче 0
 program-window = [найменше, найбільше]
 program-processes = { $processes }
 program-process = { $number } ({ $name })

@@ -204,6 +204,7 @@ program-hysteresis-too-large = 没有坡度会超出 vertical_slope_deg 这么�
 program-no-power = 这些值的乘积不是功率
 program-power-values = ["current_a", "voltage_v"]、["laser_w"]：一个 W 或 kW 的值，或 A、mA、kA 的电流和 V、kV 的电压
 program-window-order = 最小值 { $min } 大于最大值 { $max }
+program-window-negative = 该范围的下限小于 0
 program-window = [最小, 最大]
 program-processes = { $processes }
 program-process = { $number }（{ $name }）

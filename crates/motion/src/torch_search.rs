@@ -211,7 +211,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Changes with which the pass is clear; `None` if there are none, or the search was stopped.
+    /// Changes with which the pass is clear; `None` without any, or if the search was stopped.
     fn changes(&mut self) -> Option<Vec<AngleChange>> {
         let travels = multiples(TRAVEL_STEP_DEG.to_radians(), self.task.limits.travel);
         let travels: Vec<f64> = travels.iter().flat_map(|t| [*t, -t]).skip(1).collect();

@@ -88,6 +88,8 @@ fn bad_procedures_have_an_address() {
         has_all(&text, words);
     };
     refused("[8, 12]", "[12, 8]", &["runs[0].speed_mm_s", "above the maximum", "[minimum, maximum]"]);
+    refused("[8, 12]", "[-8, 12]", &["runs[0].speed_mm_s", "begins below 0", "0 or greater"]);
+    refused("[8, 12]", "[8, 12, 14]", &["runs[0].speed_mm_s", "length 2"]);
     refused("process = 135 ", "process = 163 ", &["process = 163", "allowed: 111 (manual"]);
     refused("\"PC\"", "\"PX\"", &["runs[0].positions", "`PX`"]);
     refused("passes = \"1\"", "passes = \"1, 1\"", &["pass 1 is named twice"]);

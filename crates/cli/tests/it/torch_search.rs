@@ -1,4 +1,4 @@
-//! Torch angles that are searched: where the torch is in the way, and what is said where none are clear.
+//! Search of torch angles: obstacles that it clears, and the reason that it reports without any clear angle.
 
 use crate::common::{json_file, root, run};
 use std::path::PathBuf;

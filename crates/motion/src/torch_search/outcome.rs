@@ -30,7 +30,7 @@ pub(super) enum Progress {
     AnglesChosen,
 }
 
-/// What stands in the way.
+/// Reason why no angles are clear.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Reason {
     /// No angle is allowed.

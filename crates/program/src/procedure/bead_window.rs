@@ -30,7 +30,7 @@ pub struct BeadWindow {
     pub given_toe_deg: Option<f64>,
     /// Kind of weld, if the procedure gives one; otherwise it follows the angle between the faces.
     pub joint: Option<FilletOrButt>,
-    /// Limits that tell fillet from butt welds.
+    /// Limits of positions, and the angle between faces up to which a weld is a fillet.
     pub position_limits: PositionLimits,
     /// True if the procedure gives any of these for the role: then a bead outside is an error, otherwise a warning.
     pub is_binding: bool,

@@ -155,6 +155,23 @@ impl Run {
         self.passes.as_ref().is_some_and(|p| p.has(number)) || (self.name.is_some() && self.name == pass.known_role())
     }
 
+    /// Fails for windows of sizes, speed or heat that begin below 0.
+    fn check_sizes<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let sizes = [
+            ("speed_mm_s", self.speed_mm_s),
+            ("heat_input_kj_mm", self.heat_input_kj_mm),
+            ("stick_out_mm", self.stick_out_mm),
+            ("bead_width_mm", self.bead_width_mm),
+            ("bead_height_mm", self.bead_height_mm),
+            ("bead_width_to_height", self.bead_width_to_height),
+        ];
+        let negative = sizes.into_iter().find(|(_, window)| window.is_some_and(|window| window.ends().0 < 0.0));
+        negative.map_or(Ok(()), |(key, _)| {
+            let allowed = Message::new("document-non-negative-number");
+            Err(file.error_at(&format!("{path}.{key}"), Message::new("program-window-negative"), allowed))
+        })
+    }
+
     fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         let message = match (&self.name, &self.passes) {
             (None, None) => Some("program-run-without-passes"),
@@ -174,6 +191,7 @@ impl Run {
             let key = format!("{path}.min_toe_angle_deg");
             return Err(file.error_at(&key, Message::new("program-toe-angle-too-large"), allowed));
         }
+        self.check_sizes(file, path)?;
         for (name, window) in &self.ranges {
             let key = format!("{path}.ranges.{name}");
             if OWN_KEYS.contains(&name.as_str()) {

@@ -179,7 +179,7 @@ impl BeadPlan {
         let cure = if wrong.worst > 1.0 { "weld-cure-thinner-layers" } else { "weld-cure-smaller-beads" };
         let message = Message::new("weld-bead-area-out-of-range")
             .quantity("area", wrong.worst * asked.area, Unit::Mm2, 1)
-            .quantity("ratio", 100.0 * wrong.worst, Unit::Percent, 0)
+            .quantity("ratio", 100.0 * wrong.worst, Unit::Percent, 1)
             .quantity("run", asked.area, Unit::Mm2, 1)
             .quantity("min", 100.0 * (1.0 - most), Unit::Percent, 0)
             .quantity("max", 100.0 * (1.0 + most), Unit::Percent, 0);
