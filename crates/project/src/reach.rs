@@ -107,7 +107,7 @@ impl Watch for Deadline<'_> {
 /// ones in turn until a plan succeeds.
 ///
 /// # Errors
-/// Passes that are given by axis positions, which no placement moves; a file that cannot be changed.
+/// Passes that are given by axis positions, which no placement moves; a file without a place for the keys.
 pub fn reach(loaded: &Loaded, text: &str, folder: &Path, request: &ReachRequest) -> Result<Reached, Failure> {
     let start = Instant::now();
     let end_of = |part: f64| Deadline {
