@@ -15,34 +15,11 @@ fn an_imported_arm_passes_the_check_and_plans_a_nozzle() {
     let out = good(&[&["machine", "import", &urdf("kuka_kr16_2.urdf"), "-o", &file][..], &tool].concat());
     has_all(&out, &["wrote ", "check it: seamwright machine check "]);
     has_all(&good(&["machine", "check", &file, "--poses", "300"]), &["result       passed", "spherical wrist"]);
-    let job = write(folder.path(), "job.toml", JOB);
+    let job = write(folder.path(), "job.toml", JOB.replace("MACHINE", "arm.toml"));
     has_all(&good(&["check", &job]), &["weld"]);
 }
 
-const JOB: &str = r#"schema = 1
-title = "KR 16: nozzle 120 on shell 300"
-machine = "arm.toml"
-[placement]
-move_mm = [0, 0, 160]
-[seam.nozzle]
-radius_mm = 60
-wall_mm = 6
-[seam.nozzle.body.cylinder]
-radius_mm = 150
-axis = [1, 0, 0]
-[part]
-body_length_mm = 300
-nozzle_length_mm = 80
-[start]
-phi_deg = 0
-overlap_mm = 10
-[weld]
-speed_mm_s = 6
-[weld.process]
-current_a = 220
-voltage_v = 25
-wire_feed_m_min = 7
-"#;
+const JOB: &str = include_str!("../../../../tests/data/nozzle-on-arm.toml");
 
 #[test]
 fn meshes_are_found_in_their_package_and_named_from_the_machine_file() {

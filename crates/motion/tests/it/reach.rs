@@ -15,28 +15,7 @@ use std::f64::consts::{PI, TAU};
 const ELLIPSE: &str = include_str!("../../../../examples/ellipse.toml");
 
 /// A nozzle on a shell, near enough for the arms.
-const NOZZLE: &str = r#"
-schema = 1
-title = "nozzle 120 on shell 300"
-machine = "MACHINE"
-[placement]
-move_mm = [0, 0, 160]
-[seam.nozzle]
-radius_mm = 60
-wall_mm = 6
-[seam.nozzle.body.cylinder]
-radius_mm = 150
-axis = [1, 0, 0]
-[start]
-phi_deg = 0
-overlap_mm = 10
-[weld]
-speed_mm_s = 6
-[weld.process]
-current_a = 220
-voltage_v = 25
-wire_feed_m_min = 7
-"#;
+const NOZZLE: &str = include_str!("../../../../tests/data/nozzle-on-arm.toml");
 
 /// An arm with a spherical wrist on the axis of its first turn: links of 700 and 600 mm, a torch of 300 mm along the
 /// flange, and no stops within a turn.

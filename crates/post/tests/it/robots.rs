@@ -16,31 +16,7 @@ use std::f64::consts::PI;
 
 const OPTIONS: RobotOptions = RobotOptions { tolerance_mm: 0.05, speed_percent: 2.0, arcs: true };
 /// A nozzle on a shell, near enough for all arms.
-const NOZZLE: &str = r#"
-schema = 1
-title = "nozzle 120 on shell 300"
-machine = "MACHINE"
-[placement]
-move_mm = [0, 0, 160]
-[seam.nozzle]
-radius_mm = 60
-wall_mm = 6
-[seam.nozzle.body.cylinder]
-radius_mm = 150
-axis = [1, 0, 0]
-[part]
-body_length_mm = 300
-nozzle_length_mm = 80
-[start]
-phi_deg = 0
-overlap_mm = 10
-[weld]
-speed_mm_s = 6
-[weld.process]
-current_a = 220
-voltage_v = 25
-wire_feed_m_min = 7
-"#;
+const NOZZLE: &str = include_str!("../../../../tests/data/nozzle-on-arm.toml");
 
 fn on(machine: &str) -> Planned {
     Planned::job(&NOZZLE.replace("MACHINE", machine))
