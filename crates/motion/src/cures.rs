@@ -9,9 +9,11 @@ use crate::follower::Follower;
 use crate::joint_path::JointPath;
 use crate::pass_clearance::pass_clearance;
 use crate::pass_motion::{PassMotion, Request, along_axes};
+use crate::path_source::PathSource;
+use crate::placed_path::PlacedPath;
 use crate::redundancy::holding;
 use crate::survey::{Lack, Survey, range_between, range_on_path};
-use glam::{DQuat, DVec3};
+use glam::{DAffine3, DQuat, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine, Surroundings, Target};
 use seamwright_message::{Message, Unit};
@@ -44,6 +46,14 @@ enum Change {
 }
 
 impl Change {
+    /// The path of a torch with this change.
+    fn of<'a>(self, path: &'a dyn TorchPath) -> Box<dyn TorchPath + 'a> {
+        match self {
+            Self::Move(by) => Box::new(PlacedPath::new(path, DAffine3::from_translation(by))),
+            Self::Lean(by) => Box::new(LeaningPath { path: PathSource::Lent(path), by }),
+        }
+    }
+
     fn message(self, pass: &Pass) -> Message {
         match self {
             Self::Move(by) => {
@@ -149,7 +159,7 @@ impl Trial<'_> {
     /// Tries `change`: this pass must have fewer findings than `count`, none of them about a range, and no other pass
     /// more about ranges.
     fn cures_range(&self, change: Change, count: usize) -> Option<Scope> {
-        let (beyond, _) = self.beyond(&Changed::new(self.request.path, change))?;
+        let (beyond, _) = self.beyond(&*change.of(self.request.path))?;
         if beyond > 0 {
             return None;
         }
@@ -160,8 +170,8 @@ impl Trial<'_> {
 
     fn planned_with(&self, change: Change) -> Result<PassMotion, Vec<Finding>> {
         let effort = self.request.effort;
-        let changed = Changed::new(self.request.path, change);
-        let planned = PassMotion::plan_once(self.machine, Request { path: &changed, ..self.request });
+        let changed = change.of(self.request.path);
+        let planned = PassMotion::plan_once(self.machine, Request { path: &*changed, ..self.request });
         effort.resume(SearchStage::Cure);
         effort.spend(PLAN_WORK, effort.progress().part);
         planned
@@ -187,7 +197,7 @@ impl Trial<'_> {
                 continue;
             }
             let count = |found: Option<(usize, Joints)>| found.map_or(usize::MAX, |(beyond, _)| beyond);
-            let found = other.beyond(&Changed::new(path, change));
+            let found = other.beyond(&*change.of(path));
             if count(found) > 0 {
                 if number == self.request.number || count(found) > count(other.beyond(path)) {
                     return None;
@@ -237,7 +247,7 @@ impl Trial<'_> {
         }
         const STEP_MM: f64 = 0.01;
         let at = |step: DVec3| {
-            let moved = Changed::new(self.request.path, Change::Move(step));
+            let moved = Change::Move(step).of(self.request.path);
             let target = Target::new(moved.pose(lack.s), moved.second(lack.s));
             self.held.inverse_next(target, &lack.q).ok().map(|s| s.joints[lack.axis])
         };
@@ -281,7 +291,7 @@ impl Trial<'_> {
     fn clears(&self, change: Change, around: &Surroundings) -> Option<Scope> {
         let Request { path: torch, number, .. } = self.request;
         let is_clear = |path: &JointPath| pass_clearance(around, path, torch, number).1.is_empty();
-        let joints = self.joints(&Changed::new(self.request.path, change))?;
+        let joints = self.joints(&*change.of(self.request.path))?;
         let leaves = !range_on_path(self.held, &joints, self.request.number).is_empty();
         if leaves || !is_clear(&joints) {
             return None;
@@ -330,45 +340,29 @@ fn both_ends(machine: &Machine, lacks: &[Lack]) -> Option<Message> {
     })
 }
 
-struct Changed<'a> {
-    path: Source<'a>,
-    change: Change,
+/// A path with the torch leaning by `by` degrees more, about the arc.
+struct LeaningPath<'a> {
+    path: PathSource<'a>,
+    by: f64,
 }
 
-enum Source<'a> {
-    Lent(&'a dyn TorchPath),
-    Own(Box<dyn TorchPath + 'a>),
-}
-
-impl<'a> Changed<'a> {
-    fn new(path: &'a dyn TorchPath, change: Change) -> Self {
-        Self { path: Source::Lent(path), change }
-    }
-
+impl LeaningPath<'_> {
     fn path(&self) -> &dyn TorchPath {
-        match &self.path {
-            Source::Lent(path) => *path,
-            Source::Own(path) => &**path,
-        }
+        self.path.get()
     }
 
     fn of(&self, pose: Pose, s: f64) -> Pose {
-        match self.change {
-            Change::Move(by) => Pose { point: pose.point + by, ..pose },
-            Change::Lean(by) => {
-                let Some(groove) = self.path().groove(s) else { return pose };
-                // The torch, seen from the work, leans towards the first part.
-                let Some(about) = (-pose.direction).cross(groove.towards_first).try_normalize() else { return pose };
-                let back = self.path().drawn_back();
-                let arc = pose.ahead(back).point;
-                let direction = DQuat::from_axis_angle(about, by.to_radians()) * pose.direction;
-                Pose { point: arc, direction }.ahead(-back)
-            }
-        }
+        let Some(groove) = self.path().groove(s) else { return pose };
+        // The torch, seen from the work, leans towards the first part.
+        let Some(about) = (-pose.direction).cross(groove.towards_first).try_normalize() else { return pose };
+        let back = self.path().drawn_back();
+        let arc = pose.ahead(back).point;
+        let direction = DQuat::from_axis_angle(about, self.by.to_radians()) * pose.direction;
+        Pose { point: arc, direction }.ahead(-back)
     }
 }
 
-impl TorchPath for Changed<'_> {
+impl TorchPath for LeaningPath<'_> {
     fn length(&self) -> f64 {
         self.path().length()
     }
@@ -410,13 +404,12 @@ impl TorchPath for Changed<'_> {
     }
 }
 
-impl WovenPath for Changed<'_> {
+impl WovenPath for LeaningPath<'_> {
     fn swing(&self, s: f64) -> DVec3 {
         self.path().weave().map_or(DVec3::ZERO, |weave| weave.swing(s))
     }
 
     fn slower(&self, factor: f64) -> Box<dyn TorchPath + '_> {
-        let path = self.path().weave().map_or(Source::Lent(self.path()), |weave| Source::Own(weave.slower(factor)));
-        Box::new(Changed { path, change: self.change })
+        Box::new(LeaningPath { path: self.path.slower(factor), by: self.by })
     }
 }

@@ -80,6 +80,7 @@ mod pass_heat;
 mod pass_motion;
 mod pass_order;
 mod pass_time;
+mod path_source;
 mod placed_path;
 mod planned;
 pub mod procedure;

@@ -158,10 +158,7 @@ impl Order<'_> {
     ) -> Result<(), Vec<Finding>> {
         let settings =
             TransferSettings { machine: self.machine, around, retract_mm: self.retract_mm, effort: self.effort };
-        let of_passes = std::mem::take(&mut planned.findings);
-        planned.transfer_move(&settings, i, self.ends);
-        findings.append(&mut planned.findings);
-        planned.findings = of_passes;
+        planned.transfer_move(&settings, i, self.ends, findings);
         let length = i.checked_sub(1).map_or(0.0, |before| self.passes[before].0.length());
         self.effort.check(i.max(1), length)
     }

@@ -1,30 +1,23 @@
 //! A torch path with its work moved and turned.
 
+use crate::path_source::PathSource;
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_program::{Groove, ThroughPoints, TorchPath, WovenPath};
 
 /// A torch path moved by a rigid displacement of the work, in the work frame.
 pub(crate) struct PlacedPath<'a> {
-    path: Source<'a>,
+    path: PathSource<'a>,
     by: DAffine3,
-}
-
-enum Source<'a> {
-    Lent(&'a dyn TorchPath),
-    Own(Box<dyn TorchPath + 'a>),
 }
 
 impl<'a> PlacedPath<'a> {
     pub(crate) fn new(path: &'a dyn TorchPath, by: DAffine3) -> Self {
-        Self { path: Source::Lent(path), by }
+        Self { path: PathSource::Lent(path), by }
     }
 
     fn path(&self) -> &dyn TorchPath {
-        match &self.path {
-            Source::Lent(path) => *path,
-            Source::Own(path) => &**path,
-        }
+        self.path.get()
     }
 
     fn pose_of(&self, pose: Pose) -> Pose {
@@ -99,7 +92,6 @@ impl WovenPath for PlacedPath<'_> {
     }
 
     fn slower(&self, factor: f64) -> Box<dyn TorchPath + '_> {
-        let path = self.path().weave().map_or(Source::Lent(self.path()), |weave| Source::Own(weave.slower(factor)));
-        Box::new(PlacedPath { path, by: self.by })
+        Box::new(PlacedPath { path: self.path.slower(factor), by: self.by })
     }
 }

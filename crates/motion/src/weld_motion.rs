@@ -130,8 +130,14 @@ impl WeldMotion {
         self.findings.extend(findings);
     }
 
-    /// Adds the transfer move before pass `i`, counted from 0, or home after the last.
-    pub(crate) fn transfer_move(&mut self, settings: &TransferSettings, i: usize, ends: &[PassEnd]) {
+    /// Adds the transfer move before pass `i`, counted from 0, or home after the last; its findings go into `findings`.
+    pub(crate) fn transfer_move(
+        &mut self,
+        settings: &TransferSettings,
+        i: usize,
+        ends: &[PassEnd],
+        findings: &mut Vec<Finding>,
+    ) {
         let before = i.checked_sub(1).map(|k| &self.passes[k].path);
         let after = self.passes.get(i).map(|p| &p.path);
         let end = before.map(|p| PassEnd { q: p.at(p.length()), ..ends[i - 1] });
@@ -159,7 +165,7 @@ impl WeldMotion {
         match settings.way(end, start) {
             Ok((planned, _)) if planned.duration() > MAX_PASS_S => {
                 let message = about("motion-transfer-too-long").quantity("time", planned.duration(), Unit::S, 0);
-                self.findings.push(finding("air", at_most(message), "motion-cure-transfer-too-long", false));
+                findings.push(finding("air", at_most(message), "motion-cure-transfer-too-long", false));
             }
             Ok((planned, retracts)) => {
                 for back in retracts {
@@ -171,20 +177,20 @@ impl WeldMotion {
                         ),
                         None => about("motion-retract-none"),
                     };
-                    self.findings.push(finding("retract", message, "motion-cure-retract", true));
+                    findings.push(finding("retract", message, "motion-cure-retract", true));
                 }
                 if let (Some(from), Some(to)) = (&end, &start) {
                     for (axis, by) in unwound(settings.machine, &from.q, &to.q) {
                         let message =
                             about("motion-unwind").axis("axis", axis).quantity("by", by.to_degrees(), Unit::Deg, 1);
-                        self.findings.push(Finding::note("unwind", message, pass, PathRange::at(s)));
+                        findings.push(Finding::note("unwind", message, pass, PathRange::at(s)));
                     }
                 }
                 self.transfers.push(planned);
             }
             Err(blocked) => {
                 let message = about("motion-transfer-blocked").message("reason", blocked);
-                self.findings.push(finding("air", message, "motion-cure-transfer-blocked", false));
+                findings.push(finding("air", message, "motion-cure-transfer-blocked", false));
             }
         }
     }

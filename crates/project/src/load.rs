@@ -6,6 +6,7 @@ use crate::file_scope::FileScope;
 use crate::files::{self, io_error};
 use crate::outside_data::Beside;
 use crate::planning::{Clocked, Planning};
+use crate::torch_angles::is_stopped;
 use seamwright_document::{Document, closest};
 use seamwright_executive::Error;
 use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
@@ -412,7 +413,7 @@ impl Loaded {
         let mut findings = self.welding.findings();
         debug_assert!(!self.asks_for_angles(), "torch angles are searched before a plan");
         findings.extend(self.angle_findings.iter().cloned());
-        if self.is_angle_search_stopped() {
+        if is_stopped(&self.angle_findings) {
             return Ok(Err(findings));
         }
         if self.welding.seam.as_ref().is_some_and(SeamCurve::is_double) && machine.heads.len() < 2 {

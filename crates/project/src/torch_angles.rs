@@ -56,11 +56,6 @@ impl Loaded {
         Ok(self)
     }
 
-    /// True if the search of torch angles was stopped: a plan would be, too.
-    pub(crate) fn is_angle_search_stopped(&self) -> bool {
-        is_stopped(&self.angle_findings)
-    }
-
     /// True if the angles of a pass are to be searched still.
     pub(crate) fn asks_for_angles(&self) -> bool {
         self.welding.program.value.passes.iter().any(|pass| pass.torch.search.is_some())
@@ -108,7 +103,8 @@ impl Loaded {
     }
 }
 
-fn is_stopped(findings: &[Finding]) -> bool {
+/// True if the search was stopped: a plan would be, too.
+pub(crate) fn is_stopped(findings: &[Finding]) -> bool {
     findings.iter().any(|finding| finding.kind == "search")
 }
 
