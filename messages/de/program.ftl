@@ -82,6 +82,8 @@ program-bevel-angle-unclear = der Flankenwinkel ist nicht eindeutig
 program-bevel-angles = entweder angle_deg (der Fuge) oder cut_deg (der Kante)
 program-positions-increase = die Positionen müssen zunehmen
 program-depth-leaves-no-back = die Tiefe auf der Vorderseite lässt für die Rückseite nichts übrig
+program-fillet-implausible = so groß ist keine Kehlnaht
+program-cap-implausible = so hoch ist keine Decklage
 program-lap-leg-too-long = der Schenkel ist länger als die Kante, an der er liegt
 program-gouge-on-face = ausgefugt wird nur die Rückseite
 program-side-back = side = "back"

@@ -21,6 +21,7 @@ project-more-places = { $places ->
        *[other] { $places } weitere Stellen
     }
 
+project-angles-of-another-plan = die Brennerwinkel gehören zu einem anderen Plan
 project-long-stick-out = der Brenner ist nur mit einem freien Drahtende von { $found } frei: über { $usual } fällt der Strom bei gleichem Drahtvorschub, und das Schutzgas wird dünn
 project-cure-long-stick-out = einen Brenner verwenden, der besser in die Fuge passt, oder eine Schweißanweisung, deren stick_out_mm ihn deckt
 

@@ -295,6 +295,8 @@ weld-deposition-too-large = die Raupe hätte mehr Metall als der Draht
 weld-bead-range-too-large = Raupen behalten über einen solchen Bereich nicht ihre Form
 weld-wall-tilt-too-large = der Draht läge an der Wand
 weld-step-over-needs-closed-seam = ein Übergang zur nächsten Raupe braucht eine rundum geschweißte Naht
+weld-wire-implausible = so dick ist kein Draht ({ $wire })
+weld-step-over-too-short = der Übergang ist so kurz, dass der Brenner quer zur Naht führe
 weld-step-over-too-long = der Übergang ist länger als die halbe Naht
 weld-step-over-with-alternate = durch Übergänge verbundene Raupen laufen in einer Richtung
 weld-step-over-with-passes = Lagen über einen Teil der Naht lassen sich nicht durch Übergänge verbinden
@@ -305,7 +307,6 @@ weld-no-bead-weaves = keine Raupe wird gependelt
 weld-allowed-weave = ein [weld.weave], ein `weave` von [beads.root], [beads.fill] oder [beads.cap], oder ein anderer Wert
 weld-bead-spacing-invalid = so weit oder so dicht können Raupen nicht liegen
 weld-layer-height-impossible = Raupen von { $area } ergeben keine Lagen dieser Höhe
-weld-bead-area-beside-window = Raupen von { $area } passen nicht in das Fenster der Schweißanweisung
 weld-too-many-beads = die Fuge von { $groove } braucht { $beads } Raupen von { $bead }
 weld-too-many-stations = die Raupen würden an { $count ->
         [one] { $count } Station

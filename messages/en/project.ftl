@@ -25,6 +25,9 @@ project-more-places = { $places ->
        *[other] { $places } more places
     }
 
+project-angles-of-another-plan = the torch angles belong to another plan
+    .cause = A plan brings the torch angles of its own search along, and the job's passes ask for others.
+    .cure = Plan the job again.
 project-long-stick-out = the torch is clear only with a stick-out of { $found }: beyond { $usual } the current falls at the same wire feed, and the shielding gas thins
     .cause = The job lets the search of torch angles lengthen the stick-out, and no procedure says how far it may.
     .cure = Use a torch that fits the groove better, or a procedure whose window `stick_out_mm` covers it.

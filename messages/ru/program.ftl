@@ -84,6 +84,8 @@ program-bevel-angle-unclear = угол скоса неясен
 program-bevel-angles = либо angle_deg (разделки), либо cut_deg (кромки)
 program-positions-increase = положения должны возрастать
 program-depth-leaves-no-back = глубина с лицевой стороны не оставляет ничего для обратной
+program-fillet-implausible = угловых швов такого размера не бывает
+program-cap-implausible = такого высокого усиления не бывает
 program-lap-leg-too-long = катет длиннее кромки, на которой он лежит
 program-gouge-on-face = строжка выполняется только с обратной стороны
 program-side-back = side = "back"

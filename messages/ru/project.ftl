@@ -23,6 +23,7 @@ project-more-places = ещё { $places ->
        *[many] { $places } мест
     }
 
+project-angles-of-another-plan = углы горелки относятся к другому плану
 project-long-stick-out = горелка свободна только при вылете { $found }: свыше { $usual } ток падает при той же подаче проволоки, а защитный газ редеет
 project-cure-long-stick-out = горелка, которая лучше входит в разделку, или технология, у которой stick_out_mm это допускает
 

@@ -291,6 +291,8 @@ weld-deposition-too-large = в валике было бы больше мета�
 weld-bead-range-too-large = валики не держат форму в таком диапазоне
 weld-wall-tilt-too-large = проволока лежала бы на стенке
 weld-step-over-needs-closed-seam = переход на следующий валик требует шва, завариваемого по всей окружности
+weld-wire-implausible = проволоки толщиной { $wire } не бывает
+weld-step-over-too-short = переход так короток, что горелка шла бы поперёк шва
 weld-step-over-too-long = переход длиннее половины шва
 weld-step-over-with-alternate = валики, соединённые переходами, идут в одну сторону
 weld-step-over-with-passes = слои на части шва нельзя соединить переходами
@@ -301,7 +303,6 @@ weld-no-bead-weaves = ни один валик не с колебаниями
 weld-allowed-weave = [weld.weave], `weave` в [beads.root], [beads.fill] или [beads.cap], либо другое значение
 weld-bead-spacing-invalid = валики не могут лежать так далеко или так близко
 weld-layer-height-impossible = валики по { $area } не дают слоёв такой высоты
-weld-bead-area-beside-window = валики по { $area } не входят в окно технологической карты
 weld-too-many-beads = разделка { $groove } требует { $beads } валиков по { $bead }
 weld-too-many-stations = валики раскладывались бы в { $count ->
         [one] { $count } сечении

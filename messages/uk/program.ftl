@@ -84,6 +84,8 @@ program-bevel-angle-unclear = кут скосу незрозумілий
 program-bevel-angles = або angle_deg (розкриття), або cut_deg (кромки)
 program-positions-increase = положення мають зростати
 program-depth-leaves-no-back = глибина з лицьового боку не залишає нічого для зворотного
+program-fillet-implausible = кутових швів такого розміру не буває
+program-cap-implausible = такого високого підсилення не буває
 program-lap-leg-too-long = катет довший за кромку, на якій він лежить
 program-gouge-on-face = стругання виконують лише зі зворотного боку
 program-side-back = side = "back"

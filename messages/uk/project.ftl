@@ -23,6 +23,7 @@ project-more-places = ще { $places ->
        *[many] { $places } місць
     }
 
+project-angles-of-another-plan = кути пальника належать до іншого плану
 project-long-stick-out = пальник вільний лише за вильоту { $found }: понад { $usual } струм падає за тієї самої подачі дроту, а захисний газ рідшає
 project-cure-long-stick-out = пальник, який краще входить у розробку, або технологія, у якій stick_out_mm це допускає
 

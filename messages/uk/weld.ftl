@@ -291,6 +291,8 @@ weld-deposition-too-large = валик мав би більше металу, н
 weld-bead-range-too-large = валики не тримають форми в такому діапазоні
 weld-wall-tilt-too-large = дріт лежав би на стінці
 weld-step-over-needs-closed-seam = перехід на наступний валик потребує шва, який зварюють по всьому колу
+weld-wire-implausible = дроту завтовшки { $wire } не буває
+weld-step-over-too-short = перехід такий короткий, що пальник ішов би впоперек шва
 weld-step-over-too-long = перехід довший за половину шва
 weld-step-over-with-alternate = валики, з’єднані переходами, йдуть в один бік
 weld-step-over-with-passes = шари на частині шва не можна з’єднати переходами
@@ -301,7 +303,6 @@ weld-no-bead-weaves = жоден валик не з коливаннями
 weld-allowed-weave = [weld.weave], `weave` у [beads.root], [beads.fill] чи [beads.cap], або інше значення
 weld-bead-spacing-invalid = валики не можуть лежати так далеко або так близько
 weld-layer-height-impossible = валики по { $area } не дають шарів такої висоти
-weld-bead-area-beside-window = валики по { $area } не входять у вікно технологічної карти
 weld-too-many-beads = розробка { $groove } потребує { $beads } валиків по { $bead }
 weld-too-many-stations = валики розкладалися б у { $count ->
         [one] { $count } перерізі

@@ -76,6 +76,8 @@ program-bevel-angle-unclear = 坡口面角度不明确
 program-bevel-angles = angle_deg（坡口）或 cut_deg（边缘）
 program-positions-increase = 位置必须递增
 program-depth-leaves-no-back = 正面坡口深度没有给背面留下余量
+program-fillet-implausible = 没有这样大的角焊缝
+program-cap-implausible = 没有这样高的余高
 program-lap-leg-too-long = 焊脚比所在的板边还长
 program-gouge-on-face = 只有背面才清根
 program-side-back = side = "back"

@@ -15,6 +15,7 @@ project-place-range = { $passes }，s = { $from } 至 { $to }
 project-places = { $first }；{ $then }
 project-more-places = 另有 { $places } 处
 
+project-angles-of-another-plan = 焊枪角度属于另一个计划
 project-long-stick-out = 焊枪只有在干伸长为 { $found } 时才不碰撞：超过 { $usual } 时，送丝速度不变电流也会下降，保护气变稀
 project-cure-long-stick-out = 使用更适合坡口的焊枪，或 stick_out_mm 允许该值的焊接工艺
 

@@ -56,7 +56,7 @@ mod tracking;
 pub use client::{CellClient, CellLost};
 pub use machine_source::MachineSource;
 pub use prepared_task::fingerprint;
-pub use program::{Program, decode_motion, encode_motion, try_program};
+pub use program::{CrossingPlan, Program, decode_plan, encode_plan, try_program};
 pub use run::{CellStart, run};
 pub use sockets::Listeners;
 pub use stop::StopLine;

@@ -10,8 +10,8 @@ use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
 use seamwright_project::failure::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
-use seamwright_project::planning::Planning;
 use seamwright_project::simulated_part::Part;
+use seamwright_project::torch_angles::SearchedTorch;
 use seamwright_record::sha256;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -30,7 +30,7 @@ pub struct Program {
     pub folder: PathBuf,
     /// See [`fingerprint`]: of the machine for which it was planned.
     pub machine: String,
-    /// The planned motion, see [`encode_motion`].
+    /// The plan, see [`encode_plan`].
     #[serde(with = "bytes")]
     pub motion: Vec<u8>,
     /// SHA-256 of the motion.
@@ -74,15 +74,25 @@ mod bytes {
     }
 }
 
-/// Maximum size of an encoded motion, bytes: with its job it must fit into a request.
+/// Maximum size of an encoded plan, bytes: with its job it must fit into a request.
 const MAX_MOTION: usize = MAX_REQUEST - (16 << 20);
 
-/// Encodes a motion for another process.
+/// The plan of a job as it crosses to another process: what its text does not say.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct CrossingPlan<M = WeldMotion> {
+    /// Torches whose angles were searched.
+    pub torches: Vec<SearchedTorch>,
+    /// The motion.
+    pub motion: M,
+}
+
+/// Encodes the plan of `loaded` for another process: the `motion` and the torch angles that it was planned with.
 ///
 /// # Errors
-/// A motion that is too large to be sent to a cell.
-pub fn encode_motion(motion: &WeldMotion) -> Result<Vec<u8>, Message> {
-    let bytes = rmp_serde::to_vec_named(motion).map_err(|e| Message::verbatim(e.to_string()))?;
+/// A plan that is too large to be sent to a cell.
+pub fn encode_plan(loaded: &Loaded, motion: &WeldMotion) -> Result<Vec<u8>, Message> {
+    let plan = CrossingPlan { torches: loaded.searched_torches().to_vec(), motion };
+    let bytes = rmp_serde::to_vec_named(&plan).map_err(|e| Message::verbatim(e.to_string()))?;
     if bytes.len() <= MAX_MOTION {
         return Ok(bytes);
     }
@@ -91,18 +101,19 @@ pub fn encode_motion(motion: &WeldMotion) -> Result<Vec<u8>, Message> {
     Err(message.value("max", mib(MAX_MOTION), Unit::MiB))
 }
 
-/// Decodes the motion of [`encode_motion`] and checks that `loaded` can be run by it: [`WeldMotion::verify`].
+/// Decodes the plan of [`encode_plan`] and checks that `loaded` can be run by its motion: [`WeldMotion::verify`]. The
+/// torches are for [`Loaded::with_searched_torches`].
 ///
 /// # Errors
-/// Bytes that are no motion, or one of another job or machine.
-pub fn decode_motion(bytes: &[u8], loaded: &Loaded) -> Result<WeldMotion, Message> {
+/// Bytes that are no plan, or one of another job or machine.
+pub fn decode_plan(bytes: &[u8], loaded: &Loaded) -> Result<CrossingPlan, Message> {
     let damaged = |e: rmp_serde::decode::Error| Message::new("cell-program-damaged").text("why", e.to_string());
-    let motion: WeldMotion = rmp_serde::from_slice(bytes).map_err(damaged)?;
-    if motion.passes.len() != loaded.welding.program.value.passes.len() {
+    let plan: CrossingPlan = rmp_serde::from_slice(bytes).map_err(damaged)?;
+    if plan.motion.passes.len() != loaded.welding.program.value.passes.len() {
         return Err(Message::new("cell-program-changed").text("job", loaded.welding.program.file()));
     }
-    motion.verify(&loaded.machine)?;
-    Ok(motion)
+    plan.motion.verify(&loaded.machine)?;
+    Ok(plan)
 }
 
 impl Program {
@@ -115,14 +126,12 @@ impl Program {
         if sha256(&motion) != hash {
             return Err(Message::new("cell-program-damaged").text("why", "SHA-256"));
         }
-        // The motion was planned with the angles of the same search.
-        let loaded = load_foreign(&job, &text, &folder)
-            .and_then(|loaded| loaded.with_torch_angles(&Planning::default()))
-            .map_err(|failure| failure.message())?;
+        let loaded = load_foreign(&job, &text, &folder).map_err(|failure| failure.message())?;
         if fingerprint(&loaded.machine) != machine {
             return Err(Message::new("cell-program-changed").text("job", job));
         }
-        let motion = decode_motion(&motion, &loaded)?;
+        let CrossingPlan { torches, motion } = decode_plan(&motion, &loaded)?;
+        let loaded = loaded.with_searched_torches(torches).map_err(|failure| failure.message())?;
         let part = Part::distorted(distortion.as_deref()).map_err(|e| Failure::from(e).message())?;
         let values = loaded.welding.program.value.process_values();
         let at = at.filter(|(connection, _)| connection.serves(&machine, &values));

@@ -1,9 +1,12 @@
 //! Motions of all supplied examples cross unchanged, and damaged ones are refused without a panic.
 
-use seamwright_cell::{decode_motion, encode_motion};
+use seamwright_cell::{decode_plan, encode_plan};
 use seamwright_motion::WeldMotion;
+use seamwright_program::TorchPath;
 use seamwright_project::examples::EXAMPLES;
 use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::planning::Planning;
+use seamwright_project::torch_angles::SearchedTorch;
 use seamwright_testkit::Random;
 use std::path::Path;
 
@@ -18,10 +21,10 @@ fn motions_of_all_examples_cross_bit_for_bit() {
     for example in EXAMPLES {
         let loaded = loaded(example.name);
         let Ok(motion) = loaded.plan() else { continue };
-        let bytes = encode_motion(&motion).unwrap();
-        let back = decode_motion(&bytes, &loaded).unwrap_or_else(|e| panic!("{}: {e}", example.name));
+        let bytes = encode_plan(&loaded, &motion).unwrap();
+        let back = decode_plan(&bytes, &loaded).unwrap_or_else(|e| panic!("{}: {e}", example.name));
         // `Debug` prints every digit, and infinities too.
-        assert_eq!(format!("{back:?}"), format!("{motion:?}"), "{}", example.name);
+        assert_eq!(format!("{:?}", back.motion), format!("{motion:?}"), "{}", example.name);
         crossed += 1;
     }
     assert!(crossed >= 10, "{crossed}");
@@ -32,7 +35,7 @@ fn motions_of_all_examples_cross_bit_for_bit() {
 fn damaged_motions_are_refused_or_harmless() {
     let loaded = loaded("ellipse");
     let motion = loaded.plan().unwrap();
-    let bytes = encode_motion(&motion).unwrap();
+    let bytes = encode_plan(&loaded, &motion).unwrap();
     let mut random = Random::new(45);
     let mut refused = 0;
     for _ in 0..2000 {
@@ -41,15 +44,15 @@ fn damaged_motions_are_refused_or_harmless() {
             let at = random.below(bytes.len());
             bytes[at] = random.below(256) as u8;
         }
-        match decode_motion(&bytes, &loaded) {
-            Ok(motion) => motion.verify(&loaded.machine).unwrap(),
+        match decode_plan(&bytes, &loaded) {
+            Ok(plan) => plan.motion.verify(&loaded.machine).unwrap(),
             Err(_) => refused += 1,
         }
     }
     // Most bytes are low digits of coefficients.
     assert!(refused > 20, "{refused}");
     for length in 0..bytes.len().min(3000) {
-        assert!(decode_motion(&bytes[..length], &loaded).is_err(), "{length}");
+        assert!(decode_plan(&bytes[..length], &loaded).is_err(), "{length}");
     }
 }
 
@@ -72,5 +75,31 @@ fn motions_that_the_machine_cannot_play_are_refused() {
     assert!(short.verify(&ellipse.machine).unwrap_err().to_string().contains("transfers"));
     assert!(WeldMotion::default().verify(&ellipse.machine).is_err());
     let other = loaded("head-nozzle");
-    assert!(decode_motion(&encode_motion(&motion).unwrap(), &other).is_err());
+    assert!(decode_plan(&encode_plan(&ellipse, &motion).unwrap(), &other).is_err());
+}
+
+/// Searched torch angles cross with the motion: the other process has the same torch path without a search.
+#[test]
+fn searched_angles_cross_with_the_motion() {
+    let text =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/vessel-shop/hillside.toml"))
+            .unwrap();
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/vessel-shop"));
+    let read = || load_text("hillside.toml", &text, folder).unwrap();
+    let searched = read().with_torch_angles(&Planning::default()).unwrap();
+    assert!(!searched.searched_torches().is_empty());
+    let bytes = rmp_serde::to_vec_named(searched.searched_torches()).unwrap();
+    let torches: Vec<SearchedTorch> = rmp_serde::from_slice(&bytes).unwrap();
+    let mut one_less = torches.clone();
+    one_less.pop();
+    assert!(read().with_searched_torches(one_less).is_err());
+    let there = read().with_searched_torches(torches.clone()).unwrap();
+    for pass in 0..searched.welding.program.value.passes.len() {
+        let [a, b] = [&searched, &there].map(|loaded| {
+            let path = loaded.welding.path(pass);
+            (0..100).map(|i| format!("{:?}", path.pose(0.01 * f64::from(i) * path.length()))).collect::<Vec<_>>()
+        });
+        assert_eq!(a, b, "{pass}");
+    }
+    assert!(loaded("ellipse").with_searched_torches(torches).is_err());
 }

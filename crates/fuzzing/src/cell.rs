@@ -1,7 +1,7 @@
 //! Messages between a panel and its cell.
 
 use crate::target::{Target, USUAL};
-use seamwright_cell::{decode_motion, encode_motion, fuzzing};
+use seamwright_cell::{decode_plan, encode_plan, fuzzing};
 use seamwright_project::load::{Loaded, load};
 use std::path::Path;
 use std::sync::OnceLock;
@@ -18,13 +18,13 @@ pub const CELL_REPORT: Target =
 pub const CELL_MOTION: Target = Target {
     name: "cell_motion",
     read: |bytes| {
-        if let Ok(motion) = decode_motion(bytes, loaded()) {
-            assert_eq!(motion.verify(&loaded().machine), Ok(()));
+        if let Ok(plan) = decode_plan(bytes, loaded()) {
+            assert_eq!(plan.motion.verify(&loaded().machine), Ok(()));
         }
     },
     seeds: || {
         let motion = loaded().plan().unwrap_or_else(|e| panic!("{}", e.message()));
-        vec![encode_motion(&motion).unwrap_or_else(|e| panic!("{e}"))]
+        vec![encode_plan(loaded(), &motion).unwrap_or_else(|e| panic!("{e}"))]
     },
     is_text: false,
     max_length: 1 << 16,

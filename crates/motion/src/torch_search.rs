@@ -297,7 +297,8 @@ impl<'a> Search<'a> {
         let arc = self.path.pose(change.s).ahead(self.path.drawn_back());
         let groove = self.path.groove(change.s)?;
         let turned = turned(arc, &groove, change);
-        if is_in_face(&groove, -turned.direction) {
+        let [first, second] = groove.off_faces(-turned.direction);
+        if first.min(second) < OFF_FACE_DEG.to_radians().sin() {
             return None;
         }
         let pose = turned.ahead(-self.path.drawn_back() - change.stick_out);
@@ -372,13 +373,6 @@ impl<'a> Search<'a> {
         checks.push((before, end));
         checks
     }
-}
-
-/// True if the unit vector `torch`, from joint to torch, points into a face of the joint.
-fn is_in_face(groove: &Groove, torch: DVec3) -> bool {
-    let (sin, cos) = (0.5 * groove.dihedral).sin_cos();
-    let off = |side: f64| torch.dot(sin * groove.face - side * cos * groove.towards_first);
-    off(1.0).min(off(-1.0)) < OFF_FACE_DEG.to_radians().sin()
 }
 
 /// The pose with changed angles: about the tangent by the work angle, and in the plane of torch and tangent by the

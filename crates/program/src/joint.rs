@@ -180,6 +180,9 @@ pub struct FitUp {
     pub remaining_mm2: Option<Finite>,
 }
 
+/// Maximum height of a cap, mm; a higher one is a mistake.
+const MAX_CAP_MM: f64 = 50.0;
+
 fn is_zero(count: &usize) -> bool {
     *count == 0
 }
@@ -192,6 +195,11 @@ impl Joint {
     /// fillet without or with several sizes, a back that has no groove, and positions that do not increase.
     pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         self.preparation.check(file, &format!("{path}.preparation"))?;
+        if self.cap_mm.get() > MAX_CAP_MM {
+            let allowed =
+                Message::new("document-between").value("min", 0.0, Unit::Mm).value("max", MAX_CAP_MM, Unit::Mm);
+            return Err(file.error_at(&format!("{path}.cap_mm"), Message::new("program-cap-implausible"), allowed));
+        }
         self.check_back(file, path)?;
         self.check_gaps(file, path)?;
         self.check_insert(file, path)?;

@@ -84,6 +84,15 @@ pub struct Groove {
     pub dihedral: f64,
 }
 
+impl Groove {
+    /// Sines of the angles of the unit vector `direction` to the faces of the first and of the second part: positive
+    /// between them, in the air.
+    pub fn off_faces(&self, direction: DVec3) -> [f64; 2] {
+        let (sin, cos) = (0.5 * self.dihedral).sin_cos();
+        [1.0, -1.0].map(|side: f64| direction.dot(sin * self.face - side * cos * self.towards_first))
+    }
+}
+
 /// Maximum number of axes of a machine.
 pub const MAX_AXES: usize = 12;
 /// Positions of a machine's axes in its file's order, mm or rad; 0 beyond the last one.

@@ -40,7 +40,7 @@ pub mod reach;
 pub mod recording;
 pub mod run_rows;
 pub mod simulated_part;
-mod torch_angles;
+pub mod torch_angles;
 pub mod weld_events;
 pub mod work_offset;
 

@@ -6,7 +6,7 @@ use crate::file_scope::FileScope;
 use crate::files::{self, io_error};
 use crate::outside_data::Beside;
 use crate::planning::{Clocked, Planning};
-use crate::torch_angles::is_stopped;
+use crate::torch_angles::{SearchedTorch, is_stopped};
 use seamwright_document::{Document, closest};
 use seamwright_executive::Error;
 use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
@@ -31,6 +31,8 @@ pub struct Loaded {
     pub machine_file: Option<PathBuf>,
     /// Findings of the search of torch angles: passes without any that keep them clear, and warnings.
     pub(crate) angle_findings: Vec<Finding>,
+    /// Torches whose angles were searched.
+    pub(crate) searched_torches: Vec<SearchedTorch>,
     /// Time of that search.
     pub(crate) searching: Duration,
     /// STL files that job and machine file name: the name, and where the file is.
@@ -103,6 +105,7 @@ fn load_within(name: &str, text: &str, within: &FileScope<'_>, own: Own) -> Resu
         machine_file,
         clamped,
         angle_findings: Vec::new(),
+        searched_torches: Vec::new(),
         searching: Duration::ZERO,
         stl_files: stl.0.into_inner(),
     })

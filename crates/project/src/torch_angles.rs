@@ -9,12 +9,46 @@ use seamwright_message::{Message, Unit};
 use seamwright_motion::{AngleChange, AngleLimits, AngleSearch, AngleTask, search_angles};
 use seamwright_program::{Finding, Pass, PathRange, Run, SAME_POSITION_MM, Torch, TorchAt, TorchPath, Window};
 use seamwright_weld::PassPath;
+use serde::{Deserialize, Serialize};
 
 /// Stick-out beyond which the arc is no longer that of the given current and wire feed, mm: the upper end of what
 /// handbooks name for wires of 1.0 to 1.2 mm (10 to 25 mm).
 const MAX_USUAL_STICK_OUT_MM: f64 = 25.0;
 
+/// The torch of a pass with the angles that were searched.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SearchedTorch {
+    /// The pass, counted from 0.
+    pub pass: usize,
+    /// Its torch.
+    pub torch: Torch,
+}
+
 impl Loaded {
+    /// The torches whose angles were searched, to be given to [`Loaded::with_searched_torches`] in another process.
+    pub fn searched_torches(&self) -> &[SearchedTorch] {
+        &self.searched_torches
+    }
+
+    /// Gives the passes the torches of a search that was made before.
+    ///
+    /// # Errors
+    /// Torches of passes that ask for no search, passes that ask for one and get no torch, angles out of range.
+    pub fn with_searched_torches(mut self, torches: Vec<SearchedTorch>) -> Result<Self, Failure> {
+        let asks = |i: usize| self.welding.program.value.passes.get(i).is_some_and(|pass| pass.torch.search.is_some());
+        if !torches.iter().all(|searched| asks(searched.pass)) {
+            return Err(self.fault(Message::new("project-angles-of-another-plan")));
+        }
+        for SearchedTorch { pass, torch } in &torches {
+            self.welding = self.welding.with_torch(*pass, torch.clone())?;
+        }
+        if self.asks_for_angles() {
+            return Err(self.fault(Message::new("project-angles-of-another-plan")));
+        }
+        self.searched_torches = torches;
+        Ok(self)
+    }
+
     /// Searches angles for the passes that ask for it, with the weld metal of earlier passes as an obstacle, within the
     /// limits of `planning`. A plan of the weld needs them first; a pass without any becomes a finding of the plan.
     ///
@@ -42,15 +76,13 @@ impl Loaded {
                     let around = around.map_err(|e| self.fault(e.message()))?;
                     self.search_pass(i, &around, &clocked, &mut torch, &mut findings);
                 }
-                torches.push((i, torch));
+                torches.push(SearchedTorch { pass: i, torch });
             }
         }
         if clocked.is_cancelled() {
             return Err(Failure::Cancelled);
         }
-        for (pass, torch) in torches {
-            self.welding = self.welding.with_torch(pass, torch)?;
-        }
+        self = self.with_searched_torches(torches)?;
         self.angle_findings = findings;
         self.searching = clocked.spent();
         Ok(self)

@@ -1,10 +1,13 @@
 use crate::glyph::closed;
 use crate::svg::{Anchor, Rect, Svg, WIDTH};
+use crate::text::lines;
 use crate::{Drawing, Language};
 use seamwright_message::Message;
 
-/// Room above each section for its title and notes, px.
-const HEAD: f64 = 72.0;
+/// Height of a line of text above a section, px.
+const LINE: f64 = 18.0;
+/// Size of that text, px.
+const TEXT: f64 = 12.0;
 /// Room between sections, px.
 const GAP: f64 = 14.0;
 /// Margin around a drawing, px.
@@ -36,18 +39,29 @@ pub struct SectionDrawing {
     pub parts: Vec<Vec<[f64; 2]>>,
     /// The groove, from toe to toe around.
     pub groove: Vec<[f64; 2]>,
-    /// Beads in the order of welding: outline, and colour number from 1.
-    pub beads: Vec<(Vec<[f64; 2]>, usize)>,
+    /// Beads in the order of welding.
+    pub beads: Vec<DrawnBead>,
     /// The consumable insert before it is fused; empty without one.
     pub insert: Vec<[f64; 2]>,
     /// Wire target in each bead, or at the seam, and the direction back to the torch.
     pub torches: Vec<([f64; 2], [f64; 2])>,
 }
 
+/// A bead of a cross-section.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct DrawnBead {
+    /// Its number, written into it.
+    pub number: usize,
+    /// Its outline, mm.
+    pub outline: Vec<[f64; 2]>,
+    /// Number of its colour, from 1.
+    pub colour: usize,
+}
+
 impl SectionDrawing {
     /// Returns the bounds of the groove and the beads, with room for the parts beside them.
     fn extent(&self) -> ([f64; 2], [f64; 2]) {
-        let points = self.groove.iter().chain(self.beads.iter().flat_map(|b| &b.0));
+        let points = self.groove.iter().chain(self.beads.iter().flat_map(|bead| &bead.outline));
         let grow = |(low, high): ([f64; 2], [f64; 2]), p: &[f64; 2]| {
             ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
         };
@@ -90,24 +104,42 @@ impl Drawing for Gallery {
         });
         let top = if self.title.is_empty() { 0.0 } else { 26.0 };
         svg.text("title", 0.0, 14.0, Anchor::Start, &self.title);
+        let heads: Vec<Vec<Caption>> = self.sections.iter().map(|section| section.captions(w)).collect();
+        // Sections of a row stand side by side.
+        let head = LINE * heads.iter().map(Vec::len).max().unwrap_or(0) as f64 + ROOM;
         let mut bottom = top;
         for (i, section) in self.sections.iter().enumerate() {
             let x = (i % columns) as f64 * (w + GAP);
-            let y = top + (i / columns) as f64 * (HEAD + h + GAP);
-            svg.text("head", x, y + 16.0, Anchor::Start, &section.title);
-            svg.text("quiet", x, y + 34.0, Anchor::Start, &section.note);
-            svg.text("quiet", x, y + 52.0, Anchor::Start, &section.torch_note);
-            let frame = Rect { x, y: y + HEAD - 10.0, w, h };
+            let y = top + (i / columns) as f64 * (head + h + GAP);
+            for (line, caption) in (1..).zip(&heads[i]) {
+                svg.text(caption.class, x, y + LINE * f64::from(line) - 2.0, Anchor::Start, &caption.text);
+            }
+            let frame = Rect { x, y: y + head, w, h };
             if scale.is_finite() {
                 section.draw(&mut svg, frame, scale, self.language);
             }
-            bottom = y + HEAD - 10.0 + h;
+            bottom = y + head + h;
         }
         (svg, bottom + 1.0)
     }
 }
 
+/// A line of text above a section.
+struct Caption {
+    class: &'static str,
+    text: String,
+}
+
 impl SectionDrawing {
+    /// Returns title and notes in lines of at most `room` px.
+    fn captions(&self, room: f64) -> Vec<Caption> {
+        let texts = [("head", &self.title), ("quiet", &self.note), ("quiet", &self.torch_note)];
+        let lines = texts
+            .into_iter()
+            .flat_map(|(class, text)| lines(text, TEXT, room).into_iter().map(move |text| Caption { class, text }));
+        lines.collect()
+    }
+
     fn draw(&self, svg: &mut Svg, frame: Rect, scale: f64, language: Language) {
         let middle = self.middle();
         let place = |p: &[f64; 2]| {
@@ -121,11 +153,11 @@ impl SectionDrawing {
                 svg.path("metal", &outline(part));
             }
             svg.path("groove", &outline(&self.groove));
-            for (bead, colour) in &self.beads {
-                svg.path(&format!("bead f{colour}"), &outline(bead));
+            for bead in &self.beads {
+                svg.path(&format!("bead f{}", bead.colour), &outline(&bead.outline));
             }
-            for (bead, _) in &self.beads {
-                svg.path("bead-edge", &outline(bead));
+            for bead in &self.beads {
+                svg.path("bead-edge", &outline(&bead.outline));
             }
             if !self.insert.is_empty() {
                 svg.path("insert", &outline(&self.insert));
@@ -136,9 +168,9 @@ impl SectionDrawing {
                 svg.line("wire", x, y, x + long * back[0], y - long * back[1]);
                 svg.circle("wire-tip", x, y, 2.0);
             }
-            for (number, (bead, _)) in self.beads.iter().enumerate() {
-                let (x, y) = place(&centroid(bead));
-                svg.text("bead-number", x, y + 4.0, Anchor::Middle, &(number + 1).to_string());
+            for bead in &self.beads {
+                let (x, y) = place(&centroid(&bead.outline));
+                svg.text("bead-number", x, y + 4.0, Anchor::Middle, &bead.number.to_string());
             }
         });
         svg.rect("edge", frame);
@@ -170,6 +202,10 @@ mod tests {
         vec![[x, y], [x + side, y], [x + side, y + side], [x, y + side]]
     }
 
+    fn bead(number: usize, x: f64, y: f64, colour: usize) -> DrawnBead {
+        DrawnBead { number, outline: square(x, y, 5.0), colour }
+    }
+
     #[test]
     fn centroids_are_those_of_areas() {
         let c = centroid(&square(3.0, -1.0, 2.0));
@@ -186,7 +222,7 @@ mod tests {
             parts: vec![square(0.0, 0.0, 20.0), square(-20.0, 0.0, 20.0)],
             groove: square(-5.0, -10.0, 10.0),
             insert: Vec::new(),
-            beads: vec![(square(-5.0, -10.0, 5.0), 1), (square(0.0, -5.0, 5.0), 3)],
+            beads: vec![bead(1, -5.0, -10.0, 1), bead(4, 0.0, -5.0, 3)],
             torches: vec![([0.0, -10.0], [0.0, 1.0])],
         };
         for n in [0, 1, 2, 7] {

@@ -71,7 +71,7 @@ mod words;
 pub use block::{Block, Finding, Severity, Table, Tile};
 pub use bode::Bode;
 pub use chart::{Axis, Band, Chart, Stretch};
-pub use gallery::{Gallery, SectionDrawing};
+pub use gallery::{DrawnBead, Gallery, SectionDrawing};
 pub use gantt::{Gantt, GanttBar, GanttRow};
 pub use grid::ChartGrid;
 pub use limit::LimitLine;

@@ -40,6 +40,21 @@ fn advance(c: char) -> f64 {
     }
 }
 
+/// Breaks `text` at spaces into lines of at most `limit` px at font `size`; longer words have a line of their own.
+pub(crate) fn lines(text: &str, size: f64, limit: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ').filter(|word| !word.is_empty()) {
+        match lines.last_mut() {
+            Some(line) if width(line, size) + width(" ", size) + width(word, size) <= limit => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// Shortens `text` with an ellipsis so that it fits `limit` px at font `size`.
 pub(crate) fn fit(text: &str, size: f64, limit: f64) -> String {
     if width(text, size) <= limit {
@@ -62,6 +77,14 @@ pub(crate) fn fit(text: &str, size: f64, limit: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lines_keep_all_words_within_their_room() {
+        let text = "dihedral angle 90 degrees, area 123.4 mm^2 and cap 5 mm^2";
+        let all = lines(text, 12.0, 150.0);
+        assert!(all.len() > 2 && all.join(" ") == text && all.iter().all(|line| width(line, 12.0) <= 150.0), "{all:?}");
+        assert!(lines("", 12.0, 100.0).is_empty());
+    }
 
     #[test]
     fn forbidden_characters_are_replaced() {

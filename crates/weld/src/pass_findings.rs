@@ -27,10 +27,11 @@ impl PassPath<'_> {
         let complaint = |s: f64| {
             let p = self.seam_point(s);
             let (_, axis) = self.torch_at(&p);
-            let (code, sine) = if axis.dot(p.n1) < axis.dot(p.n2) {
-                ("weld-torch-inside-first-face", axis.dot(p.n1))
+            let [first, second] = self.groove(s)?.off_faces(self.placement.transform_vector3(axis));
+            let (code, sine) = if first < second {
+                ("weld-torch-inside-first-face", first)
             } else {
-                ("weld-torch-inside-second-face", axis.dot(p.n2))
+                ("weld-torch-inside-second-face", second)
             };
             (sine <= 0.0).then(|| {
                 let message = Message::new(code).quantity("angle", -sine.asin().to_degrees(), Unit::Deg, 1);

@@ -48,9 +48,9 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
             let toes = [Cell::Empty; 2];
             return rows.row(&[head, empty.to_vec(), torch(welding, None, (s, 0.0)).to_vec(), toes.to_vec()].concat());
         };
-        beads.iter().zip(1..).try_for_each(|(bead, number)| {
+        beads.iter().try_for_each(|bead| {
             let mut cells = head.clone();
-            cells.extend([Cell::Count(number), Cell::Text(plan.layers[bead.layer].role.name())]);
+            cells.extend([Cell::Count(plan.number(bead) as u64), Cell::Text(plan.layers[bead.layer].role.name())]);
             cells.extend([bead.layer as u64 + 1, bead.index as u64 + 1].map(Cell::Count));
             let values = [bead.tip.x, bead.tip.y, bead.lean.to_degrees(), bead.area, bead.width, bead.height];
             cells.extend(values.map(Cell::Number));

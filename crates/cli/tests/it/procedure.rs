@@ -109,3 +109,19 @@ fn procedures_are_listed_and_printed() {
     let text = fs::read_to_string(root().join("examples/procedures/135-saddle.toml")).unwrap();
     assert_eq!(good(&["examples", "--procedures", "135-saddle"]), text);
 }
+
+/// Windows of beads that no plan can keep are findings with the plan beside them, not a refusal of the job's keys.
+#[test]
+fn windows_of_beads_that_the_plan_leaves_are_findings() {
+    let folder = tempfile::tempdir().unwrap();
+    let window = "[[runs]]\nname = \"fill\"\nbead_width_mm = [4, 5]\nbead_height_mm = [1, 1.5]\n";
+    let wps = "schema = 1\nnumber = \"W\"\ntitle = \"t\"\nprocess = 135\nwire_diameter_mm = 1.2\n".to_owned() + window;
+    write(folder.path(), "narrow.toml", wps);
+    let text = fs::read_to_string(example("hillside")).unwrap();
+    let machine = text.find("machine = ").unwrap();
+    let job = format!("{}procedure = \"narrow.toml\"\n{}", &text[..machine], &text[machine..]);
+    let output = run(&["check", &write(folder.path(), "job.toml", job)]);
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{printed}");
+    has_all(&printed, &["the bead would be", "another window in the procedure"]);
+}

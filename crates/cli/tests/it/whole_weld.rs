@@ -1,6 +1,6 @@
 //! The report of a weld of many passes covers all of them: totals, a table by pass, and each finding once.
 
-use crate::common::{example, good};
+use crate::common::{example, good, json_file, run, write};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -134,4 +134,32 @@ fn what_is_found_in_many_passes_is_said_once((summary, report, page): &(String, 
     let rows = report["passes"].as_array().unwrap().iter().filter(|pass| pass["role"] != "tack").count() + 1;
     let map = page.split("<svg").find(|svg| svg.contains("aria-label=\"Weld map")).unwrap();
     assert_eq!(map.matches("text-anchor=\"end\"").count(), rows + 1, "names of rows, and the unit");
+}
+
+/// On a girth a bead is a circle about the shell's axis: its length is that of the arc at its own radius.
+#[test]
+fn the_length_of_a_pass_is_that_of_its_bead() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut text = fs::read_to_string(example("narrow-gap-girth")).unwrap();
+    for (from, to) in [
+        ("procedure = \"121-girth\"\n", ""),
+        ("radius_mm = 1200", "radius_mm = 500"),
+        ("thickness_mm = 60", "thickness_mm = 16"),
+        ("step_over_mm = 80", "tie_in_mm = 0"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        text = text.replacen(from, to, 1);
+    }
+    let out = folder.path().join("weld").display().to_string();
+    run(&["plan", &write(folder.path(), "girth.toml", text), "-o", &out]);
+    let report = json_file(format!("{out}/report.json"));
+    let program: toml_edit::DocumentMut = fs::read_to_string(format!("{out}/program.toml")).unwrap().parse().unwrap();
+    let passes = report["passes"].as_array().unwrap();
+    assert!(passes.len() >= 4);
+    for (pass, asked) in passes.iter().zip(program["passes"].as_array_of_tables().unwrap()) {
+        let out = asked["bead"]["out_mm"][0].as_value().unwrap();
+        let out: f64 = out.to_string().trim().parse().unwrap();
+        let expected = (std::f64::consts::TAU + 40.0 / 500.0) * (500.0 + out);
+        assert!((number(&pass["plan"]["length_mm"]) / expected - 1.0).abs() < 1e-6, "{out} {pass}");
+    }
 }

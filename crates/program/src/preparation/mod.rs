@@ -287,6 +287,9 @@ impl Preparation {
     }
 }
 
+/// Maximum leg or throat of a fillet, mm; a larger one is a mistake.
+const MAX_FILLET_MM: f64 = 150.0;
+
 /// Sizes of an edge that is prepared on both sides, mm.
 #[derive(Debug, Clone, Copy)]
 struct Double {
@@ -305,9 +308,34 @@ impl Double {
 }
 
 impl Preparation {
+    /// The sizes of fillets, mm, with their keys.
+    fn fillet_sizes(&self) -> Vec<(&'static str, f64)> {
+        let given = |key, size: Option<Positive>| size.map(|size| (key, size.get()));
+        match self {
+            Self::Fillet(p) => [
+                given("leg_mm", p.leg_mm),
+                given("first_leg_mm", p.first_leg_mm),
+                given("second_leg_mm", p.second_leg_mm),
+                given("throat_mm", p.throat_mm),
+            ]
+            .into_iter()
+            .flatten()
+            .collect(),
+            Self::Lap(p) => vec![("leg_mm", p.leg_mm.get())],
+            Self::TBevel(p) => vec![("leg_mm", p.leg_mm.get())],
+            Self::TDoubleBevel(p) => vec![("leg_mm", p.leg_mm.get())],
+            Self::TJ(p) => vec![("leg_mm", p.leg_mm.get())],
+            _ => Vec::new(),
+        }
+    }
+
     /// Checks that the sizes at `path` of a file do not contradict each other. Fails with the key's address.
     pub(crate) fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
         let at = Keys { file, path: format!("{path}.{}", self.key()) };
+        if let Some((key, _)) = self.fillet_sizes().into_iter().find(|(_, size)| *size > MAX_FILLET_MM) {
+            let allowed = Message::new("document-at-most").value("max", MAX_FILLET_MM, Unit::Mm);
+            return at.wrong(key, "program-fillet-implausible", allowed);
+        }
         if let (Some(thickness), _, Some(root_face)) = self.sizes()
             && root_face.get() >= thickness.get()
         {

@@ -10,7 +10,9 @@
 //!   not roll over;
 //! - *downhill*, the pool runs ahead of the arc: the same along the seam, for a pool twice as long as it is wide.
 //!
-//! Uphill the frozen metal below carries the pool: no limit of area. These limits are 24.7 mm^2 in PB, PD and PE. AWS D1.1
+//! Uphill the frozen metal below carries the pool: no limit of area. Between a level weld (up to [`LEVEL`]) and a steep one
+//! (from [`STEEP`]) the share of gravity that counts across and along the seam changes linearly with the slope. Where the
+//! face hangs over, gravity across the seam counts at every slope. These limits are 24.7 mm^2 in PB, PD and PE. AWS D1.1
 //! permits prequalified one-pass fillets of 8 mm leg (32 mm^2) in horizontal and overhead position, as a part of the bead
 //! is frozen while the rest is liquid. So all limits are taken 1.3 times as large ([`FROZEN`]): 32 mm^2 in PB, PD and PE,
 //! 23 mm^2 in PC, 11 mm^2 in PG (3.4 mm throat).
@@ -25,7 +27,7 @@
 //! other lengths: 6 mm for aluminium.
 
 use super::position::Inclination;
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Surface tension of liquid steel, N/m.
 const SURFACE_TENSION_N_M: f64 = 1.2;
@@ -39,7 +41,10 @@ const FROZEN: f64 = 1.3;
 /// Length of the pool as a multiple of its width.
 const POOL_LENGTH: f64 = 2.0;
 /// Slope in the direction of travel up to which a weld counts as level, rad: that of PA to PC in ISO 6947.
-const LEVEL: f64 = 15.0 * std::f64::consts::PI / 180.0;
+const LEVEL: f64 = 15.0 * PI / 180.0;
+/// Slope from which the frozen metal below carries the pool, rad: half way to the vertical. An assumption between two known
+/// ends, level and vertical, without data of its own.
+const STEEP: f64 = 45.0 * PI / 180.0;
 
 /// Square of the capillary length of liquid steel, mm^2.
 fn capillary_mm2() -> f64 {
@@ -56,11 +61,12 @@ impl Inclination {
     /// and uphill. A bead that is `enclosed` by both walls of a groove cannot sag across the seam.
     pub fn max_pool_mm2(&self, enclosed: bool) -> f64 {
         let (across, outward) = (self.gravity_across(), -self.rotation.cos() * self.slope.cos());
-        let downhill = if self.slope < -LEVEL { -self.slope.sin() } else { 0.0 };
+        let steep = ((self.slope.abs() - LEVEL) / (STEEP - LEVEL)).clamp(0.0, 1.0);
+        let downhill = steep * (-self.slope.sin()).max(0.0);
+        let hanging = if outward > 0.0 { (outward / across.max(f64::MIN_POSITIVE)).min(1.0) } else { 0.0 };
         let limit =
             |part: f64, held: f64| if part > 0.0 { held * FROZEN * capillary_mm2() / part } else { f64::INFINITY };
-        let level = self.slope.abs() <= LEVEL || outward > 0.0;
-        let sideways = if enclosed || !level { f64::INFINITY } else { limit(across, 1.0) };
+        let sideways = if enclosed { f64::INFINITY } else { limit(across * (1.0 - steep).max(hanging), 1.0) };
         sideways.min(limit(outward, 2.0 * FRAC_PI_4.sin())).min(limit(downhill, 1.0 / POOL_LENGTH))
     }
 
@@ -91,6 +97,23 @@ mod tests {
         // Walls carry the metal across, not overhead.
         assert!(at(0.0, 90.0).max_pool_mm2(true).is_infinite());
         assert!((at(0.0, 180.0).max_pool_mm2(true) - 32.1).abs() < 0.1);
+    }
+
+    /// What a pool needs of the surface tension, the inverse of the limit, has no jump: at most 1 % of the strictest limit
+    /// by 0.1 degrees.
+    #[test]
+    fn limits_change_evenly_with_the_position() {
+        let need = |slope, rotation, enclosed| 1.0 / at(slope, rotation).max_pool_mm2(enclosed);
+        let steps = |from: i32, to: i32| (10 * from..10 * to).map(|i| 0.1 * f64::from(i));
+        for enclosed in [false, true] {
+            for (slope, rotation) in
+                steps(-90, 90).step_by(7).flat_map(|s| steps(0, 180).step_by(3).map(move |r| (s, r)))
+            {
+                let here = need(slope, rotation, enclosed);
+                let beside = [need(slope + 0.1, rotation, enclosed), need(slope, rotation + 0.1, enclosed)];
+                assert!(beside.iter().all(|n| (n - here).abs() < 0.01 / 11.4), "{slope} {rotation}: {here} {beside:?}");
+            }
+        }
     }
 
     /// The closed form of the sag against the equation of the surface, integrated numerically.

@@ -17,7 +17,7 @@ macro_rules! ship {
 }
 
 /// All procedure files that ship.
-pub const PROCEDURES: &[ShippedProcedure] = ship!["135-saddle"];
+pub const PROCEDURES: &[ShippedProcedure] = ship!["135-saddle", "121-girth"];
 
 /// The shipped procedure file called `name`.
 pub fn shipped_procedure(name: &str) -> Option<ShippedProcedure> {

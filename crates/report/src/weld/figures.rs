@@ -14,7 +14,7 @@ use seamwright_motion::procedure::PassProcedure;
 use seamwright_motion::{PassClearance, PassHeat, WeldMotion};
 use seamwright_program::{Finding, Joint, Pass, Role, Seam};
 use seamwright_simulation::Summary;
-use seamwright_weld::{SeamCurve, Welding};
+use seamwright_weld::{BeadNumbers, SeamCurve, Welding};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -109,14 +109,13 @@ pub struct PassFigures {
     /// Role: `tack`, `root`, `fill`, `cap` or `cosmetic`, if known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub role: Option<&'static str>,
-    /// Number of its bead in the cross-sections, if every bead is all along the seam.
+    /// Number of its bead in the cross-sections.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bead: Option<usize>,
     /// Number of its last bead, if it welds several with step-overs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub last_bead: Option<usize>,
-    /// Minimum and maximum of the smaller weld toe angle of its bead along the seam, degrees, if every bead is all along
-    /// the seam: with a procedure and without a weave as it sags in its position, otherwise in flat position.
+    /// Minimum and maximum of the smaller weld toe angle of its beads along the seam, degrees: with a procedure and without a weave as it sags in its position, otherwise in flat position.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub toe_deg: Option<(f64, f64)>,
     /// Minimum and maximum of each process value in the pass, by name.
@@ -214,10 +213,7 @@ impl WeldReport {
                 role: pass.known_role().map(Role::name),
                 bead: beads.get(i).and_then(|beads| beads.first),
                 last_bead: beads.get(i).and_then(|beads| beads.last),
-                toe_deg: beads
-                    .get(i)
-                    .and_then(|beads| beads.first.filter(|_| beads.last.is_none()))
-                    .and_then(|bead| toe_deg(welding, i, bead, motion.procedure.get(i))),
+                toe_deg: beads.get(i).and_then(|beads| toe_deg(welding, i, *beads, motion.procedure.get(i))),
                 process_range: process_range(pass),
                 stick_out_mm: pass.torch.stick_out_mm.map(Positive::get),
                 arc_energy_kj: totals::arc_energy_kj(pass, planned),
@@ -269,10 +265,10 @@ impl PassFigures {
     }
 }
 
-/// Returns minimum and maximum of the smaller toe angle along the seam of the bead of pass `i`, by its number in the
+/// Returns minimum and maximum of the smaller toe angle along pass `i`, with the numbers of its beads in the
 /// cross-sections.
-fn toe_deg(welding: &Welding, i: usize, number: usize, held: Option<&PassProcedure>) -> Option<(f64, f64)> {
-    let toes = welding.toes(i, number, held.map_or(&[][..], |held| &held.inclinations));
+fn toe_deg(welding: &Welding, i: usize, numbers: BeadNumbers, held: Option<&PassProcedure>) -> Option<(f64, f64)> {
+    let toes = welding.toes(i, numbers, held.map_or(&[][..], |held| &held.inclinations));
     let angles = toes.iter().map(|toe| toe.angle.to_degrees());
     angles.fold(None, |ends: Option<(f64, f64)>, a| Some(ends.map_or((a, a), |(l, h)| (l.min(a), h.max(a)))))
 }

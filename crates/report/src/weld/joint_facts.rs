@@ -47,30 +47,67 @@ impl WeldReport {
     }
 }
 
-/// Returns kind and sizes of the joint's preparation, under the names of their keys in job files.
+/// Returns kind and sizes of the joint's preparation, backing, insert and gouge, and what changes with the dihedral angle,
+/// under the names of their keys in job files.
 fn preparation_facts(joint: &Joint, language: Language) -> Vec<Fact> {
     let kind = joint.preparation.key();
-    let kind_name = language.named("key", kind).unwrap_or_else(|| kind.replace('_', " "));
-    let mut facts = vec![(language.words("report-row-preparation"), kind_name)];
+    let mut facts = vec![(language.words("report-row-preparation"), key_name(kind, language))];
     let table = toml::Table::try_from(joint).unwrap_or_default();
     let preparation = table.get("preparation").and_then(|all| all.get(kind)).and_then(toml::Value::as_table);
-    let cap = table.iter().filter(|(key, _)| *key == "cap_mm");
-    facts.extend(preparation.into_iter().flatten().chain(cap).filter_map(|(key, value)| {
-        let (title, unit) = value_name(key);
-        let title = language.named("key", title).unwrap_or_else(|| value_names::value_title(language, key));
-        let size = |value: f64| match unit {
-            Some(unit) => quantity(value, unit, 5).in_language(language),
-            None => number(value, language),
-        };
-        let text = match value {
-            toml::Value::Float(value) => size(*value),
-            toml::Value::Integer(value) => size(*value as f64),
-            toml::Value::String(name) => language.named("key", name).unwrap_or_else(|| name.clone()),
-            _ => return None,
-        };
-        Some((capitalised(&title), text))
+    let own = table.iter().filter(|(key, _)| ["cap_mm", "side"].contains(&key.as_str()));
+    let sizes = preparation.into_iter().flatten().chain(own);
+    facts.extend(sizes.filter_map(|(key, value)| size_fact(key, value, language)));
+    for key in ["backing", "insert", "gouge"] {
+        let sizes = table.get(key).and_then(toml::Value::as_table);
+        facts.extend(sizes.map(|sizes| (capitalised(&key_name(key, language)), sizes_text(sizes, language))));
+    }
+    let rows = table.get("at_dihedral").and_then(toml::Value::as_array);
+    facts.extend(rows.map(|rows| {
+        let rows = rows.iter().filter_map(toml::Value::as_table).map(|row| sizes_text(row, language));
+        (capitalised(&key_name("at_dihedral", language)), rows.collect::<Vec<_>>().join("; "))
     }));
     facts
+}
+
+/// Returns the name of a key of job files, or of a value that is a name.
+fn key_name(key: &str, language: Language) -> String {
+    language.named("key", key).unwrap_or_else(|| key.replace('_', " "))
+}
+
+/// Returns the name and the value of a key; none of tables and lists.
+fn size_fact(key: &str, value: &toml::Value, language: Language) -> Option<Fact> {
+    let (title, unit) = value_name(key);
+    let title = language.named("key", title).unwrap_or_else(|| value_names::value_title(language, key));
+    let size = |value: f64| match unit {
+        Some(unit) => quantity(value, unit, 5).in_language(language),
+        None => number(value, language),
+    };
+    let text = match value {
+        toml::Value::Float(value) => size(*value),
+        toml::Value::Integer(value) => size(*value as f64),
+        toml::Value::String(name) => key_name(name, language),
+        _ => return None,
+    };
+    Some((capitalised(&title), text))
+}
+
+/// Returns the sizes of a table in one line, a kind first and without its title.
+fn sizes_text(sizes: &toml::Table, language: Language) -> String {
+    let kind = sizes.get("kind").and_then(toml::Value::as_str).map(|kind| key_name(kind, language));
+    let others = sizes.iter().filter(|(key, _)| *key != "kind").filter_map(|(key, value)| {
+        let (title, text) = size_fact(key, value, language)?;
+        Some(format!("{} {text}", uncapitalised(&title, language)))
+    });
+    kind.into_iter().chain(others).collect::<Vec<_>>().join(", ")
+}
+
+/// Returns the text with a small letter at its start, except in German, whose nouns have capitals.
+fn uncapitalised(text: &str, language: Language) -> String {
+    let mut rest = text.chars();
+    match rest.next() {
+        Some(first) if language != Language::German => first.to_lowercase().chain(rest).collect(),
+        _ => text.to_owned(),
+    }
 }
 
 /// Returns the text with a capital at its start, as other names of facts have.

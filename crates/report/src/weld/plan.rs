@@ -1,7 +1,7 @@
 use super::samples::Sample;
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassMotion};
-use seamwright_program::{ArcTime, Pass, ProcessValues, SeamStart, Sequence, Tolerance};
+use seamwright_program::{ArcTime, Pass, ProcessValues, SeamStart, Sequence, Tolerance, TorchPath};
 use seamwright_weld::Welding;
 use serde::Serialize;
 
@@ -12,7 +12,7 @@ pub struct PlanFigures {
     pub asked_speed_mm_s: (f64, f64),
     /// True if every axis can hold the requested speed everywhere.
     pub speed_held: bool,
-    /// Path length of the pass, mm.
+    /// Length of the way of the torch tip without its weave, mm: that of the bead, not of the seam beside it.
     pub length_mm: f64,
     /// Minimum planned speed between acceleration and deceleration phase, mm/s.
     pub least_speed_mm_s: f64,
@@ -90,16 +90,16 @@ fn arc_energy(pass: &Pass, samples: &[Sample], legs: &[Leg]) -> Option<(f64, f64
 }
 
 impl PlanFigures {
-    /// Computes the figures of pass `pass` of the program, planned as `motion`.
+    /// Computes the figures of pass `index` of the program, planned as `motion`.
     pub(crate) fn new(
         machine: &Machine,
         welding: &Welding,
-        pass: usize,
+        index: usize,
         motion: &PassMotion,
         samples: &[Sample],
     ) -> Self {
         let program = &welding.program.value;
-        let pass = &program.passes[pass];
+        let pass = &program.passes[index];
         let band = motion.profile.report();
         let (least, greatest) = motion.tip_band(machine);
         Self {
@@ -107,7 +107,7 @@ impl PlanFigures {
             speed_held: !motion.findings.iter().any(|f| f.kind == "speed"),
             least_speed_mm_s: least,
             greatest_speed_mm_s: greatest,
-            length_mm: motion.path.length(),
+            length_mm: way_mm(&welding.path(index), samples),
             run_up_mm: band.run_up_end,
             run_down_mm: motion.path.length() - band.run_down_start,
             weld_s: motion.profile.duration(),
@@ -123,6 +123,11 @@ impl PlanFigures {
             axes: axes(machine, motion, samples),
         }
     }
+}
+
+/// Returns the way of the tip along a pass without its weave, mm: the length of its bead. Trapezoids between samples.
+fn way_mm(path: &dyn TorchPath, samples: &[Sample]) -> f64 {
+    samples.windows(2).map(|pair| (pair[1].s - pair[0].s) * 0.5 * (path.rate(pair[0].s) + path.rate(pair[1].s))).sum()
 }
 
 fn axes(machine: &Machine, motion: &PassMotion, samples: &[Sample]) -> Vec<AxisFigures> {

@@ -1,5 +1,5 @@
 use crate::number::{Significant as _, quantity};
-use crate::{Gallery, Language, SectionDrawing};
+use crate::{DrawnBead, Gallery, Language, SectionDrawing};
 use glam::DVec2;
 use seamwright_message::{Message, Unit};
 use seamwright_program::Role;
@@ -93,7 +93,12 @@ fn section(welding: &Welding, s: f64, language: Language) -> Option<SectionDrawi
             .iter()
             .flat_map(|(plan, all)| {
                 let drawn = section.outlines(all).into_iter().zip(all);
-                drawn.map(|(line, bead)| (outline(line), colour(plan.layers[bead.layer].role))).collect::<Vec<_>>()
+                let drawn = drawn.map(|(line, bead)| DrawnBead {
+                    number: plan.number(bead),
+                    outline: outline(line),
+                    colour: colour(plan.layers[bead.layer].role),
+                });
+                drawn.collect::<Vec<_>>()
             })
             .collect(),
         insert: joint.insert(&section).map_or_else(Vec::new, outline),

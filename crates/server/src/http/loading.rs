@@ -3,7 +3,7 @@ use super::job_name::checked;
 use crate::cell::{Around, Loading};
 use crate::view::work_view;
 use crate::wire::{Load, WorkView};
-use seamwright_cell::{Program, decode_motion, encode_motion, fingerprint, try_program};
+use seamwright_cell::{CrossingPlan, Program, decode_plan, encode_plan, fingerprint, try_program};
 use seamwright_document::DocumentError;
 use seamwright_executive::Place;
 use seamwright_message::{Message, Unit};
@@ -26,13 +26,13 @@ struct Ready {
 }
 
 /// Plans a job to be loaded, only from its text and the folder of jobs, and tries all steps of loading that take memory
-/// and time. Returns the motion for [`ready`].
+/// and time. Returns the encoded plan for [`ready`].
 /// Fails if the job is invalid. The approach from the current axis positions is not checked.
 pub(crate) fn planned(load: &Load, text: &str, jobs: &FilePath) -> Result<Vec<u8>, Refused> {
     let loaded = load_foreign(checked(&load.job)?, text, jobs)?.with_torch_angles(&Planning::default())?;
     let part = simulated_part(load.distortion.as_deref())?;
     part.check_devices(&loaded.machine)?;
-    let motion = encode_motion(&part.plan(&loaded)?).map_err(Refused::input)?;
+    let motion = encode_plan(&loaded, &part.plan(&loaded)?).map_err(Refused::input)?;
     let Ready { loaded, program, view, record, .. } = ready(load, text, jobs, motion.clone(), 0)?;
     let around = Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?;
     try_program(program).map_err(Refused::input)?;
@@ -43,9 +43,10 @@ pub(crate) fn planned(load: &Load, text: &str, jobs: &FilePath) -> Result<Vec<u8
 
 /// Reads a planned job to be loaded; `number` is the number of its view.
 fn ready(load: &Load, text: &str, jobs: &FilePath, motion: Vec<u8>, number: u64) -> Result<Ready, Refused> {
-    let loaded = load_foreign(checked(&load.job)?, text, jobs)?.with_torch_angles(&Planning::default())?;
+    let loaded = load_foreign(checked(&load.job)?, text, jobs)?;
+    let CrossingPlan { torches, motion: plan } = decode_plan(&motion, &loaded).map_err(Refused::input)?;
+    let loaded = loaded.with_searched_torches(torches)?;
     let tracking = simulated_part(load.distortion.as_deref())?.tracking;
-    let plan = decode_motion(&motion, &loaded).map_err(Refused::input)?;
     let from = load.from.map(|(pass, s_mm)| Place { pass: pass as usize, s_mm });
     let mut view = work_view(number, &load.job, &loaded, Ok(&plan));
     let heads = if tracking { run_rows::head_names(&loaded) } else { Vec::new() };

@@ -30,7 +30,7 @@ pub(crate) enum Question {
     Report { name: String, text: String, language: String, appendix: bool },
     /// Part program for it: a [`PostAnswer`].
     Post { text: String, dialect: String },
-    /// Check that it can be planned and loaded: its motion, see [`seamwright_cell::encode_motion`].
+    /// Check that it can be planned and loaded: its motion, see [`seamwright_cell::encode_plan`].
     Load { load: Load, text: String },
     /// Pose of its part: a [`crate::wire::PlaceAnswer`].
     Place { asked: PlaceText },

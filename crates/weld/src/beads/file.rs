@@ -1,14 +1,11 @@
 use super::sectors::Sector;
 use crate::allowed::{at_most, between, rounded};
-use crate::attitude::check_angles;
 use crate::seam::SeamCurve;
-use crate::stick_out;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_message::{Message, Unit};
-use seamwright_program::{BeadWindow, Keyed, Pass, Procedure, ProcessValues, Role, Weave, check_process, is_beyond};
+use seamwright_program::{Keyed, Pass, ProcessValues, Role, Weave, is_beyond};
 use serde::{Deserialize, Serialize};
-use std::f64::consts::FRAC_PI_4;
 
 /// Name of the process value that is the wire's feed.
 pub(crate) const WIRE_FEED: &str = "wire_feed_m_min";
@@ -172,171 +169,15 @@ fn layer() -> Positive {
     number(3.0)
 }
 
-/// Values of the weld that its runs have by default.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct WeldValues<'a> {
-    pub(crate) speed_mm_s: Positive,
-    pub(crate) process: &'a ProcessValues,
-    /// Its procedure, which gives the windows of beads.
-    pub(crate) procedure: Option<&'a Procedure>,
-    /// Its weave.
-    pub(crate) weave: Option<&'a Weave>,
-    /// Area of the consumable insert that the root pass fuses, mm^2; 0 without one.
-    pub(crate) insert_mm2: f64,
-}
-
-/// Settings of a run.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Asked {
-    /// Area of a bead, mm^2.
-    pub(crate) area: f64,
-    /// The part of it that is a consumable insert, mm^2.
-    pub(crate) insert: f64,
-    /// True if the area follows from the wire.
-    pub(crate) area_from_wire: bool,
-    /// Height of a layer, mm.
-    pub(crate) layer: f64,
-    /// Speed, mm/s.
-    pub(crate) speed: Positive,
-    pub(crate) process: ProcessValues,
-    pub(crate) travel_angle_deg: Option<Finite>,
-    pub(crate) stick_out_mm: Option<Positive>,
-    pub(crate) weave: Option<Weave>,
-    /// Window of its beads.
-    pub(crate) window: BeadWindow,
-}
-
-/// A root pass over an insert lays at least this part of its wire: speed or wire feed do not change without bounds where
-/// the insert alone nearly fills the root.
-const MIN_WIRE_PART: f64 = 0.2;
-
-impl Asked {
-    /// The metal that the wire adds to a bead of `area` (mm^2), as a part of what it adds to the run's; 1 where an
-    /// insert is the only filler.
-    pub(crate) fn wire_part(&self, area: f64) -> f64 {
-        let wire = self.area - self.insert;
-        match self.insert > 0.0 {
-            true if wire <= 0.0 => 1.0,
-            true => ((area - self.insert) / wire).max(MIN_WIRE_PART),
-            false => area / self.area,
-        }
-    }
-}
-
-/// The role of the beads of a run.
-fn role_of(run: &str) -> Role {
-    match run {
-        "root" => Role::Root,
-        "cap" => Role::Cap,
-        _ => Role::Fill,
-    }
-}
-
+/// Diameters of wires, mm: beyond micro-wires and the thickest electrodes of submerged arcs (6.4 mm); a strip counts by the
+/// wire of its area.
+const WIRES_MM: [f64; 2] = [0.1, 12.0];
+/// Minimum length of a step-over, mm: on a shorter one the torch would go across the seam, not along it.
+const MIN_STEP_OVER_MM: f64 = 10.0;
 /// Maximum length of a step-over as a part of the seam: longer ones would meet.
 const MAX_STEP_OVER: f64 = 0.5;
 
-/// No bead is wider than this many times its layer's height, or narrower than its inverse: far beyond all windows, so
-/// that only mistakes are refused.
-const MAX_WIDTH_TO_HEIGHT: f64 = 100.0;
-
-/// Checks that beads of `area` (mm^2) can make layers of `layer` (mm), and lie in a procedure's window. Fails with the
-/// key's address.
-fn check_window<T>(
-    file: &Document<T>,
-    path: &str,
-    window: &BeadWindow,
-    (area, layer): (f64, f64),
-) -> Result<(), DocumentError> {
-    let [least, most] = [(area / MAX_WIDTH_TO_HEIGHT).sqrt(), (area * MAX_WIDTH_TO_HEIGHT).sqrt()];
-    let layers = if window.is_binding { window.height_mm } else { [0.0, f64::INFINITY] };
-    let range = [layers[0].max(least), layers[1].min(most)];
-    if !(range[0]..=range[1]).contains(&layer) {
-        let message = Message::new("weld-layer-height-impossible").quantity("area", area, Unit::Mm2, 1);
-        let allowed = Message::new("document-between").quantity("min", range[0], Unit::Mm, 2);
-        let given = format!("{path}.layer_mm");
-        let key = file.given_or(&given, path);
-        return Err(file.error_at(key, message, allowed.quantity("max", range[1], Unit::Mm, 2)));
-    }
-    // A parabola on a plane fills the least, a rectangle between walls the most.
-    let [width, height] = [window.width_mm, window.height_mm];
-    let areas = [2.0 / 3.0 * width[0] * height[0], width[1] * height[1]];
-    if window.is_binding && !(areas[0]..=areas[1]).contains(&area) {
-        let message = Message::new("weld-bead-area-beside-window").quantity("area", area, Unit::Mm2, 1);
-        let allowed = Message::new("document-between").quantity("min", areas[0], Unit::Mm2, 1);
-        return Err(file.error_at(path, message, allowed.quantity("max", areas[1], Unit::Mm2, 1)));
-    }
-    Ok(())
-}
-
-/// Maximum wire feed of process values; 0 without one.
-fn fed(process: &ProcessValues) -> f64 {
-    process.get(WIRE_FEED).map_or(0.0, |feed| feed.ends().0.max(feed.ends().1))
-}
-
 impl Beads {
-    /// Settings of the run `name`: its own values over those of `weld`. Fails with the key's address: no area, or an
-    /// area and a wire.
-    pub(crate) fn asked<T>(
-        &self,
-        file: &Document<T>,
-        name: &str,
-        run: &Run,
-        weld: &WeldValues,
-    ) -> Result<Asked, DocumentError> {
-        let path = format!("beads.{name}");
-        check_process(file, &format!("{path}.process"), &run.process)?;
-        if let Some(key) = run.process.keys().find(|key| !weld.process.contains_key(*key)) {
-            let known: Vec<&str> = weld.process.keys().map(String::as_str).collect();
-            return Err(file.unknown_name(&format!("{path}.process.{key}"), key, &known));
-        }
-        let mut all = weld.process.clone();
-        all.extend(run.process.clone());
-        check_angles(file, &path, 0.0, run.travel_angle_deg.map_or(0.0, Finite::get))?;
-        if let Some(own) = run.stick_out_mm {
-            stick_out::check(file, &format!("{path}.stick_out_mm"), own)?;
-        }
-        let speed = run.speed_mm_s.unwrap_or(weld.speed_mm_s);
-        let insert = if role_of(name) == Role::Root { weld.insert_mm2 } else { 0.0 };
-        let area = match (run.area_mm2, self.wire_mm) {
-            (None, _) if insert > 0.0 && fed(&all) == 0.0 => 0.0,
-            (Some(area), _) if self.adapt != Adapt::WireFeed => area.get(),
-            (Some(_), _) => {
-                let message = Message::new("weld-area-with-wire-feed");
-                let allowed = Message::new("weld-allowed-no-area-with-wire-feed");
-                return Err(file.error_at(&format!("{path}.area_mm2"), message, allowed));
-            }
-            (None, None) => {
-                let message = Message::new("weld-bead-area-missing");
-                return Err(file.error_at(&path, message, Message::new("weld-allowed-bead-area")));
-            }
-            (None, Some(wire)) => {
-                let feed = all.get(WIRE_FEED).filter(|feed| !feed.is_ramp()).map(|feed| feed.ends().0);
-                let Some(feed) = feed.filter(|feed| *feed > 0.0) else {
-                    let message = Message::new("weld-bead-area-needs-steady-feed");
-                    return Err(file.error_at(&path, message, Message::new("weld-allowed-steady-feed")));
-                };
-                let wire_area = FRAC_PI_4 * wire.get() * wire.get();
-                wire_area * (feed * 1000.0 / 60.0) * self.deposition.get() / speed.get()
-            }
-        };
-        let area = area + insert;
-        let layer = run.layer_mm.get();
-        let window = BeadWindow::new(weld.procedure, role_of(name), self.wire_mm);
-        check_window(file, &path, &window, (area, layer))?;
-        Ok(Asked {
-            window,
-            weave: run.weave.clone().or_else(|| weld.weave.cloned()),
-            area,
-            insert,
-            area_from_wire: run.area_mm2.is_none(),
-            layer,
-            speed,
-            process: all,
-            travel_angle_deg: run.travel_angle_deg,
-            stick_out_mm: run.stick_out_mm,
-        })
-    }
-
     /// Checks the weave of a finished pass against its own process values and speeds. Fails with the key's address.
     pub(crate) fn check_weave<T>(&self, file: &Document<T>, pass: &Pass) -> Result<(), DocumentError> {
         let (Some(weave), Some(role)) = (&pass.weave, pass.role) else { return Ok(()) };
@@ -354,6 +195,10 @@ impl Beads {
 
     /// Checks the settings that do not depend on the groove. Fails with the key's address.
     pub(crate) fn check<T>(&self, file: &Document<T>) -> Result<(), DocumentError> {
+        if let Some(wire) = self.wire_mm.filter(|wire| !(WIRES_MM[0]..=WIRES_MM[1]).contains(&wire.get())) {
+            let message = Message::new("weld-wire-implausible").value("wire", wire.get(), Unit::Mm);
+            return Err(file.error_at("beads.wire_mm", message, between(WIRES_MM[0], WIRES_MM[1], Unit::Mm)));
+        }
         if self.step_over_mm.is_some() {
             if self.alternate {
                 let message = Message::new("weld-step-over-with-alternate");
@@ -397,6 +242,9 @@ impl Beads {
             return wrong("weld-step-over-needs-closed-seam", Message::new("weld-allowed-no-step-over"));
         }
         let most = MAX_STEP_OVER * seam.length();
+        if length < MIN_STEP_OVER_MM.min(most) {
+            return wrong("weld-step-over-too-short", between(MIN_STEP_OVER_MM.min(most), rounded(most), Unit::Mm));
+        }
         if is_beyond(length, most) {
             return wrong("weld-step-over-too-long", at_most(rounded(most), Unit::Mm));
         }

@@ -1,5 +1,5 @@
 use super::layers::Layer;
-use super::shape::{LayerShape, Level};
+use super::shape::{BeadSize, LayerShape, Level};
 use super::toes::{LayerToes, Toes};
 use crate::joint::Section;
 use glam::DVec2;
@@ -116,49 +116,108 @@ pub(crate) fn fill(
     let there = || (stack.first..).zip(stack.layers).filter(|(k, _)| present(*k));
     let shares: f64 = there().map(|(_, l)| l.share).sum();
     let scale = (stack.to - stack.from) / shares;
-    let chord = section.chord();
     let mut low = Level::new(section, stack.from);
-    for (k, layer) in there() {
-        let high = Level::new(section, low.area + layer.share * scale);
-        let shape = LayerShape::new(&low, &high, chord);
-        let size = shape.bead(layer.beads, laying.spacing);
-        let toes = LayerToes::new(section, &shape, &high, layer.beads, laying.spacing);
+    for (number, layer) in there() {
+        let area = layer.share * scale;
+        let high = Level::new(section, low.area + area);
+        let laid = LaidLayer::new(section, LayerAt { number, layer, area, low: &low, high: &high }, laying);
+        out.extend((0..layer.beads).map(|index| laid.bead(index)));
+        low = high;
+    }
+}
+
+/// A layer between two levels of a section.
+#[derive(Clone, Copy)]
+struct LayerAt<'a> {
+    /// Counted from 0 at the root.
+    number: usize,
+    layer: &'a Layer,
+    /// Its area, mm^2.
+    area: f64,
+    low: &'a Level,
+    high: &'a Level,
+}
+
+/// What the beads of a layer have in common.
+struct LaidLayer<'a> {
+    section: &'a Section,
+    at: LayerAt<'a>,
+    laying: Laying,
+    size: BeadSize,
+    toes: LayerToes,
+    height: f64,
+    /// Height of the wires' targets, mm.
+    base: f64,
+    /// Ends of the groove at that height, mm across.
+    walls: (f64, f64),
+    /// Ends of the groove at half of the layer's height, mm across.
+    middle: (f64, f64),
+}
+
+impl<'a> LaidLayer<'a> {
+    fn new(section: &'a Section, at: LayerAt<'a>, laying: Laying) -> Self {
+        let LayerAt { layer, low, high, .. } = at;
+        let shape = LayerShape::new(low, high, section.chord());
         // At the root the gap between the parts is narrow, and the wire points above it.
         let base = low.height + if low.area > 0.0 { 0.0 } else { ROOT_RISE * (high.height - low.height) };
-        let (left, right) = section.slices.edges(base);
-        let middle = section.slices.edges(0.5 * (low.height + high.height));
-        let n = layer.beads as f64;
-        for index in 0..layer.beads {
-            let centre = middle.0 + (middle.1 - middle.0) * (index as f64 + 0.5) / n;
-            let (from, to) = (left + laying.wall, right - laying.wall);
-            let across = if layer.beads == 1 || from >= to {
-                0.5 * (left + right)
-            } else if laying.shared {
-                from + (to - from) * (index as f64 + 0.5) / n
-            } else {
-                centre.clamp(from, to)
-            };
-            let towards = match index {
-                _ if layer.beads == 1 => 0.0,
-                0 => laying.tilt,
-                i if i + 1 == layer.beads => -laying.tilt,
-                _ => 0.0,
-            };
-            let tip = section.place(across, base);
-            out.push(BeadAt {
-                layer: k,
-                index,
-                tip,
-                lean: lean(section, tip, towards, layer.stick_out),
-                room: ((to - from) / n).max(0.0),
-                area: layer.share * scale / n,
-                width: size.width,
-                height: size.height,
-                toes: toes.of(index, layer.beads),
-                layer_height: shape.height,
-                filled: (low.area, high.area),
-            });
+        Self {
+            section,
+            at,
+            laying,
+            size: shape.bead(layer.beads, laying.spacing),
+            toes: LayerToes::new(section, &shape, high, layer.beads, laying.spacing),
+            height: shape.height,
+            base,
+            walls: section.slices.edges(base),
+            middle: section.slices.edges(0.5 * (low.height + high.height)),
         }
-        low = high;
+    }
+
+    /// Ends of the wires' way between the walls, mm across; the first may be beyond the second.
+    fn way(&self) -> (f64, f64) {
+        (self.walls.0 + self.laying.wall, self.walls.1 - self.laying.wall)
+    }
+
+    /// Position of a bead's wire, mm across.
+    fn across(&self, index: usize) -> f64 {
+        let ((from, to), n) = (self.way(), self.at.layer.beads as f64);
+        let part = (index as f64 + 0.5) / n;
+        if self.at.layer.beads == 1 || from >= to {
+            0.5 * (self.walls.0 + self.walls.1)
+        } else if self.laying.shared {
+            from + (to - from) * part
+        } else {
+            (self.middle.0 + (self.middle.1 - self.middle.0) * part).clamp(from, to)
+        }
+    }
+
+    /// Turn of a bead's wire to the wall beside it, rad.
+    fn towards_wall(&self, index: usize) -> f64 {
+        match (index, self.at.layer.beads) {
+            (_, 1) => 0.0,
+            (0, _) => self.laying.tilt,
+            (index, count) if index + 1 == count => -self.laying.tilt,
+            _ => 0.0,
+        }
+    }
+
+    /// Bead `index`, counted from the second part.
+    fn bead(&self, index: usize) -> BeadAt {
+        let LayerAt { number, layer, area, low, high } = self.at;
+        let ((from, to), n) = (self.way(), layer.beads as f64);
+        let tip = self.section.place(self.across(index), self.base);
+        BeadAt {
+            layer: number,
+            index,
+            tip,
+            lean: lean(self.section, tip, self.towards_wall(index), layer.stick_out),
+            room: ((to - from) / n).max(0.0),
+            area: area / n,
+            width: self.size.width,
+            height: self.size.height,
+            toes: self.toes.of(index, layer.beads),
+            layer_height: self.height,
+            filled: (low.area, high.area),
+        }
     }
 }

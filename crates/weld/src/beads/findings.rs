@@ -1,10 +1,10 @@
 //! Findings against beads: areas that a run cannot have, sections outside their windows, steep toes, layers of another
 //! height.
 
-use super::file::Asked;
 use super::fill::BeadAt;
 use super::layers::{Runs, excess};
 use super::plan::BeadPlan;
+use super::run_values::RunValues;
 use super::shape::BeadSize;
 use seamwright_message::{Message, Unit};
 use seamwright_program::{BeadWindow, Finding, PathRange};
@@ -40,7 +40,7 @@ const MELTED_MM: f64 = 2.0;
 /// A layer's rounding beside a window's end.
 const ROUNDING: f64 = 1e-9;
 
-impl Asked {
+impl RunValues {
     /// The quantity that is farthest outside its window, in a layer of `count` beads.
     pub(crate) fn outside(&self, size: BeadSize, count: usize) -> Option<Breach> {
         let window = &self.window;
@@ -125,13 +125,13 @@ impl BeadPlan {
     pub(crate) fn findings(&self, runs: &Runs, place_of: impl Fn(usize) -> BeadPlace) -> Vec<Finding> {
         let mut findings = Vec::new();
         for b in 0..self.count() {
-            let asked = runs.of(self.layers[self.beads[b].layer].role);
+            let values = runs.of(self.layers[self.beads[b].layer].role);
             let BeadPlace { pass, before_mm } = place_of(b);
-            let mut of_bead: Vec<Finding> = self.area_finding(b, asked, runs.most, pass).into_iter().collect();
-            of_bead.extend(self.window_finding(b, asked, pass));
-            of_bead.extend(self.toe_finding(b, asked, pass));
+            let mut of_bead: Vec<Finding> = self.area_finding(b, values, runs.most, pass).into_iter().collect();
+            of_bead.extend(self.window_finding(b, values, pass));
+            of_bead.extend(self.toe_finding(b, values, pass));
             if self.beads[b].index == 0 {
-                of_bead.extend(self.layer_finding(b, asked, pass));
+                of_bead.extend(self.layer_finding(b, values, pass));
             }
             for finding in &mut of_bead {
                 finding.from_mm += before_mm;
@@ -170,36 +170,36 @@ impl BeadPlan {
         found.map(|(wrong, _)| wrong)
     }
 
-    fn area_finding(&self, b: usize, asked: &Asked, most: f64, pass: usize) -> Option<Finding> {
+    fn area_finding(&self, b: usize, values: &RunValues, most: f64, pass: usize) -> Option<Finding> {
         let off = |bead: &BeadAt| {
-            let ratio = bead.area / asked.area;
+            let ratio = bead.area / values.area;
             ((ratio - 1.0).abs() > most + ROUNDING).then(|| (ratio.ln().abs(), ratio))
         };
         let wrong = self.wrong(b, off)?;
         let cure = if wrong.worst > 1.0 { "weld-cure-thinner-layers" } else { "weld-cure-smaller-beads" };
         let message = Message::new("weld-bead-area-out-of-range")
-            .quantity("area", wrong.worst * asked.area, Unit::Mm2, 1)
+            .quantity("area", wrong.worst * values.area, Unit::Mm2, 1)
             .quantity("ratio", 100.0 * wrong.worst, Unit::Percent, 1)
-            .quantity("run", asked.area, Unit::Mm2, 1)
+            .quantity("run", values.area, Unit::Mm2, 1)
             .quantity("min", 100.0 * (1.0 - most), Unit::Percent, 0)
             .quantity("max", 100.0 * (1.0 + most), Unit::Percent, 0);
         Some(Finding::error("bead", message, pass, wrong.range, Message::new(cure)))
     }
 
-    fn window_finding(&self, b: usize, asked: &Asked, pass: usize) -> Option<Finding> {
+    fn window_finding(&self, b: usize, values: &RunValues, pass: usize) -> Option<Finding> {
         let count = self.layers[self.beads[b].layer].beads;
         let outside = |bead: &BeadAt| {
-            let breach = asked.outside(BeadSize { width: bead.width, height: bead.height }, count)?;
+            let breach = values.outside(BeadSize { width: bead.width, height: bead.height }, count)?;
             Some((breach.excess, breach))
         };
         let wrong = self.wrong(b, outside)?;
         let message = wrong.worst.message(&self.at_station(wrong.station)[b]);
         let finding = Finding::error("bead", message, pass, wrong.range, wrong.worst.cure());
-        Some(Finding { allowed: !asked.window.is_binding, ..finding })
+        Some(Finding { allowed: !values.window.is_binding, ..finding })
     }
 
     /// Toes of the cap on the parts that are steeper than the quality level allows. Valleys between beads are no toes.
-    fn toe_finding(&self, b: usize, asked: &Asked, pass: usize) -> Option<Finding> {
+    fn toe_finding(&self, b: usize, values: &RunValues, pass: usize) -> Option<Finding> {
         let layer = self.layers[self.beads[b].layer];
         // A root or a fill bead may be the only layer.
         if self.beads[b].layer + 1 != self.layers.len() {
@@ -211,23 +211,23 @@ impl BeadPlan {
             let toes = [(on_second, bead.toes.second), (on_first, bead.toes.first)];
             let angle = toes.iter().filter(|(is_on_part, _)| *is_on_part).map(|(_, angle)| angle.to_degrees());
             let angle = angle.fold(f64::INFINITY, f64::min);
-            let min = min_toe_deg(&asked.window, self.dihedrals[i], angle, bead);
+            let min = min_toe_deg(&values.window, self.dihedrals[i], angle, bead);
             (angle < min - TOE_ROUNDING_DEG).then_some((min - angle, SteepToe { angle, min }))
         };
         let wrong = self.wrong_at(b, steep)?;
-        Some(toe_finding(wrong.worst.angle, wrong.worst.min, pass, wrong.range, &asked.window))
+        Some(toe_finding(wrong.worst.angle, wrong.worst.min, pass, wrong.range, &values.window))
     }
 
-    fn layer_finding(&self, b: usize, asked: &Asked, pass: usize) -> Option<Finding> {
+    fn layer_finding(&self, b: usize, values: &RunValues, pass: usize) -> Option<Finding> {
         let off = |bead: &BeadAt| {
-            let off = (bead.layer_height / asked.layer).ln().abs();
+            let off = (bead.layer_height / values.layer).ln().abs();
             (off > WHOLE_LAYERS.ln() + ROUNDING).then_some((off, bead.layer_height))
         };
         let wrong = self.wrong(b, off)?;
         let message = Message::new("weld-layer-height-not-kept")
             .quantity("height", wrong.worst, Unit::Mm, 1)
-            .quantity("wanted", asked.layer, Unit::Mm, 1)
-            .quantity("area", asked.area, Unit::Mm2, 1);
+            .quantity("wanted", values.layer, Unit::Mm, 1)
+            .quantity("area", values.area, Unit::Mm2, 1);
         let finding = Finding::error("bead", message, pass, wrong.range, Message::new("weld-cure-layer-height"));
         Some(Finding { allowed: true, ..finding })
     }

@@ -1,8 +1,10 @@
 //! Beads of passes in the cross-sections, and their toes in the positions in which they are welded.
 
 use super::findings::{TOE_ROUNDING_DEG, min_toe_deg, toe_finding};
+use super::plan::BeadPlan;
+use crate::seam::SeamCurve;
 use crate::welding::Welding;
-use seamwright_program::{Bead, Finding, Inclination, PathRange, Role};
+use seamwright_program::{Bead, Finding, Inclination, Pass, PathRange, Role, part_start, parts_of};
 
 /// Numbers of the beads of a pass in the cross-sections: they count the beads at a station in the order of welding.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -22,13 +24,14 @@ pub struct ToeAt {
     pub angle: f64,
     /// Index of the station of the bead plan.
     station: usize,
+    /// The bead, as it is counted at a station.
+    bead: usize,
 }
 
 impl Welding {
-    /// The numbers of each pass' beads. Empty where some beads are not all along the seam, as then the numbers differ
-    /// along it.
+    /// The numbers of each pass' beads; empty without planned beads.
     pub fn bead_numbers(&self) -> Vec<BeadNumbers> {
-        if self.plan.as_ref().is_none_or(|plan| plan.parts.iter().any(|parts| !parts.is_empty())) {
+        if self.plan.is_none() {
             return Vec::new();
         }
         let mut known: Vec<&Bead> = Vec::new();
@@ -51,27 +54,19 @@ impl Welding {
         numbers
     }
 
-    /// The smaller toe angles of a pass of one bead, `number` in the cross-sections: at `inclinations` (path lengths of the
-    /// pass, mm) as it sags there, without any as it is drawn.
-    pub fn toes(&self, pass: usize, number: usize, inclinations: &[(f64, Inclination)]) -> Vec<ToeAt> {
+    /// The smaller toe angles of the beads of a pass, `numbers` in the cross-sections: at `inclinations` (path lengths of
+    /// the pass, mm) as they sag there, without any as they are drawn.
+    pub fn toes(&self, pass: usize, numbers: BeadNumbers, inclinations: &[(f64, Inclination)]) -> Vec<ToeAt> {
         let (Some(plan), Some(seam)) = (&self.plan, &self.seam) else { return Vec::new() };
-        let Some(&bead) = number.checked_sub(1).and_then(|i| plan.order.get(i)) else { return Vec::new() };
         let pass = &self.program.value.passes[pass];
+        let beads = LaidBeads { plan, seam, pass, first: numbers.first };
         if inclinations.is_empty() || pass.weave.is_some() {
-            let drawn = |station: usize| ToeAt {
-                s: plan.stations[station],
-                angle: plan.at_station(station)[bead].toes.min(),
-                station,
-            };
-            return (0..plan.stations.len()).map(drawn).collect();
+            let step = plan.stations.get(1).copied().unwrap_or(f64::INFINITY);
+            let count = parts_of(pass.length(), step);
+            let drawn = (0..=count).filter_map(|i| beads.toe(part_start(pass.length(), i, count), None));
+            return drawn.collect();
         }
-        let sagged = |&(s, at): &(f64, Inclination)| {
-            let on_seam = pass.seam_s(s);
-            let on_seam = if seam.all_round() { on_seam.rem_euclid(seam.length()) } else { on_seam };
-            let station = plan.stations.partition_point(|station| *station <= on_seam).max(1) - 1;
-            ToeAt { s, angle: plan.at_station(station)[bead].min_toe_in(at), station }
-        };
-        inclinations.iter().map(sagged).collect()
+        inclinations.iter().filter_map(|&(s, at)| beads.toe(s, Some(at))).collect()
     }
 
     /// The finding that a pass, counted from 0, has steeper toes in its positions than the quality level allows, though not
@@ -79,23 +74,45 @@ impl Welding {
     pub fn toe_finding_in_position(&self, pass: usize, inclinations: &[(f64, Inclination)]) -> Option<Finding> {
         let plan = self.plan.as_ref()?;
         let numbers = *self.bead_numbers().get(pass)?;
-        let number = numbers.first.filter(|_| numbers.last.is_none())?;
-        let bead = *plan.order.get(number - 1)?;
-        let is_cap = plan.beads[bead].layer + 1 == plan.layers.len();
         let is_known = |f: &Finding| f.pass == pass + 1 && f.message.code == "weld-bead-toe-steep";
-        if !is_cap || inclinations.is_empty() || self.findings().iter().any(is_known) {
+        if inclinations.is_empty() || self.findings().iter().any(is_known) {
             return None;
         }
         let window = &plan.last_window;
-        let steep = self.toes(pass, number, inclinations).into_iter().filter_map(|toe| {
-            let at = &plan.at_station(toe.station)[bead];
+        let steep = self.toes(pass, numbers, inclinations).into_iter().filter_map(|toe| {
+            let at = &plan.at_station(toe.station)[toe.bead];
             let angle = toe.angle.to_degrees();
             let min = min_toe_deg(window, plan.dihedrals[toe.station], angle, at);
-            (angle < min - TOE_ROUNDING_DEG).then_some((toe.s, angle, min))
+            let is_cap = at.layer + 1 == plan.layers.len();
+            (is_cap && angle < min - TOE_ROUNDING_DEG).then_some((toe.s, angle, min))
         });
         let steep: Vec<(f64, f64, f64)> = steep.collect();
         let range = PathRange { from_mm: steep.first()?.0, to_mm: steep.last()?.0 };
         let worst = steep.iter().min_by(|a, b| (a.1 - a.2).total_cmp(&(b.1 - b.2)))?;
         Some(toe_finding(worst.1, worst.2, pass + 1, range, window))
+    }
+}
+
+/// The beads of a pass where they are laid.
+struct LaidBeads<'a> {
+    plan: &'a BeadPlan,
+    seam: &'a SeamCurve,
+    pass: &'a Pass,
+    /// Number of the first one in the cross-sections.
+    first: Option<usize>,
+}
+
+impl LaidBeads<'_> {
+    /// The smaller toe angle at path length `s` of the pass, sagged as in the position `at`. None of a tack, and where the
+    /// bead is not there.
+    fn toe(&self, s: f64, at: Option<Inclination>) -> Option<ToeAt> {
+        let before = self.pass.step_overs.iter().take_while(|step| step.at_mm.get() <= s).count();
+        let bead = *self.plan.order.get(self.first? - 1 + before)?;
+        let on_seam = self.pass.seam_s(s);
+        let on_seam = if self.seam.all_round() { on_seam.rem_euclid(self.seam.length()) } else { on_seam };
+        let station = self.plan.stations.partition_point(|station| *station <= on_seam).max(1) - 1;
+        let laid = self.plan.at_station(station)[bead];
+        let angle = at.map_or_else(|| laid.toes.min(), |at| laid.min_toe_in(at));
+        (laid.area > 0.0).then_some(ToeAt { s, angle, station, bead })
     }
 }

@@ -4,7 +4,7 @@
 //! beads deviate from their run's area, the layer's height and the windows of beads, at stations all along the seam; the
 //! cheapest path from root to cap is the stack of layers.
 
-use super::file::Asked;
+use super::run_values::RunValues;
 use super::shape::{LayerShape, Level};
 use crate::joint::Section;
 use seamwright_document::Positive;
@@ -29,9 +29,9 @@ const USUAL_STICK_OUT_MM: f64 = 15.0;
 /// Settings of the three kinds of runs.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Runs {
-    pub(crate) root: Option<Asked>,
-    pub(crate) fill: Asked,
-    pub(crate) cap: Asked,
+    pub(crate) root: Option<RunValues>,
+    pub(crate) fill: RunValues,
+    pub(crate) cap: RunValues,
     /// Distance of neighbouring beads as a part of their width.
     pub(crate) spacing: f64,
     /// Maximum deviation of a bead's area from its run's, as a part of it.
@@ -44,7 +44,7 @@ impl Runs {
         self.fill.area.min(self.cap.area)
     }
 
-    pub(crate) fn of(&self, role: Role) -> &Asked {
+    pub(crate) fn of(&self, role: Role) -> &RunValues {
         match role {
             Role::Root => self.root.as_ref().unwrap_or(&self.fill),
             Role::Fill | Role::Tack => &self.fill,
@@ -52,7 +52,7 @@ impl Runs {
         }
     }
 
-    fn all(&self) -> impl Iterator<Item = &Asked> {
+    fn all(&self) -> impl Iterator<Item = &RunValues> {
         [&self.fill, &self.cap].into_iter().chain(&self.root)
     }
 }
@@ -145,7 +145,7 @@ fn stack_cost(sections: &[Opening], runs: &Runs, layers: &[Layer]) -> f64 {
 }
 
 /// Cost of a layer of `count` beads at one station.
-fn layer_cost(layer: &LayerShape, count: usize, run: &Asked, runs: &Runs) -> f64 {
+fn layer_cost(layer: &LayerShape, count: usize, run: &RunValues, runs: &Runs) -> f64 {
     if layer.area <= 0.0 || layer.height <= 0.0 {
         return f64::INFINITY;
     }

@@ -18,18 +18,19 @@ mod outline;
 mod passes;
 mod plan;
 mod refusal;
+mod run_values;
 mod sectors;
 mod shape;
 #[cfg(test)]
 mod tests;
 mod toes;
 
-pub(crate) use file::WeldValues;
 pub use file::{Adapt, Beads, Order, Run};
 pub use fill::BeadAt;
 pub use in_position::{BeadNumbers, ToeAt};
 pub use layers::Layer;
 pub use plan::BeadPlan;
+pub(crate) use run_values::WeldValues;
 pub use toes::Toes;
 
 use crate::joint::SeamJoint;
@@ -66,22 +67,22 @@ impl Beads {
             let message = Message::new("weld-ramp-with-beads");
             return Err(file.error_at(&format!("weld.process.{name}"), message, Message::new("document-number")));
         }
-        let asked = |name, run: &Run| {
+        let values = |name, run: &Run| {
             if run.travel_angle_deg.is_some() && !template.torch.at.is_empty() {
                 let message = Message::new("weld-travel-angle-twice");
                 let allowed = Message::new("weld-allowed-travel-angle-once");
                 return Err(file.error_at(&format!("beads.{name}.travel_angle_deg"), message, allowed));
             }
-            self.asked(file, name, run, weld)
+            self.run_values(file, name, run, weld)
         };
         if weld.insert_mm2 > 0.0 && self.root.is_none() {
             let allowed = Message::new("weld-allowed-insert-root");
             return Err(file.error_at("joint.insert", Message::new("weld-insert-without-root"), allowed));
         }
-        let fill = asked("fill", &self.fill)?;
+        let fill = values("fill", &self.fill)?;
         let runs = Runs {
-            root: self.root.as_ref().map(|run| asked("root", run)).transpose()?,
-            cap: self.cap.as_ref().map(|run| asked("cap", run)).transpose()?.unwrap_or_else(|| fill.clone()),
+            root: self.root.as_ref().map(|run| values("root", run)).transpose()?,
+            cap: self.cap.as_ref().map(|run| values("cap", run)).transpose()?.unwrap_or_else(|| fill.clone()),
             fill,
             spacing: self.spacing_to_width.get(),
             most: self.most_percent.get() / 100.0,

@@ -1,6 +1,7 @@
-use super::file::{Adapt, Asked, Beads, WIRE_FEED};
+use super::file::{Adapt, Beads, WIRE_FEED};
 use super::layers::Runs;
 use super::plan::BeadPlan;
+use super::run_values::RunValues;
 use super::sectors::Sectors;
 use crate::seam::SeamCurve;
 use seamwright_document::{Finite, NonNegative, Positive};
@@ -131,19 +132,19 @@ impl Making<'_> {
 
     /// The bead's columns, with those of a weave that follows the groove.
     fn columns(&self, bead: usize) -> Bead {
-        let asked = self.asked(bead);
-        let weave = asked.weave.as_ref().or(self.template.weave.as_ref());
+        let values = self.values_of(bead);
+        let weave = values.weave.as_ref().or(self.template.weave.as_ref());
         columns(self.plan, bead, weave.filter(|_| self.beads.adapt == Adapt::WeaveWidth))
     }
 
-    fn asked(&self, bead: usize) -> &Asked {
+    fn values_of(&self, bead: usize) -> &RunValues {
         self.runs.of(self.plan.layers[self.plan.at_station(0)[bead].layer].role)
     }
 
     fn pass(&self, run: &Run) -> Pass {
         let first = run.beads[0];
         let layer = self.plan.layers[self.plan.at_station(0)[first].layer];
-        let asked = self.asked(first);
+        let values = self.values_of(first);
         let mut pass = self.template.clone();
         pass.name = match run.beads.last() {
             Some(last) if *last != first => {
@@ -154,26 +155,26 @@ impl Making<'_> {
         pass.role = Some(layer.role);
         pass.begin_mm = NonNegative::new(run.begin).unwrap_or_default();
         pass.reverse = run.reverse;
-        if let Some(travel) = asked.travel_angle_deg {
+        if let Some(travel) = values.travel_angle_deg {
             pass.torch.travel_angle_deg = travel;
         }
-        if asked.stick_out_mm.is_some() {
-            pass.torch.stick_out_mm = asked.stick_out_mm;
+        if values.stick_out_mm.is_some() {
+            pass.torch.stick_out_mm = values.stick_out_mm;
         }
-        if let Some(weave) = &asked.weave {
+        if let Some(weave) = &values.weave {
             pass.weave = Some(weave.clone());
         }
         pass.bead = Some(self.columns(first));
         pass.step_overs.clone_from(&run.steps);
-        pass.spans = self.spans(asked, run);
+        pass.spans = self.spans(values, run);
         pass
     }
 
     /// Area of the beads at the own path length `s` of a run, as a part of its run's, and the travel of the torch by
     /// path length as a multiple of that along a bead.
-    fn deposit(&self, asked: &Asked, run: &Run, s: f64) -> Deposit {
+    fn deposit(&self, values: &RunValues, run: &Run, s: f64) -> Deposit {
         let on_seam = run.on_seam(s);
-        let part = |bead: usize| self.plan.area(bead, on_seam).map_or(1.0, |area| asked.wire_part(area));
+        let part = |bead: usize| self.plan.area(bead, on_seam).map_or(1.0, |area| values.wire_part(area));
         let Some((k, step)) = run.step_at(s) else {
             return Deposit { area: part(run.beads[run.steps.len()]), travel: 1.0 };
         };
@@ -195,11 +196,11 @@ impl Making<'_> {
     }
 
     /// Spans on which the value that follows the area is straight, and the factors of the sectors are.
-    fn spans(&self, asked: &Asked, run: &Run) -> Vec<Span> {
+    fn spans(&self, of_run: &RunValues, run: &Run) -> Vec<Span> {
         let station = self.plan.stations.get(1).copied().unwrap_or(run.length);
-        let follows_feed = self.beads.adapt != Adapt::WireFeed && asked.area_from_wire;
+        let follows_feed = self.beads.adapt != Adapt::WireFeed && of_run.area_from_wire;
         let value = |s: f64| {
-            let deposit = self.deposit(asked, run, s);
+            let deposit = self.deposit(of_run, run, s);
             // The requested speed is that of the torch: where it travels farther, it lays as much in the same time.
             let ratio = deposit.area / deposit.travel;
             // More wire fills the same area at a higher speed.
@@ -218,7 +219,7 @@ impl Making<'_> {
             while first < count {
                 let last = first + straight(&values[first..]);
                 let [from, to] = [first, last].map(|i| (places[i], values[i]));
-                let mut span = span(self.beads.adapt, asked, from, to);
+                let mut span = span(self.beads.adapt, of_run, from, to);
                 for (name, value) in span.process.iter_mut().filter(|(name, _)| self.sectors.changes(name)) {
                     let [low, high] = [from.0, to.0].map(|s| self.sectors.factor(name, run.on_seam(s)));
                     scale(value, low, high);
@@ -302,16 +303,16 @@ fn straight(values: &[f64]) -> usize {
     values.iter().enumerate().skip(1).take_while(goes_on).count().max(1)
 }
 
-fn span(adapt: Adapt, asked: &Asked, from: (f64, f64), to: (f64, f64)) -> Span {
+fn span(adapt: Adapt, values: &RunValues, from: (f64, f64), to: (f64, f64)) -> Span {
     let mut span = Span {
         from_mm: NonNegative::new(from.0).unwrap_or_default(),
         to_mm: Positive::new(to.0).unwrap_or(Positive::TEN),
-        speed_mm_s: asked.speed.into(),
-        process: asked.process.clone(),
+        speed_mm_s: values.speed.into(),
+        process: values.process.clone(),
     };
     match adapt {
         Adapt::Speed | Adapt::WeaveWidth | Adapt::Passes => {
-            let ends = [from.1, to.1].map(|v| Positive::new(rounded(v * asked.speed.get())));
+            let ends = [from.1, to.1].map(|v| Positive::new(rounded(v * values.speed.get())));
             if let [Some(from), Some(to)] = ends {
                 span.speed_mm_s = if from == to { SpanValue::Steady(from) } else { SpanValue::Ramp(Ramp { from, to }) };
             }

@@ -314,6 +314,13 @@ impl BeadPlan {
         self.order.iter().map(|b| beads[*b]).filter(|bead| bead.area > 0.0).collect()
     }
 
+    /// Number of a bead in drawings and tables, from 1: the beads in the order of welding, also those that are not all
+    /// along the seam.
+    pub fn number(&self, bead: &BeadAt) -> usize {
+        let below: usize = self.layers[..bead.layer].iter().map(|layer| layer.beads).sum();
+        self.order.iter().position(|other| *other == below + bead.index).map_or(0, |at| at + 1)
+    }
+
     fn lay(&self, section: &Section, s: f64, out: &mut Vec<BeadAt>) {
         out.clear();
         let mut from = section.area() * (1.0 - self.open(0, s));

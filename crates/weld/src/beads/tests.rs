@@ -47,7 +47,7 @@ pub(super) fn try_plan(text: &str) -> Result<Planned, String> {
         weave: None,
         insert_mm2: 0.0,
     };
-    let run = |name, run| f.beads.asked(&file, name, run, &weld).unwrap();
+    let run = |name, run| f.beads.run_values(&file, name, run, &weld).unwrap();
     let runs = Runs {
         root: f.beads.root.as_ref().map(|r| run("root", r)),
         fill: run("fill", &f.beads.fill),

@@ -192,7 +192,7 @@ impl Part {
 fn profiles_without_noise_give_the_true_groove() {
     let mut random = Random::new(91);
     let (mut worst, mut without, mut far) = ([0.0_f64; 6], 0, 0);
-    let all: u32 = cases(1000);
+    let all: u32 = cases(250);
     for case in 0..all {
         let part = Part::random(&mut random, case % 2 == 1);
         let points = part.profile(&mut random, 0.1, 0.0);
@@ -240,7 +240,7 @@ fn errors_agree_with_their_uncertainties() {
     let mut random = Random::new(92);
     let mut sums = [Sums::default(); 6];
     let (mut without, mut far) = (0, 0);
-    let all: u32 = cases(1000);
+    let all: u32 = cases(250);
     for case in 0..all {
         let part = Part::random(&mut random, case % 3 == 0);
         let noise = random.within(0.02, 0.12);

@@ -358,3 +358,45 @@ fn an_insert_is_part_of_the_root_bead() {
     let loose = "[[joint.fit_up]]\ns_mm = 0\nroot_gap_mm = 3.5\n[joint.insert]";
     assert_eq!(key("[joint.insert]", loose), "joint.fit_up[0].root_gap_mm");
 }
+
+/// A bead has one number in sections, in passes and in the table of toes, also where layers end and in spirals.
+#[test]
+fn beads_have_one_number_all_along_the_seam() {
+    let layers_that_end = changed(
+        HILLSIDE,
+        &[
+            ("radius_mm = 60", "radius_mm = 120"),
+            ("thickness_mm = 8 ", "thickness_mm = 25 "),
+            ("adapt = \"speed\"", "adapt = \"passes\""),
+        ],
+    );
+    let spiral =
+        changed(HILLSIDE, &[("thickness_mm = 8 ", "thickness_mm = 25 "), ("[beads]", "[beads]\nstep_over_mm = 30")]);
+    for text in [layers_that_end, spiral] {
+        let welding = read(&text);
+        let (plan, joint, seam) = (welding.plan.as_ref().unwrap(), welding.joint.as_ref().unwrap(), welding.seam());
+        let numbers = welding.bead_numbers();
+        let all: Vec<usize> = numbers.iter().flat_map(|n| n.first.into_iter().chain(n.last)).collect();
+        assert_eq!(all.iter().max(), Some(&plan.count()), "{all:?}");
+        for (i, pass) in welding.program.value.passes.iter().enumerate() {
+            // The line of the pass is that of the bead with its number, wherever the bead is.
+            for (k, (bead, range)) in pass.beads().enumerate() {
+                let on_seam = pass.seam_s(0.5 * (range.from_mm + range.to_mm)).rem_euclid(seam.length());
+                let station = plan.stations.iter().rposition(|s| *s <= on_seam).unwrap();
+                let s = plan.stations[station];
+                let section = joint.section(&seam.at(s)).unwrap();
+                let here = plan.in_order(&section, s);
+                let same = here.iter().find(|at| plan.number(at) == numbers[i].first.unwrap() + k).unwrap();
+                let row = bead.row_at(s, Some(seam.length()));
+                let at = &plan.at_station(station).iter().find(|at| (at.layer, at.index) == (same.layer, same.index));
+                let tip = at.unwrap().tip;
+                assert!(
+                    (row.across_mm - tip.x).abs() < 1e-3 && (row.out_mm - tip.y).abs() < 1e-3,
+                    "{i} {k}: {row:?} {tip}"
+                );
+            }
+            let toes = welding.toes(i, numbers[i], &[]);
+            assert!(!toes.is_empty() && toes.iter().all(|toe| (0.0..=pass.length()).contains(&toe.s)), "{i}");
+        }
+    }
+}

@@ -87,7 +87,7 @@ fn space(p: &SeamPoint, at: DVec2) -> DVec3 {
 fn a_groove_is_air_and_its_walls_are_metal() {
     let mut random = Random::new(46);
     let (mut joints, mut points) = (0, 0);
-    for _ in 0..cases(60) {
+    for _ in 0..cases(24) {
         let (seam, butt) = seam(&mut random);
         let text = format!("{}\n[joint]\ncap_mm = 1\n{}", job(&seam), preparation(&mut random, butt));
         let Ok(welding) = Welding::read("job.toml", &text) else { continue };
@@ -128,7 +128,7 @@ fn a_groove_is_air_and_its_walls_are_metal() {
         }
     }
     println!("{joints} joints, {points} points");
-    assert!(joints > 30 && points > 250, "{joints} joints, {points} points");
+    assert!(joints > 12 && points > 100, "{joints} joints, {points} points");
 }
 
 /// Nearest points of two segments in the plane, by their ends and their crossing.
@@ -156,7 +156,7 @@ fn between(a: [DVec2; 2], b: [DVec2; 2]) -> (f64, DVec2) {
 fn a_torch_in_a_straight_groove_touches_where_polygons_do() {
     let mut random = Random::new(47);
     let mut heights = 0;
-    for _ in 0..cases(75) {
+    for _ in 0..cases(30) {
         let butt = random.yes();
         let first = if butt { "[0, 0, 1]" } else { "[0, 1, 0]" };
         let seam = format!(
@@ -220,7 +220,7 @@ fn a_torch_in_a_straight_groove_touches_where_polygons_do() {
 fn the_wire_is_never_inside_metal() {
     let mut random = Random::new(48);
     let (mut welds, mut tips) = (0, 0);
-    for _ in 0..cases(60) {
+    for _ in 0..cases(24) {
         let (seam, butt) = seam(&mut random);
         let text = format!(
             "{}\n[joint]\ncap_mm = 1\n{}[beads]\nstation_mm = 20\nfill = {{ area_mm2 = {}, layer_mm = {} }}\n",

@@ -210,6 +210,7 @@ fn mistakes_have_an_address_and_a_cure() {
     assert_eq!(key(&[("overlap_mm = 15", "end_phi_deg = 200")]), "beads.step_over_mm");
     assert_eq!(key(&[("step_over_mm = 60", "step_over_mm = 600")]), "beads.step_over_mm");
     assert_eq!(key(&[("step_over_mm = 60", "step_over_mm = 0")]), "beads.step_over_mm");
+    assert_eq!(key(&[("step_over_mm = 60", "step_over_mm = 1")]), "beads.step_over_mm");
     assert_eq!(key(&[("[beads]", "[beads]\nalternate = true")]), "beads.alternate");
     assert_eq!(key(&[("[beads]", "[beads]\nadapt = \"passes\"")]), "beads.adapt");
     assert_eq!(key(&[("[weld]\n", "[order]\nparts = \"quadrants\"\n[weld]\n")]), "order.parts");

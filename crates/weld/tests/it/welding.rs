@@ -454,6 +454,8 @@ fn joints_that_contradict_themselves_have_an_address() {
             "joint.preparation.double_u.radius_mm",
         ),
         ("preparation.lap = { thickness_mm = 5, leg_mm = 6 }\n".to_owned(), "joint.preparation.lap.leg_mm"),
+        ("preparation.fillet = { leg_mm = 500 }\n".to_owned(), "joint.preparation.fillet.leg_mm"),
+        ("cap_mm = 400\npreparation.fillet = { leg_mm = 6 }\n".to_owned(), "joint.cap_mm"),
         (format!("{x}[[joint.at_dihedral]]\ndihedral_deg = 90\nangle_deg = 40\n"), "joint.at_dihedral"),
     ];
     for (joint, key) in cases {
