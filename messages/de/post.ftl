@@ -342,5 +342,6 @@ post-robot-too-long = das Programm ist länger als { $max } Byte
 post-robot-step = Schritt { $step } wird als ein anderer zurückgelesen
 post-robot-frames = die Bezugssysteme von Werkzeug und Werkstück werden als andere zurückgelesen
 post-robot-other-frames = das Bezugssystem `{ $frame }` des Textes ist nicht das von { $machine }
+post-robot-no-frames = der Text enthält keine Bezugssysteme von Werkzeug und Werkstück: es gelten die von { $machine }
 post-robot-direction = der Brenner weicht um { $deviation } von der geplanten Orientierung ab; erlaubt sind { $max }
 post-robot-reach = der Arm erreicht nicht alle Posen innerhalb der Bereiche seiner Achsen

@@ -342,5 +342,6 @@ post-robot-too-long = 程序超过 { $max } 字节
 post-robot-step = 第 { $step } 步读回后不同
 post-robot-frames = 读回的工具和工件坐标系不同
 post-robot-other-frames = 文本中的 `{ $frame }` 坐标系与 { $machine } 的不同
+post-robot-no-frames = 文本中没有工具和工件坐标系：采用 { $machine } 的坐标系
 post-robot-direction = 焊枪与规划姿态相差 { $deviation }；允许 { $max }
 post-robot-reach = 机械臂在各轴行程内不能到达所有位姿

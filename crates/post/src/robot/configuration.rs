@@ -2,7 +2,7 @@
 
 use super::arm::RobotArm;
 use super::language::RobotLanguage;
-use seamwright_machine::{ArmConfiguration, Elbow, Joints, Machine, Shoulder, WristSide};
+use seamwright_machine::{ArmConfiguration, Elbow, Joints, Machine, Shoulder};
 
 impl RobotLanguage {
     /// The arm's configuration at positions `q` in the numbers of the language:
@@ -52,19 +52,13 @@ fn fanuc(deg: &[f64; 6], of: &ArmConfiguration) -> Vec<i32> {
     flags.into_iter().chain(turns).collect()
 }
 
-/// Front, elbow, flip, then whether R, T and S are beyond half a turn; the last two are of axes that the arm lacks.
+/// No-flip (axis R turned by more than a quarter, whole turns aside), lower arm, rear, then whether R, T and S are beyond
+/// half a turn; the last two are of axes that the arm lacks.
 fn inform(deg: &[f64; 6], of: &ArmConfiguration) -> Vec<i32> {
-    let far = |i: usize| deg[i].abs() >= 180.0;
-    let flags = [
-        of.shoulder == Shoulder::Back,
-        of.elbow == Elbow::Down,
-        of.wrist == WristSide::Flip,
-        far(3),
-        far(5),
-        far(0),
-        false,
-        false,
-    ];
+    let far = |i: usize| deg[i] > 180.0 || deg[i] <= -180.0;
+    let quarters = (deg[3] + 90.0).rem_euclid(360.0);
+    let flips = quarters > 0.0 && quarters <= 180.0;
+    let flags = [!flips, of.elbow == Elbow::Down, of.shoulder == Shoulder::Back, far(3), far(5), far(0), false, false];
     flags.map(i32::from).to_vec()
 }
 
@@ -96,8 +90,15 @@ mod tests {
         assert_eq!(fanuc([0.0, 0.0, 0.0, 0.0, -90.0, 0.0]), [0, 1, 1, 0, 0, 0]);
         assert_eq!(fanuc([0.0, 0.0, 0.0, 190.0, 60.0, 0.0]), [1, 1, 1, 0, 1, 0]);
         let inform = |deg| of("ar1440", RobotLanguage::Inform, deg);
-        assert_eq!(inform([0.0, 0.0, 0.0, 0.0, -90.0, 190.0])[..2], [0, 0]);
-        assert_eq!(inform([0.0, 0.0, 0.0, 0.0, -90.0, 190.0])[3..], [0, 1, 0, 0, 0]);
+        assert_eq!(inform([0.0, 0.0, 0.0, 0.0, -90.0, 190.0]), [0, 0, 0, 0, 1, 0, 0, 0]);
+        // Ranges of R printed in the NX100 operator's manual: flip up to 90 degrees, no-flip above, flip again from 270.
+        for (r, no_flip, far) in
+            [(90.0, 0, 0), (90.1, 1, 0), (-89.9, 0, 0), (-90.0, 1, 0), (181.0, 1, 1), (-275.0, 0, 1)]
+        {
+            assert_eq!(inform([0.0, 0.0, 0.0, r, -90.0, 0.0]), [no_flip, 0, 0, far, 0, 0, 0, 0], "{r}");
+        }
+        // Turned half round at the base and bent over backwards: rear.
+        assert_eq!(inform([170.0, -80.0, 130.0, 0.0, -30.0, 0.0])[2], 1);
         assert!(of("ur10e", RobotLanguage::Urscript, [0.0, -90.0, -90.0, -90.0, 90.0, 0.0]).is_empty());
     }
 }

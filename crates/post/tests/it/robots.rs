@@ -3,6 +3,7 @@
 use crate::common::Planned;
 use glam::{DQuat, DVec3};
 use seamwright_document::Positive;
+use seamwright_geometry::Pose;
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::robot::{
     ArcEnd, ArcStart, JointTarget, PlannedRobot, RobotArm, RobotImport, RobotLanguage, RobotOptions, RobotPose,
@@ -117,31 +118,78 @@ fn inform_is_the_plan() {
 /// A text that is read as a weld program has its torch, speeds and values, and plans to the same weld.
 #[test]
 fn programs_come_back_as_welds() {
-    for (machine, language) in [("irb-2600", RobotLanguage::Rapid), ("kr-16", RobotLanguage::Krl)] {
-        let planned = on(machine);
-        let written = text(&planned, language, &program(&planned, language).unwrap());
-        let read = read_robot(language, "p", &written).unwrap();
-        let blend_mm = Positive::new(0.1).unwrap();
-        let import = RobotImport { machine: &planned.machine, machine_name: machine, language, blend_mm };
-        let imported = robot_to_program(&read, &import).unwrap();
-        let again = Program::read("p.toml", &imported.program.to_toml().unwrap()).unwrap().value;
-        let [pass] = &again.passes[..] else { panic!("{}", again.passes.len()) };
-        let (points, first) = (pass.points.as_ref().unwrap(), &planned.motion.passes[0]);
-        assert!((imported.seconds / first.profile.duration() - 1.0).abs() < 1e-3, "{}", imported.seconds);
-        assert_eq!(points.count(), imported.moves);
-        let rows: Vec<Vec<f64>> = points.rows().map(|row| row.iter().map(|v| v.get()).collect()).collect();
-        let end = first.path.length();
-        for (row, s) in [(&rows[0], 0.0), (&rows[rows.len() - 1], end)] {
-            let pose = planned.machine.forward(&first.path.at(s));
-            assert!(pose.point.distance(DVec3::new(row[0], row[1], row[2])) < 1e-3, "{row:?}");
-            assert!(pose.direction.distance(DVec3::new(row[3], row[4], row[5])) < 1e-5, "{row:?}");
-        }
-        assert_eq!(points.columns[6..], ["current_a", "voltage_v", "wire_feed_m_min", "speed_mm_s"]);
-        assert_eq!(rows[1][6..9], [220.0, 25.0, 7.0]);
-        let others = written.replace("tTorch:=[TRUE,[[90", "tTorch:=[TRUE,[[95").replace("$TOOL={X 90", "$TOOL={X 95");
-        let refused = robot_to_program(&read_robot(language, "p", &others).unwrap(), &import).unwrap_err();
-        assert!(matches!(refused, Error::OtherFrames { frame: "tool", .. }), "{refused:?}");
+    comes_back("irb-2600", RobotLanguage::Rapid, Some(["tTorch:=[TRUE,[[90", "tTorch:=[TRUE,[[95"]));
+    comes_back("kr-16", RobotLanguage::Krl, Some(["$TOOL={X 90", "$TOOL={X 95"]));
+    comes_back("arc-mate-120id", RobotLanguage::FanucLs, Some(["PR[91,1]=-90", "PR[91,1]=-95"]));
+    comes_back("ur10e", RobotLanguage::Urscript, Some(["set_tcp(p[0.09,", "set_tcp(p[0.095,"]));
+    comes_back("ar1440", RobotLanguage::Inform, None);
+}
+
+/// On FANUC and Yaskawa poses stand still in space: the reader takes them back to the work on the positioner.
+#[test]
+fn programs_with_a_positioner_come_back_as_welds() {
+    comes_back("arc-mate-120id-positioner", RobotLanguage::FanucLs, None);
+    comes_back("ar1440-positioner", RobotLanguage::Inform, None);
+}
+
+/// The weld program made of the written text has the torch, speed and values of the plan. With the text `other_tool[0]`
+/// replaced by `other_tool[1]` the tool is another one, which is refused.
+fn comes_back(machine: &str, language: RobotLanguage, other_tool: Option<[&str; 2]>) {
+    let planned = on(machine);
+    let written = text(&planned, language, &program(&planned, language).unwrap());
+    let read = read_robot(language, "p", &written).unwrap();
+    let blend_mm = Positive::new(0.1).unwrap();
+    let import = RobotImport { machine: &planned.machine, machine_name: machine, language, blend_mm };
+    let imported = robot_to_program(&read, &import).unwrap();
+    let again = Program::read("p.toml", &imported.program.to_toml().unwrap()).unwrap().value;
+    let [pass] = &again.passes[..] else { panic!("{}", again.passes.len()) };
+    let (points, first) = (pass.points.as_ref().unwrap(), &planned.motion.passes[0]);
+    assert!((imported.seconds / first.profile.duration() - 1.0).abs() < 1e-3, "{}", imported.seconds);
+    assert_eq!(points.count(), imported.moves);
+    let rows: Vec<Vec<f64>> = points.rows().map(|row| row.iter().map(|v| v.get()).collect()).collect();
+    let samples = tip_samples(&planned, 0.05);
+    for row in &rows {
+        let (point, direction) = (DVec3::from_slice(&row[..3]), DVec3::from_slice(&row[3..6]));
+        let near = nearest(&samples, point);
+        // Points have the decimals of the text: 0.001 mm, and 0.0001 degrees of the positioner at 400 mm.
+        assert!(near.point.distance(point) < 4e-3, "{row:?} {near:?}");
+        assert!(near.direction.distance(direction) < 1e-4, "{row:?} {near:?}");
     }
+    let (process, values): (&[&str], &[f64]) = match language {
+        // The wire is set at the power source.
+        RobotLanguage::FanucLs | RobotLanguage::Inform => (&["current_a", "voltage_v"], &[220.0, 25.0]),
+        _ => (&["current_a", "voltage_v", "wire_feed_m_min"], &[220.0, 25.0, 7.0]),
+    };
+    let speed_at = 6 + process.len();
+    assert_eq!(points.columns[6..], [process, &["speed_mm_s"]].concat());
+    for row in &rows[1..] {
+        assert_eq!(&row[6..speed_at], values);
+    }
+    let middle = rows[rows.len() / 2][speed_at];
+    assert!((middle / 6.0 - 1.0).abs() < 0.02, "{middle}");
+    if let Some([own, other]) = other_tool {
+        assert!(written.contains(own), "{own}");
+        let refused = robot_to_program(&read_robot(language, "p", &written.replace(own, other)).unwrap(), &import);
+        assert!(matches!(refused, Err(Error::OtherFrames { frame: "tool", .. })), "{refused:?}");
+    }
+}
+
+/// Poses of the planned tip every `step_mm` along the first pass.
+fn tip_samples(planned: &Planned, step_mm: f64) -> Vec<Pose> {
+    let path = &planned.motion.passes[0].path;
+    let count = (path.length() / step_mm).ceil() as usize;
+    (0..=count).map(|k| planned.machine.forward(&path.at(path.length() * k as f64 / count as f64))).collect()
+}
+
+/// The pose nearest to `point` on the chords between `samples`.
+fn nearest(samples: &[Pose], point: DVec3) -> Pose {
+    let on_chord = |pair: &[Pose]| {
+        let chord = pair[1].point - pair[0].point;
+        let part = ((point - pair[0].point).dot(chord) / chord.length_squared()).clamp(0.0, 1.0);
+        Pose { point: pair[0].point + part * chord, direction: pair[0].direction.lerp(pair[1].direction, part) }
+    };
+    let poses = samples.windows(2).map(on_chord);
+    poses.min_by(|a, b| a.point.distance(point).total_cmp(&b.point.distance(point))).unwrap()
 }
 
 /// The rail is an external axis.
