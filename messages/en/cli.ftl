@@ -961,6 +961,15 @@ cli-label-best = best
 cli-label-entry = entry
 cli-reach-judged = placements: { $placements }, weldable: { $weldable }
 cli-reach-cut-off = { $budget } ended the search: --budget gives it more
+cli-reach-interrupted = Ctrl-C ended the search: the result is the best placement so far
+cli-label-moved = moved
+cli-reach-moves-work = the work, in the work frame
+cli-reach-moves-base = the machine's base, in its own frame
+cli-reach-base-entry = { $file }: { $key } = { $entry }
+cli-reach-supplied = the machine is part of the program, and there is no file to write to
+    .cause = The base is moved in the machine file, and a supplied machine has none.
+    .cure = Write the machine to machines/NAME.toml beside the job, which then uses it; or enter the displacement yourself.
+cli-reach-own-machine = a machine file; `seamwright machine show { $name } > machines/{ $name }.toml` beside the job makes one
 cli-reach-at = x { $x }, y { $y }, z { $z } from the present placement, turned { $turn }
 cli-reach-margin = axis { $axis } keeps { $margin } of its range free (pass { $pass }, s = { $s })
 cli-reach-free = weldable; no axis has a range

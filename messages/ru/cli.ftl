@@ -654,6 +654,13 @@ cli-label-best = лучшая
 cli-label-entry = запись
 cli-reach-judged = установки: { $placements }, пригодны: { $weldable }
 cli-reach-cut-off = { $budget } завершили поиск: --budget даст больше
+cli-reach-interrupted = Ctrl-C завершил поиск: результат — лучшая установка из найденных
+cli-label-moved = перемещается
+cli-reach-moves-work = деталь, в её системе координат
+cli-reach-moves-base = основание станка, в его собственной системе координат
+cli-reach-base-entry = { $file }: { $key } = { $entry }
+cli-reach-supplied = станок входит в программу, файла для записи нет
+cli-reach-own-machine = файл станка; его создаёт `seamwright machine show { $name } > machines/{ $name }.toml` рядом с заданием
 cli-reach-at = x { $x }, y { $y }, z { $z } от нынешней установки, поворот { $turn }
 cli-reach-margin = у оси { $axis } остаётся { $margin } диапазона (проход { $pass }, s = { $s })
 cli-reach-free = пригодна; ни у одной оси нет диапазона

@@ -654,6 +654,13 @@ cli-label-best = найкраще
 cli-label-entry = запис
 cli-reach-judged = установлення: { $placements }, придатні: { $weldable }
 cli-reach-cut-off = { $budget } завершили пошук: --budget дасть більше
+cli-reach-interrupted = Ctrl-C завершив пошук: результат — найкраще установлення зі знайдених
+cli-label-moved = переміщується
+cli-reach-moves-work = деталь, у її системі координат
+cli-reach-moves-base = основа верстата, у його власній системі координат
+cli-reach-base-entry = { $file }: { $key } = { $entry }
+cli-reach-supplied = верстат входить до програми, файлу для запису немає
+cli-reach-own-machine = файл верстата; його створює `seamwright machine show { $name } > machines/{ $name }.toml` поруч із завданням
 cli-reach-at = x { $x }, y { $y }, z { $z } від нинішнього установлення, поворот { $turn }
 cli-reach-margin = у осі { $axis } лишається { $margin } діапазону (прохід { $pass }, s = { $s })
 cli-reach-free = придатне; жодна вісь не має діапазону

@@ -534,6 +534,13 @@ cli-label-best = 最佳
 cli-label-entry = 条目
 cli-reach-judged = { $placements } 个摆放，{ $weldable } 个可焊
 cli-reach-cut-off = { $budget } 到时结束搜索：--budget 可给更多时间
+cli-reach-interrupted = Ctrl-C 结束了搜索：结果是目前最佳的摆放
+cli-label-moved = 移动对象
+cli-reach-moves-work = 工件，在工件坐标系中
+cli-reach-moves-base = 机床基座，在其自身坐标系中
+cli-reach-base-entry = { $file }：{ $key } = { $entry }
+cli-reach-supplied = 机床属于程序自带，没有可写入的文件
+cli-reach-own-machine = 机床文件；在任务文件旁用 `seamwright machine show { $name } > machines/{ $name }.toml` 可生成
 cli-reach-at = 距当前摆放 x { $x }、y { $y }、z { $z }，转 { $turn }
 cli-reach-margin = 轴 { $axis } 保留其行程的 { $margin }（焊道 { $pass }，s = { $s }）
 cli-reach-free = 可焊；没有轴有行程限制
