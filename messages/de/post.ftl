@@ -324,6 +324,7 @@ post-robot-no-arm = die Maschine { $machine } ist kein Sechsachsarm mit einem Br
 post-robot-not-spherical = die Achsen 4, 5 und 6 von { $machine } schneiden sich nicht in einem Punkt, wie es die Konfigurationsdaten von { $language } brauchen; erlaubt: Arme mit Zentralhand
 post-robot-not-parallel = Achse 4 von { $machine } ist nicht parallel zu den Achsen 2 und 3, wie bei allen Armen mit { $language }; erlaubt: Arme von Universal Robots
 post-robot-external-axes = { $language } wird mit höchstens { $max } externen Achsen ausgegeben; { $machine } hat { $axes }
+post-robot-base-axis = Achse `{ $axis }` von { $machine } fährt nicht in positiver Richtung entlang x, y oder z des Basiskoordinatensystems
 post-robot-frame = ein Bezugssystem des Werkzeugs oder des Werkstücks von { $machine } ist nicht endlich
 post-robot-turns-at-rest = der Brenner dreht bei s = { $s }, während die Spitze steht: dort hat ein Roboter keine Geschwindigkeit
 post-robot-brief = die Toleranz verlangt bei s = { $s } eine Gerade von { $time }; mindestens { $min } braucht eine Robotersteuerung, um nicht langsamer zu werden

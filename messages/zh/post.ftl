@@ -324,6 +324,7 @@ post-robot-no-arm = 机床 { $machine } 不是带一把焊枪的六轴机械臂�
 post-robot-not-spherical = { $machine } 的第 4、5、6 轴不交于一点，而 { $language } 的姿态配置数据要求如此；允许：球形手腕的机械臂
 post-robot-not-parallel = { $machine } 的第 4 轴与第 2、3 轴不平行，而使用 { $language } 的机械臂均平行；允许：Universal Robots 机械臂
 post-robot-external-axes = { $language } 输出时最多 { $max } 个外部轴；{ $machine } 有 { $axes }
+post-robot-base-axis = { $machine } 的轴 `{ $axis }` 不沿基座坐标系 x、y 或 z 的正方向运动
 post-robot-frame = { $machine } 的工具或工件坐标系不是有限值
 post-robot-turns-at-rest = s = { $s } 附近焊枪转动而尖端静止：机器人在此没有速度
 post-robot-brief = s = { $s } 附近，此公差要求 { $time } 的直线；机器人控制器至少需要 { $min } 才不降速

@@ -71,6 +71,15 @@ pub enum Error {
         language: RobotLanguage,
         /// Names of the external axes.
         axes: Vec<String>,
+        /// How many of them the language has.
+        max: usize,
+    },
+    /// An axis that carries the arm and is not linear along an axis of the base frame, for INFORM.
+    BaseAxis {
+        /// Name of the machine.
+        machine: String,
+        /// Name of the axis.
+        axis: String,
     },
     /// A frame of the tool or the work has an infinite or undefined number.
     FrameNotFinite {
@@ -141,11 +150,14 @@ impl Error {
                 };
                 new(code).text("machine", machine).text("language", language.title())
             }
-            Self::ExternalAxes { machine, language, axes } => {
+            Self::BaseAxis { machine, axis } => {
+                new("post-robot-base-axis").text("machine", machine).axis("axis", axis.as_str())
+            }
+            Self::ExternalAxes { machine, language, axes, max } => {
                 let message =
                     new("post-robot-external-axes").text("machine", machine).text("language", language.title());
                 let axes = axes.iter().map(|axis| Argument::Axis(axis.clone()));
-                message.list("axes", axes).count("max", language.max_externals())
+                message.list("axes", axes).count("max", *max)
             }
             Self::FrameNotFinite { machine } => new("post-robot-frame").text("machine", machine),
             Self::TurnsAtRest { s } => new("post-robot-turns-at-rest").quantity("s", *s, Unit::Mm, 3),

@@ -196,9 +196,59 @@ fn nearest(samples: &[Pose], point: DVec3) -> Pose {
 #[test]
 fn a_rail_goes_with_the_arm() {
     let planned = on("irb-2600-rail");
-    for language in [RobotLanguage::Rapid, RobotLanguage::Krl, RobotLanguage::FanucLs] {
+    for language in [RobotLanguage::Rapid, RobotLanguage::Krl, RobotLanguage::FanucLs, RobotLanguage::Inform] {
         proven(&planned, language);
     }
+    let job = text(&planned, RobotLanguage::Inform, &program(&planned, RobotLanguage::Inform).unwrap());
+    let count = |start: &str| job.lines().filter(|line| line.starts_with(start)).count();
+    assert!(job.contains("///GROUP1 RB1,BS1\nNOP\n") && job.contains("///POSTYPE BASE\n///RECTAN\nBC00000="), "{job}");
+    assert_eq!(job.lines().nth(3).unwrap(), format!("///NPOS {0},{0},0,0,0,0", count("C0")));
+    assert_eq!(count("BC0"), count("C0"));
+    let rail = planned.machine.axes.iter().position(|axis| axis.name == "rail").unwrap();
+    let motion = &planned.motion.passes[0];
+    let end = motion.path.at(motion.path.length())[rail];
+    let bases: Vec<f64> =
+        job.lines().filter_map(|line| line.strip_prefix("BC")).map(|line| line[6..].parse().unwrap()).collect();
+    assert!(bases.iter().any(|mm| (mm - end).abs() < 1e-3), "{end} {bases:?}");
+}
+
+/// An arm on a rail beside a positioner: base axes and station of a job come back from its text.
+#[test]
+fn a_rail_and_a_positioner_come_back() {
+    let [rail, positioner] = ["irb-2600-rail", "irb-2600-positioner"].map(|name| shipped(name).unwrap().text);
+    let work = &positioner[positioner.find("[[work]]").unwrap()..positioner.find("# Shapes").unwrap()];
+    let machine = rail.replace("[[work]]\nfixed = { move_mm = [900, 0, 0] }\n", work);
+    let machine = Machine::read("both", &machine).unwrap();
+    let arm = RobotArm::new(&machine, RobotLanguage::Inform).unwrap();
+    assert_eq!(arm.externals.iter().map(|axis| axis.name.as_str()).collect::<Vec<_>>(), ["rail", "tilt", "turn"]);
+    let mut random = Random::new(45);
+    let mut step = |is_arc| {
+        let mut step = random_step(&mut random, RobotLanguage::Inform, is_arc);
+        let mut externals = || [2000.0, 90.0, 720.0].map(|max| random.within(-max, max)).to_vec();
+        step.externals = externals();
+        if let Some(via) = &mut step.via {
+            via.externals = externals();
+        }
+        step
+    };
+    let mut steps = vec![RobotStep::Pass("p".to_owned())];
+    steps.push(RobotStep::JointsTo(TcpMove { speed_mm_s: 0.0, ..step(false) }));
+    steps.extend((0..40).map(|k| RobotStep::Move(step(k % 4 == 2))));
+    let program = RobotProgram { title: "random".to_owned(), frames: None, steps };
+    let remarks = RobotText { machine: &machine, arm: &arm, remarks: &[] };
+    let text = write_robot(RobotLanguage::Inform, &program, &remarks);
+    let back = read_robot(RobotLanguage::Inform, "p", &text).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(back.steps.len(), program.steps.len());
+    for (asked, read) in program.steps.iter().zip(&back.steps) {
+        assert!(is_near(asked, read), "{asked:?} {read:?}");
+    }
+    // A position of the base axes that no line declares, and one too few.
+    let at = text.lines().find(|line| line.starts_with("BC00003=")).unwrap();
+    let missing = read_robot(RobotLanguage::Inform, "p", &text.replace(&format!("{at}\n"), "")).unwrap_err();
+    assert!(missing.to_string().contains("BC00003"), "{missing}");
+    let uncounted = text.replacen("///NPOS 51,51,", "///NPOS 51,50,", 1);
+    assert_ne!(uncounted, text);
+    assert!(read_robot(RobotLanguage::Inform, "p", &uncounted).is_err());
 }
 
 /// A positioner carries the work: lines and arcs are straight and round on it. On FANUC and Yaskawa poses stand still in
@@ -331,7 +381,14 @@ fn is_near(asked: &RobotStep, told: &RobotStep) -> bool {
                 }
                 (a, t) => a.is_none() && t.is_none(),
             };
+            let of = |step: &TcpMove| {
+                let via = step.via.iter().flat_map(|via| via.externals.clone());
+                via.chain(step.externals.clone()).collect::<Vec<f64>>()
+            };
+            let (externals, found) = (of(a), of(t));
             is_same_via
+                && externals.len() == found.len()
+                && externals.iter().zip(&found).all(|(a, t)| (a - t).abs() < 2e-3)
                 && a.to.point.distance(t.to.point) < 2e-3
                 && a.to.angle_to(&t.to) < 2e-5
                 && a.configuration == t.configuration
@@ -519,9 +576,16 @@ fn machines_that_do_not_fit_are_refused() {
         ("ur10e", RobotLanguage::Rapid, "post-robot-not-spherical"),
         ("irb-2600", RobotLanguage::Urscript, "post-robot-not-parallel"),
         ("ur10e-positioner", RobotLanguage::Urscript, "post-robot-external-axes"),
-        ("irb-2600-rail", RobotLanguage::Inform, "post-robot-external-axes"),
     ] {
         let error = RobotArm::new(&of(machine), language).unwrap_err();
         assert!(error.message().as_data().contains(code), "{error:?}");
+    }
+    // INFORM counts base axes along x, y and z of the base frame.
+    let rail = shipped("irb-2600-rail").unwrap().text;
+    for along in ["[0, -1, 0]", "[1, 1, 0]"] {
+        let machine = Machine::read("m", &rail.replacen("move = [0, 1, 0]", &format!("move = {along}"), 1)).unwrap();
+        let error = RobotArm::new(&machine, RobotLanguage::Inform).unwrap_err();
+        assert!(matches!(&error, Error::BaseAxis { axis, .. } if axis == "rail"), "{error:?}");
+        assert!(RobotArm::new(&machine, RobotLanguage::Rapid).is_ok());
     }
 }
