@@ -614,6 +614,11 @@ cli-no-arm-angle = die Maschine ist kein Arm mit sieben Achsen
 # Roboterprogramme.
 cli-not-for-robots = nicht für Roboter
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+cli-servo-not-here = nur URScript hat einen Strom von Sollwerten
+cli-servo-language = zusammen mit --dialect urscript
+cli-servo-alone = die Option gehört zu einem Strom von Sollwerten, und --servo-ms fehlt
+cli-servo-with-period = zusammen mit --servo-ms
+cli-servo-period = { $step } bis { $max } in Schritten von { $step }
 
 # Search for placements of the work.
 cli-progress-reach = Suche nach Aufstellungen

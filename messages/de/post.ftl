@@ -346,3 +346,6 @@ post-robot-other-frames = das Bezugssystem `{ $frame }` des Textes ist nicht das
 post-robot-no-frames = der Text enthält keine Bezugssysteme von Werkzeug und Werkstück: es gelten die von { $machine }
 post-robot-direction = der Brenner weicht um { $deviation } von der geplanten Orientierung ab; erlaubt sind { $max }
 post-robot-reach = der Arm erreicht nicht alle Posen innerhalb der Bereiche seiner Achsen
+post-robot-no-stream = { $language } hat keinen Strom von Sollwerten
+post-robot-set-points = die Schweißung hat { $count } Sollwerte bei { $period }; höchstens { $max } werden geschrieben
+post-robot-stream-read = das Programm ist ein Strom von Sollwerten und wird nicht in ein Schweißprogramm umgewandelt

@@ -951,6 +951,15 @@ cli-not-for-robots = not for robots
     .cause = Robot languages give poses of the tool and its speed. They have no levels, feed words or block types.
     .cure = Leave the option out.
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+cli-servo-not-here = only URScript has a stream of set-points
+    .cause = The other languages get poses and speeds; their controls make the set-points.
+    .cure = Leave the option out, or post with `--dialect urscript`.
+cli-servo-language = together with --dialect urscript
+cli-servo-alone = it belongs to a stream of set-points, and --servo-ms is missing
+    .cause = Look-ahead time and gain are settings of servoj.
+    .cure = Add `--servo-ms 8`, or leave the option out.
+cli-servo-with-period = together with --servo-ms
+cli-servo-period = { $step } to { $max } in steps of { $step }
 
 # Search for placements of the work.
 cli-progress-reach = searching placements

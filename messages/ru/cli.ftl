@@ -644,6 +644,11 @@ cli-no-arm-angle = станок не является рукой с семью �
 # Программы роботов.
 cli-not-for-robots = не для роботов
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+cli-servo-not-here = поток заданных положений есть только в URScript
+cli-servo-language = вместе с --dialect urscript
+cli-servo-alone = параметр относится к потоку заданных положений, а --servo-ms отсутствует
+cli-servo-with-period = вместе с --servo-ms
+cli-servo-period = от { $step } до { $max } с шагом { $step }
 
 # Search for placements of the work.
 cli-progress-reach = поиск установок детали

@@ -346,3 +346,6 @@ post-robot-other-frames = система координат `{ $frame }` в те
 post-robot-no-frames = в тексте нет систем координат инструмента и детали: взяты системы { $machine }
 post-robot-direction = горелка отклоняется на { $deviation } от запланированной ориентации; допустимо { $max }
 post-robot-reach = манипулятор достигает не всех поз в пределах ходов осей
+post-robot-no-stream = в { $language } нет потока заданных положений
+post-robot-set-points = у шва { $count } заданных положений при { $period }; записывается не больше { $max }
+post-robot-stream-read = программа — поток заданных положений, в сварочную программу она не преобразуется

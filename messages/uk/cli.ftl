@@ -644,6 +644,11 @@ cli-no-arm-angle = верстат не є рукою із сімома осям�
 # Програми роботів.
 cli-not-for-robots = не для роботів
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+cli-servo-not-here = потік заданих положень є лише в URScript
+cli-servo-language = разом із --dialect urscript
+cli-servo-alone = параметр належить до потоку заданих положень, а --servo-ms немає
+cli-servo-with-period = разом із --servo-ms
+cli-servo-period = від { $step } до { $max } з кроком { $step }
 
 # Search for placements of the work.
 cli-progress-reach = пошук установлень деталі

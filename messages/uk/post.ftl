@@ -346,3 +346,6 @@ post-robot-other-frames = система координат `{ $frame }` у те
 post-robot-no-frames = у тексті немає систем координат інструмента й деталі: узято системи { $machine }
 post-robot-direction = пальник відхиляється на { $deviation } від запланованої орієнтації; дозволено { $max }
 post-robot-reach = маніпулятор досягає не всіх поз у межах ходів осей
+post-robot-no-stream = у { $language } немає потоку заданих положень
+post-robot-set-points = шов має { $count } заданих положень при { $period }; записується не більше { $max }
+post-robot-stream-read = програма — потік заданих положень, на зварювальну програму вона не перетворюється

@@ -524,6 +524,11 @@ cli-no-arm-angle = 该机床不是七轴机械臂
 # 机器人程序。
 cli-not-for-robots = 不适用于机器人
 cli-options-of-robots = --tolerance-mm、--speed-percent、--retract-mm
+cli-servo-not-here = 只有 URScript 有设定点流
+cli-servo-language = 与 --dialect urscript 一起使用
+cli-servo-alone = 该选项属于设定点流，但缺少 --servo-ms
+cli-servo-with-period = 与 --servo-ms 一起使用
+cli-servo-period = { $step } 至 { $max }，步长 { $step }
 
 # Search for placements of the work.
 cli-progress-reach = 搜索摆放

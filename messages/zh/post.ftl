@@ -346,3 +346,6 @@ post-robot-other-frames = 文本中的 `{ $frame }` 坐标系与 { $machine } �
 post-robot-no-frames = 文本中没有工具和工件坐标系：采用 { $machine } 的坐标系
 post-robot-direction = 焊枪与规划姿态相差 { $deviation }；允许 { $max }
 post-robot-reach = 机械臂在各轴行程内不能到达所有位姿
+post-robot-no-stream = { $language } 没有设定点流
+post-robot-set-points = 焊缝在 { $period } 下有 { $count } 个设定点；最多写入 { $max } 个
+post-robot-stream-read = 该程序是设定点流，不能转换为焊接程序

@@ -155,6 +155,33 @@ fn read_back(machine: &str, dialect: &str, file: &str, wrong: [&str; 2]) {
     assert_eq!(refused.status.code(), Some(2));
 }
 
+/// `--servo-ms`: set-points with the given settings, proven; bad settings are refused with what is allowed.
+#[test]
+fn urscript_is_posted_as_set_points() {
+    let dir = tempfile::tempdir().unwrap();
+    let job = write(dir.path(), "job.toml", NOZZLE.replace("MACHINE", "ur10e"));
+    let post = |extra: &[&str]| seamwright(&[&["post", &job, "--dialect", "urscript"], extra].concat());
+    let out = post(&["--servo-ms", "8", "--lookahead-s", "0.05", "--gain", "500", "--verify"]);
+    let said = text(&out.stderr);
+    assert!(out.status.success() && said.contains("proven by reading back"), "{said}");
+    let script = text(&out.stdout);
+    assert!(script.matches("], 0, 0, 0.008, 0.05, 500)\n").count() > 7000 && !script.contains("movep("), "{said}");
+    let refused = |extra: &[&str], words: [&str; 2]| {
+        let out = post(extra);
+        let said = text(&out.stderr);
+        assert!(out.status.code() == Some(2) && words.iter().all(|word| said.contains(word)), "{extra:?}: {said}");
+    };
+    refused(&["--servo-ms", "3"], ["--servo-ms 3", "2 ms to 40 ms in steps of 2 ms"]);
+    refused(&["--servo-ms", "42"], ["--servo-ms 42", "2 ms to 40 ms"]);
+    refused(&["--servo-ms", "nan"], ["--servo-ms NaN", "2 ms to 40 ms"]);
+    refused(&["--servo-ms", "8", "--lookahead-s", "0.3"], ["--lookahead-s 0.3", "0.03"]);
+    refused(&["--servo-ms", "8", "--gain", "50"], ["--gain 50", "2000"]);
+    refused(&["--gain", "300"], ["--gain 300", "--servo-ms"]);
+    let other = seamwright(&["post", &job, "--dialect", "rapid", "--servo-ms", "8"]);
+    let said = text(&other.stderr);
+    assert!(other.status.code() == Some(2) && said.contains("--servo-ms 8") && said.contains("urscript"), "{said}");
+}
+
 /// Posts state their proof; text that the control cannot express is not written.
 #[test]
 fn posts_say_how_they_were_proven() {

@@ -15,11 +15,12 @@ use seamwright_program::{Program, TorchPath};
 use seamwright_testkit::{Random, cases};
 use std::f64::consts::PI;
 
-const OPTIONS: RobotOptions = RobotOptions { tolerance_mm: 0.05, speed_percent: 2.0, arcs: true };
+pub(crate) const OPTIONS: RobotOptions =
+    RobotOptions { tolerance_mm: 0.05, speed_percent: 2.0, arcs: true, stream: None };
 /// A nozzle on a shell, near enough for all arms.
 const NOZZLE: &str = include_str!("../../../../tests/data/nozzle-on-arm.toml");
 
-fn on(machine: &str) -> Planned {
+pub(crate) fn on(machine: &str) -> Planned {
     Planned::job(&NOZZLE.replace("MACHINE", machine))
 }
 
@@ -27,19 +28,23 @@ fn program(planned: &Planned, language: RobotLanguage) -> Result<RobotProgram, E
     program_with(planned, language, &OPTIONS)
 }
 
-fn program_with(planned: &Planned, language: RobotLanguage, options: &RobotOptions) -> Result<RobotProgram, Error> {
+pub(crate) fn program_with(
+    planned: &Planned,
+    language: RobotLanguage,
+    options: &RobotOptions,
+) -> Result<RobotProgram, Error> {
     let count = planned.welding.program.value.passes.len();
     let paths: Vec<_> = (0..count).map(|i| planned.welding.path(i)).collect();
     let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
     robot_program(&planned.machine, language, &planned.welding.program.value, &paths, &planned.motion, options)
 }
 
-fn text(planned: &Planned, language: RobotLanguage, program: &RobotProgram) -> String {
+pub(crate) fn text(planned: &Planned, language: RobotLanguage, program: &RobotProgram) -> String {
     let arm = RobotArm::new(&planned.machine, language).unwrap();
     write_robot(language, program, &RobotText { machine: &planned.machine, arm: &arm, remarks: &[] })
 }
 
-fn plan(planned: &Planned, language: RobotLanguage) -> PlannedRobot<'_> {
+pub(crate) fn plan(planned: &Planned, language: RobotLanguage) -> PlannedRobot<'_> {
     PlannedRobot {
         machine: &planned.machine,
         language,
@@ -416,7 +421,7 @@ const EXAMPLES: [(&str, f64); 11] = [
 ];
 
 /// The text of an example with its work on the table of a robot.
-fn placed(example: &str, height_mm: f64, machine: &str) -> String {
+pub(crate) fn placed(example: &str, height_mm: f64, machine: &str) -> String {
     let path = format!("{}/../../examples/{example}.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
     let mut lines: Vec<String> = Vec::new();

@@ -97,6 +97,8 @@ impl Job {
                 }
                 RobotStep::Values(now) => self.line(&format!("ARCSET {}", values(now))),
                 RobotStep::ArcOff(off) => self.line(&format!("ARCOF T={}", fixed(off.crater_s, 2))),
+                // Only URScript has set-points.
+                RobotStep::SetPoints(_) => {}
                 RobotStep::Wait(seconds) => self.line(&format!("TIMER T={seconds:.2}")),
             }
         }
