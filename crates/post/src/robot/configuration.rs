@@ -65,6 +65,9 @@ fn inform(deg: &[f64; 6], of: &ArmConfiguration) -> Vec<i32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::robot::pose::RobotPose;
+    use crate::robot::program::{JointTarget, RobotProgram, RobotStep, TcpMove};
+    use crate::robot::write::{RobotText, write_robot};
     use seamwright_machine::shipped;
 
     fn of(name: &str, language: RobotLanguage, deg: [f64; 6]) -> Vec<i32> {
@@ -100,5 +103,43 @@ mod tests {
         // Turned half round at the base and bent over backwards: rear.
         assert_eq!(inform([170.0, -80.0, 130.0, 0.0, -30.0, 0.0])[2], 1);
         assert!(of("ur10e", RobotLanguage::Urscript, [0.0, -90.0, -90.0, -90.0, 90.0, 0.0]).is_empty());
+    }
+
+    /// A position of a FANUC arm published with its axes for both sides of the wrist (J. Strybis, "The perils of six-axis
+    /// robots", onerobotics.com, 2013): W 135, P -45, R 0. The orientation does not depend on the lengths of the arm.
+    #[test]
+    fn a_published_position_has_its_orientation() {
+        let machine = Machine::read("m", shipped("arc-mate-120id").unwrap().text).unwrap();
+        let arm = RobotArm::new(&machine, RobotLanguage::FanucLs).unwrap();
+        for (pendant, configuration) in [
+            ([7.962, -5.284, -36.25, 77.661, -51.975, -79.273], "'N U T, 0, 0, 0'"),
+            ([7.962, -5.284, -36.25, -102.339, 51.975, 100.727], "'F U T, 0, 0, 0'"),
+        ] {
+            // The pendant counts J3 from the horizontal.
+            let mut deg: [f64; 6] = pendant;
+            deg[2] += deg[1];
+            let mut q = machine.home();
+            arm.joints.iter().zip(deg).for_each(|(axis, deg)| q[*axis] = deg.to_radians());
+            let turn = arm.work.turn * RobotArm::pose(&machine, &q).turn * arm.tool.turn.inverse();
+            let flange = TcpMove {
+                via: None,
+                to: RobotPose { turn, ..RobotPose::IDENTITY },
+                externals: Vec::new(),
+                configuration: RobotLanguage::FanucLs.configuration(&machine, &arm, &q),
+                speed_mm_s: 1.0,
+                zone_mm: 0.0,
+            };
+            let joints = RobotStep::Joints(JointTarget { arm: deg, externals: Vec::new() });
+            let steps = vec![RobotStep::Pass(String::new()), joints, RobotStep::Move(flange)];
+            let program = RobotProgram { title: String::new(), frames: None, steps };
+            let text = RobotText { machine: &machine, arm: &arm, remarks: &[] };
+            let text = write_robot(RobotLanguage::FanucLs, &program, &text);
+            assert!(text.contains(configuration) && text.contains("J3= -36.25 deg"), "{text}");
+            for (word, angle) in [("\tW = ", 135.0), ("\tP = ", -45.0), ("\tR = ", 0.0)] {
+                let (_, rest) = text.split_once(word).unwrap();
+                let written: f64 = rest.split(' ').next().unwrap().parse().unwrap();
+                assert!((written - angle).abs() < 2e-3, "{word}: {written}");
+            }
+        }
     }
 }
