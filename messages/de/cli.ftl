@@ -614,6 +614,11 @@ cli-no-arm-angle = die Maschine ist kein Arm mit sieben Achsen
 # Roboterprogramme.
 cli-not-for-robots = nicht für Roboter
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+cli-servo-not-here = nur URScript hat einen Strom von Sollwerten
+cli-servo-language = zusammen mit --dialect urscript
+cli-servo-alone = die Option gehört zu einem Strom von Sollwerten, und --servo-ms fehlt
+cli-servo-with-period = zusammen mit --servo-ms
+cli-servo-period = { $step } bis { $max } in Schritten von { $step }
 
 # Search for placements of the work.
 cli-progress-reach = Suche nach Aufstellungen
@@ -624,6 +629,13 @@ cli-label-best = beste
 cli-label-entry = Eintrag
 cli-reach-judged = Aufstellungen: { $placements }, schweißbar: { $weldable }
 cli-reach-cut-off = { $budget } beendeten die Suche: --budget gibt ihr mehr
+cli-reach-interrupted = Strg-C beendete die Suche: das Ergebnis ist die bisher beste Aufstellung
+cli-label-moved = verschoben
+cli-reach-moves-work = das Werkstück, im Werkstückkoordinatensystem
+cli-reach-moves-base = die Maschinenbasis, in ihrem eigenen Koordinatensystem
+cli-reach-base-entry = { $file }: { $key } = { $entry }
+cli-reach-supplied = die Maschine gehört zum Programm, und es gibt keine Datei zum Schreiben
+cli-reach-own-machine = eine Maschinendatei; `seamwright machine show { $name } > machines/{ $name }.toml` neben dem Auftrag erzeugt eine
 cli-reach-at = x { $x }, y { $y }, z { $z } von der jetzigen Aufstellung, gedreht { $turn }
 cli-reach-margin = Achse { $axis } behält { $margin } ihres Bereichs frei (Lage { $pass }, s = { $s })
 cli-reach-free = schweißbar; keine Achse hat einen Bereich

@@ -324,6 +324,7 @@ post-robot-no-arm = die Maschine { $machine } ist kein Sechsachsarm mit einem Br
 post-robot-not-spherical = die Achsen 4, 5 und 6 von { $machine } schneiden sich nicht in einem Punkt, wie es die Konfigurationsdaten von { $language } brauchen; erlaubt: Arme mit Zentralhand
 post-robot-not-parallel = Achse 4 von { $machine } ist nicht parallel zu den Achsen 2 und 3, wie bei allen Armen mit { $language }; erlaubt: Arme von Universal Robots
 post-robot-external-axes = { $language } wird mit höchstens { $max } externen Achsen ausgegeben; { $machine } hat { $axes }
+post-robot-base-axis = Achse `{ $axis }` von { $machine } fährt nicht in positiver Richtung entlang x, y oder z des Basiskoordinatensystems
 post-robot-frame = ein Bezugssystem des Werkzeugs oder des Werkstücks von { $machine } ist nicht endlich
 post-robot-turns-at-rest = der Brenner dreht bei s = { $s }, während die Spitze steht: dort hat ein Roboter keine Geschwindigkeit
 post-robot-brief = die Toleranz verlangt bei s = { $s } eine Gerade von { $time }; mindestens { $min } braucht eine Robotersteuerung, um nicht langsamer zu werden
@@ -342,5 +343,9 @@ post-robot-too-long = das Programm ist länger als { $max } Byte
 post-robot-step = Schritt { $step } wird als ein anderer zurückgelesen
 post-robot-frames = die Bezugssysteme von Werkzeug und Werkstück werden als andere zurückgelesen
 post-robot-other-frames = das Bezugssystem `{ $frame }` des Textes ist nicht das von { $machine }
+post-robot-no-frames = der Text enthält keine Bezugssysteme von Werkzeug und Werkstück: es gelten die von { $machine }
 post-robot-direction = der Brenner weicht um { $deviation } von der geplanten Orientierung ab; erlaubt sind { $max }
 post-robot-reach = der Arm erreicht nicht alle Posen innerhalb der Bereiche seiner Achsen
+post-robot-no-stream = { $language } hat keinen Strom von Sollwerten
+post-robot-set-points = die Schweißung hat { $count } Sollwerte bei { $period }; höchstens { $max } werden geschrieben
+post-robot-stream-read = das Programm ist ein Strom von Sollwerten und wird nicht in ein Schweißprogramm umgewandelt

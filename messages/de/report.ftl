@@ -650,6 +650,7 @@ report-bode-phase-unbounded = Phasenreserve: unbegrenzt
 
 # Search for placements.
 report-reach-subtitle = Aufstellungen des Werkstücks
+report-reach-subtitle-base = Aufstellungen der Maschinenbasis
 report-reach-title = Erreichbarkeit von { $machine }
 report-reach-key = Zahl: kleinster Abstand einer Achse von einem Ende ihres Bereichs, % des Bereichs
 report-reach-label = { $title }: Karte der Aufstellungen
@@ -673,6 +674,7 @@ report-reach-heading-best = Beste Aufstellungen
 report-reach-heading-reasons = Gründe des Scheiterns
 report-reach-heading-method = Verfahren
 report-reach-method = Verschiebungen gelten im Werkstückkoordinatensystem von der jetzigen Aufstellung aus; gedreht wird um die Senkrechte durch die Mitte der Naht. Jede Zelle zeigt die beste Aufstellung des Gitters mit diesem x und y, bei Scheitern die Achse oder die Art des Grundes. Die beste Aufstellung wurde ganz geplant, mit Abständen und Verfahrwegen; die anderen wurden nach Bereichen, Geschwindigkeiten, Schweißpositionen und stetiger Bewegung geprüft.
+report-reach-method-base = Verschiebungen sind die der Maschinenbasis im Basiskoordinatensystem von der jetzigen Aufstellung aus; gedreht wird um die Senkrechte durch dessen Ursprung. Alles auf der Basis geht mit. Jede Zelle zeigt die beste Aufstellung des Gitters mit diesem x und y, bei Scheitern die Achse oder die Art des Grundes. Die beste Aufstellung wurde ganz geplant, mit Abständen und Verfahrwegen; die anderen wurden nach Bereichen, Geschwindigkeiten, Schweißpositionen und stetiger Bewegung geprüft.
 report-reach-caption-map = Aufstellungen entlang x und y
 report-reach-caption-best = Die besten geprüften Aufstellungen
 report-reach-caption-reasons = Gründe, jeweils mit der am ehesten schweißbaren Aufstellung

@@ -951,6 +951,15 @@ cli-not-for-robots = not for robots
     .cause = Robot languages give poses of the tool and its speed. They have no levels, feed words or block types.
     .cure = Leave the option out.
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+cli-servo-not-here = only URScript has a stream of set-points
+    .cause = The other languages get poses and speeds; their controls make the set-points.
+    .cure = Leave the option out, or post with `--dialect urscript`.
+cli-servo-language = together with --dialect urscript
+cli-servo-alone = it belongs to a stream of set-points, and --servo-ms is missing
+    .cause = Look-ahead time and gain are settings of servoj.
+    .cure = Add `--servo-ms 8`, or leave the option out.
+cli-servo-with-period = together with --servo-ms
+cli-servo-period = { $step } to { $max } in steps of { $step }
 
 # Search for placements of the work.
 cli-progress-reach = searching placements
@@ -961,6 +970,15 @@ cli-label-best = best
 cli-label-entry = entry
 cli-reach-judged = placements: { $placements }, weldable: { $weldable }
 cli-reach-cut-off = { $budget } ended the search: --budget gives it more
+cli-reach-interrupted = Ctrl-C ended the search: the result is the best placement so far
+cli-label-moved = moved
+cli-reach-moves-work = the work, in the work frame
+cli-reach-moves-base = the machine's base, in its own frame
+cli-reach-base-entry = { $file }: { $key } = { $entry }
+cli-reach-supplied = the machine is part of the program, and there is no file to write to
+    .cause = The base is moved in the machine file, and a supplied machine has none.
+    .cure = Write the machine to machines/NAME.toml beside the job, which then uses it; or enter the displacement yourself.
+cli-reach-own-machine = a machine file; `seamwright machine show { $name } > machines/{ $name }.toml` beside the job makes one
 cli-reach-at = x { $x }, y { $y }, z { $z } from the present placement, turned { $turn }
 cli-reach-margin = axis { $axis } keeps { $margin } of its range free (pass { $pass }, s = { $s })
 cli-reach-free = weldable; no axis has a range

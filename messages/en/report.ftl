@@ -650,6 +650,7 @@ report-bode-phase-unbounded = phase margin: unbounded
 
 # Search for placements.
 report-reach-subtitle = Placements of the work
+report-reach-subtitle-base = Placements of the machine's base
 report-reach-title = Reach of { $machine }
 report-reach-key = Number: smallest distance of an axis from an end of its range, % of the range
 report-reach-label = { $title }: map of placements
@@ -675,6 +676,7 @@ report-reach-heading-best = Best placements
 report-reach-heading-reasons = Reasons of failures
 report-reach-heading-method = Method
 report-reach-method = Displacements are in the work frame, from the present placement; the rotation is about the vertical through the middle of the seam. Each cell shows the best placement of the grid with these x and y. In cells that fail, the axis or the kind of the reason. The best placement was planned in full, with clearance and transfer moves; the others were judged by ranges, speeds, welding positions and a continuous motion.
+report-reach-method-base = Displacements are those of the machine's base in the base frame, from its present placement; the rotation is about the vertical through the origin of that frame. All that stands on the base goes with it. Each cell shows the best placement of the grid with these x and y. In cells that fail, the axis or the kind of the reason. The best placement was planned in full, with clearance and transfer moves; the others were judged by ranges, speeds, welding positions and a continuous motion.
 report-reach-caption-map = Placements along x and y
 report-reach-caption-best = The best placements judged
 report-reach-caption-reasons = Reasons, each with the placement that is nearest to being weldable

@@ -644,6 +644,11 @@ cli-no-arm-angle = станок не является рукой с семью �
 # Программы роботов.
 cli-not-for-robots = не для роботов
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+cli-servo-not-here = поток заданных положений есть только в URScript
+cli-servo-language = вместе с --dialect urscript
+cli-servo-alone = параметр относится к потоку заданных положений, а --servo-ms отсутствует
+cli-servo-with-period = вместе с --servo-ms
+cli-servo-period = от { $step } до { $max } с шагом { $step }
 
 # Search for placements of the work.
 cli-progress-reach = поиск установок детали
@@ -654,6 +659,13 @@ cli-label-best = лучшая
 cli-label-entry = запись
 cli-reach-judged = установки: { $placements }, пригодны: { $weldable }
 cli-reach-cut-off = { $budget } завершили поиск: --budget даст больше
+cli-reach-interrupted = Ctrl-C завершил поиск: результат — лучшая установка из найденных
+cli-label-moved = перемещается
+cli-reach-moves-work = деталь, в её системе координат
+cli-reach-moves-base = основание станка, в его собственной системе координат
+cli-reach-base-entry = { $file }: { $key } = { $entry }
+cli-reach-supplied = станок входит в программу, файла для записи нет
+cli-reach-own-machine = файл станка; его создаёт `seamwright machine show { $name } > machines/{ $name }.toml` рядом с заданием
 cli-reach-at = x { $x }, y { $y }, z { $z } от нынешней установки, поворот { $turn }
 cli-reach-margin = у оси { $axis } остаётся { $margin } диапазона (проход { $pass }, s = { $s })
 cli-reach-free = пригодна; ни у одной оси нет диапазона

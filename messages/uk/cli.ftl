@@ -644,6 +644,11 @@ cli-no-arm-angle = верстат не є рукою із сімома осям�
 # Програми роботів.
 cli-not-for-robots = не для роботів
 cli-options-of-robots = --tolerance-mm, --speed-percent, --retract-mm
+cli-servo-not-here = потік заданих положень є лише в URScript
+cli-servo-language = разом із --dialect urscript
+cli-servo-alone = параметр належить до потоку заданих положень, а --servo-ms немає
+cli-servo-with-period = разом із --servo-ms
+cli-servo-period = від { $step } до { $max } з кроком { $step }
 
 # Search for placements of the work.
 cli-progress-reach = пошук установлень деталі
@@ -654,6 +659,13 @@ cli-label-best = найкраще
 cli-label-entry = запис
 cli-reach-judged = установлення: { $placements }, придатні: { $weldable }
 cli-reach-cut-off = { $budget } завершили пошук: --budget дасть більше
+cli-reach-interrupted = Ctrl-C завершив пошук: результат — найкраще установлення зі знайдених
+cli-label-moved = переміщується
+cli-reach-moves-work = деталь, у її системі координат
+cli-reach-moves-base = основа верстата, у його власній системі координат
+cli-reach-base-entry = { $file }: { $key } = { $entry }
+cli-reach-supplied = верстат входить до програми, файлу для запису немає
+cli-reach-own-machine = файл верстата; його створює `seamwright machine show { $name } > machines/{ $name }.toml` поруч із завданням
 cli-reach-at = x { $x }, y { $y }, z { $z } від нинішнього установлення, поворот { $turn }
 cli-reach-margin = у осі { $axis } лишається { $margin } діапазону (прохід { $pass }, s = { $s })
 cli-reach-free = придатне; жодна вісь не має діапазону

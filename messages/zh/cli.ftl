@@ -524,6 +524,11 @@ cli-no-arm-angle = 该机床不是七轴机械臂
 # 机器人程序。
 cli-not-for-robots = 不适用于机器人
 cli-options-of-robots = --tolerance-mm、--speed-percent、--retract-mm
+cli-servo-not-here = 只有 URScript 有设定点流
+cli-servo-language = 与 --dialect urscript 一起使用
+cli-servo-alone = 该选项属于设定点流，但缺少 --servo-ms
+cli-servo-with-period = 与 --servo-ms 一起使用
+cli-servo-period = { $step } 至 { $max }，步长 { $step }
 
 # Search for placements of the work.
 cli-progress-reach = 搜索摆放
@@ -534,6 +539,13 @@ cli-label-best = 最佳
 cli-label-entry = 条目
 cli-reach-judged = { $placements } 个摆放，{ $weldable } 个可焊
 cli-reach-cut-off = { $budget } 到时结束搜索：--budget 可给更多时间
+cli-reach-interrupted = Ctrl-C 结束了搜索：结果是目前最佳的摆放
+cli-label-moved = 移动对象
+cli-reach-moves-work = 工件，在工件坐标系中
+cli-reach-moves-base = 机床基座，在其自身坐标系中
+cli-reach-base-entry = { $file }：{ $key } = { $entry }
+cli-reach-supplied = 机床属于程序自带，没有可写入的文件
+cli-reach-own-machine = 机床文件；在任务文件旁用 `seamwright machine show { $name } > machines/{ $name }.toml` 可生成
 cli-reach-at = 距当前摆放 x { $x }、y { $y }、z { $z }，转 { $turn }
 cli-reach-margin = 轴 { $axis } 保留其行程的 { $margin }（焊道 { $pass }，s = { $s }）
 cli-reach-free = 可焊；没有轴有行程限制

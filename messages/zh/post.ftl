@@ -324,6 +324,7 @@ post-robot-no-arm = 机床 { $machine } 不是带一把焊枪的六轴机械臂�
 post-robot-not-spherical = { $machine } 的第 4、5、6 轴不交于一点，而 { $language } 的姿态配置数据要求如此；允许：球形手腕的机械臂
 post-robot-not-parallel = { $machine } 的第 4 轴与第 2、3 轴不平行，而使用 { $language } 的机械臂均平行；允许：Universal Robots 机械臂
 post-robot-external-axes = { $language } 输出时最多 { $max } 个外部轴；{ $machine } 有 { $axes }
+post-robot-base-axis = { $machine } 的轴 `{ $axis }` 不沿基座坐标系 x、y 或 z 的正方向运动
 post-robot-frame = { $machine } 的工具或工件坐标系不是有限值
 post-robot-turns-at-rest = s = { $s } 附近焊枪转动而尖端静止：机器人在此没有速度
 post-robot-brief = s = { $s } 附近，此公差要求 { $time } 的直线；机器人控制器至少需要 { $min } 才不降速
@@ -342,5 +343,9 @@ post-robot-too-long = 程序超过 { $max } 字节
 post-robot-step = 第 { $step } 步读回后不同
 post-robot-frames = 读回的工具和工件坐标系不同
 post-robot-other-frames = 文本中的 `{ $frame }` 坐标系与 { $machine } 的不同
+post-robot-no-frames = 文本中没有工具和工件坐标系：采用 { $machine } 的坐标系
 post-robot-direction = 焊枪与规划姿态相差 { $deviation }；允许 { $max }
 post-robot-reach = 机械臂在各轴行程内不能到达所有位姿
+post-robot-no-stream = { $language } 没有设定点流
+post-robot-set-points = 焊缝在 { $period } 下有 { $count } 个设定点；最多写入 { $max } 个
+post-robot-stream-read = 该程序是设定点流，不能转换为焊接程序

@@ -631,6 +631,7 @@ report-bode-phase-unbounded = 相位裕度：无界
 
 # Search for placements.
 report-reach-subtitle = 工件摆放
+report-reach-subtitle-base = 机床基座的摆放
 report-reach-title = { $machine } 的可达性
 report-reach-key = 数字：轴距行程端点的最小距离，行程的 %
 report-reach-label = { $title }：摆放图
@@ -654,6 +655,7 @@ report-reach-heading-best = 最佳摆放
 report-reach-heading-reasons = 失败原因
 report-reach-heading-method = 方法
 report-reach-method = 位移以工件坐标系表示，从当前摆放算起；绕通过焊缝中心的竖直线转动。每个单元显示网格中该 x、y 处的最佳摆放；不可焊时显示轴或原因种类。最佳摆放已完整规划，包括间隙和空行程；其余按行程、速度、焊接位置和连续运动判定。
+report-reach-method-base = 位移是机床基座的位移，以基座坐标系表示，从当前摆放算起；绕通过其原点的竖直线转动。基座上的一切随之移动。每个单元显示网格中该 x、y 处的最佳摆放；不可焊时显示轴或原因种类。最佳摆放已完整规划，包括间隙和空行程；其余按行程、速度、焊接位置和连续运动判定。
 report-reach-caption-map = 沿 x 和 y 的摆放
 report-reach-caption-best = 已判定摆放中的最佳者
 report-reach-caption-reasons = 原因，各附最接近可焊的摆放

@@ -4,6 +4,7 @@
 
 mod args;
 mod clock;
+mod interrupt;
 mod labels;
 mod planning;
 mod progress;

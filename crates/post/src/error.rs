@@ -1,4 +1,4 @@
-use crate::robot::RobotLanguage;
+use crate::robot::{MAX_SET_POINTS, RobotLanguage};
 use seamwright_message::{Argument, Message, Unit, display_by_message};
 
 /// Reason why a part program cannot be written.
@@ -71,6 +71,29 @@ pub enum Error {
         language: RobotLanguage,
         /// Names of the external axes.
         axes: Vec<String>,
+        /// How many of them the language has.
+        max: usize,
+    },
+    /// A stream of set-points in a language without one.
+    NoStream {
+        /// The language.
+        language: RobotLanguage,
+    },
+    /// More set-points than a program takes.
+    TooManySetPoints {
+        /// Their number.
+        count: usize,
+        /// The period of the stream, ms.
+        period_ms: f64,
+    },
+    /// A robot program that is a stream of set-points, which is not converted to a weld program.
+    StreamRead,
+    /// An axis that carries the arm and is not linear along an axis of the base frame, for INFORM.
+    BaseAxis {
+        /// Name of the machine.
+        machine: String,
+        /// Name of the axis.
+        axis: String,
     },
     /// A frame of the tool or the work has an infinite or undefined number.
     FrameNotFinite {
@@ -141,11 +164,20 @@ impl Error {
                 };
                 new(code).text("machine", machine).text("language", language.title())
             }
-            Self::ExternalAxes { machine, language, axes } => {
+            Self::NoStream { language } => new("post-robot-no-stream").text("language", language.title()),
+            Self::TooManySetPoints { count, period_ms } => new("post-robot-set-points")
+                .count("count", *count)
+                .value("period", *period_ms, Unit::Ms)
+                .count("max", MAX_SET_POINTS),
+            Self::StreamRead => new("post-robot-stream-read"),
+            Self::BaseAxis { machine, axis } => {
+                new("post-robot-base-axis").text("machine", machine).axis("axis", axis.as_str())
+            }
+            Self::ExternalAxes { machine, language, axes, max } => {
                 let message =
                     new("post-robot-external-axes").text("machine", machine).text("language", language.title());
                 let axes = axes.iter().map(|axis| Argument::Axis(axis.clone()));
-                message.list("axes", axes).count("max", language.max_externals())
+                message.list("axes", axes).count("max", *max)
             }
             Self::FrameNotFinite { machine } => new("post-robot-frame").text("machine", machine),
             Self::TurnsAtRest { s } => new("post-robot-turns-at-rest").quantity("s", *s, Unit::Mm, 3),

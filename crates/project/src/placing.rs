@@ -3,19 +3,23 @@
 //! - With a work offset in force, that offset is changed.
 //! - Otherwise `[placement]` is changed, where the seam stands at one place.
 //! - A job with copies or rows gets a work offset, which moves all of them.
+//!
+//! The base of a machine is moved in its machine file: the first `[[work]]` step is displaced the other way, because the
+//! chains to torch and work both start at the base. Frames and shapes of the base go with it.
 
 use crate::failure::Failure;
 use crate::work_offset::{put_into, rounded};
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, Transform};
+use seamwright_machine::MachineFile;
 use seamwright_message::Message;
 use seamwright_program::Program;
-use toml_edit::{Array, DocumentMut, Item, Table, TableLike, Value};
+use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 /// Name of the work offset of a job with copies.
 const OFFSET: &str = "reach";
 
-/// A job's text with its work moved.
+/// The text of a job with its work moved, or of a machine file with its base moved.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedText {
     /// The text.
@@ -54,6 +58,54 @@ pub fn placed(text: &str, program: &Document<Program>, by: &DAffine3) -> Result<
     Ok(PlacedText { text, key: format!("offsets.{OFFSET}"), transform })
 }
 
+/// Key of the displacement from the base to the work.
+const FIRST_STEP: &str = "work[0].fixed";
+
+/// Moves the base of the machine `text`, read as `machine` from `file`, by the rigid displacement `by` in the base frame.
+/// Comments and all other entries stay.
+///
+/// # Errors
+/// A file in which `work` is not an array of tables, or a displacement that no number can hold.
+pub fn placed_base(text: &str, file: &str, machine: &MachineFile, by: &DAffine3) -> Result<PlacedText, Failure> {
+    let first = machine.work.first().and_then(|step| step.fixed);
+    let moved = by.inverse() * first.unwrap_or_default().affine();
+    let transform = rounded(&moved).ok_or_else(|| unchangeable(file, FIRST_STEP))?;
+    let text = match first {
+        Some(_) => set_first_step(text, &transform),
+        None => Some(with_first_step(text, &transform)),
+    };
+    let text = text.ok_or_else(|| unchangeable(file, FIRST_STEP))?;
+    Ok(PlacedText { text, key: FIRST_STEP.to_owned(), transform })
+}
+
+/// The text with `transform` in the first `[[work]]` step; none if the step is not a table.
+fn set_first_step(text: &str, transform: &Transform) -> Option<String> {
+    let mut document: DocumentMut = text.parse().ok()?;
+    let step = document.get_mut("work")?.as_array_of_tables_mut()?.get_mut(0)?;
+    write(step.get_mut("fixed")?.as_table_like_mut()?, transform);
+    Some(document.to_string())
+}
+
+/// The text with a new first `[[work]]` step.
+fn with_first_step(text: &str, transform: &Transform) -> String {
+    let step = format!("[[work]]\nfixed = {}\n\n", inline(transform));
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        if line.trim_start().starts_with("[[work]]") {
+            return format!("{}{step}{}", &text[..at], &text[at..]);
+        }
+        at += line.len();
+    }
+    format!("{}\n\n{}\n", text.trim_end(), step.trim_end())
+}
+
+/// The displacement as an inline table.
+pub fn inline(transform: &Transform) -> String {
+    let mut table = InlineTable::new();
+    write(&mut table, transform);
+    table.to_string().trim().to_owned()
+}
+
 fn unchangeable(file: &str, table: &str) -> Failure {
     let why = Message::new("project-not-a-table").key("table", table);
     Failure::input(Message::new("project-in-file").text("file", file).message("why", why))
@@ -66,6 +118,12 @@ fn set(text: &str, path: &[&str], transform: &Transform) -> Option<String> {
     for key in path {
         table = table.entry(key).or_insert_with(|| Item::Table(Table::new())).as_table_like_mut()?;
     }
+    write(table, transform);
+    Some(document.to_string())
+}
+
+/// Writes `transform` into a table; comments beside old values stay.
+fn write(table: &mut dyn TableLike, transform: &Transform) {
     let array = |v: DVec3| Value::from(v.to_array().into_iter().collect::<Array>());
     put(table, "move_mm", array(transform.move_mm.get()));
     match transform.turn {
@@ -75,7 +133,6 @@ fn set(text: &str, path: &[&str], transform: &Transform) -> Option<String> {
         }
         None => ["turn", "angle_deg"].into_iter().for_each(|key| drop(table.remove(key))),
     }
-    Some(document.to_string())
 }
 
 /// Sets a value; the comment beside an old one stays.
@@ -93,6 +150,7 @@ fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
 mod tests {
     use super::*;
     use glam::DQuat;
+    use seamwright_machine::Machine;
     use seamwright_weld::Welding;
 
     const JOB: &str = include_str!("../../../examples/ellipse.toml");
@@ -146,5 +204,31 @@ mod tests {
         assert!(placed.text.contains("# touched"));
         let rows = JOB.replace("[start]", "[rows]\nrows = 1\ncolumns = 2\nstep_mm = [60, 0, 0]\n\n[start]");
         assert_eq!(moved(&rows, &by).key, "offsets.reach");
+    }
+
+    /// The frames of torch and work of `text` in the base frame at home.
+    fn home_frames(text: &str) -> [DAffine3; 2] {
+        let machine = Machine::read("m.toml", text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let home = machine.home();
+        let base = machine.links.named().iter().find(|frame| frame.name == "base").unwrap();
+        let work_in_base = (machine.link_frames(&home)[machine.links.base()] * base.zero).inverse();
+        [work_in_base * machine.mount_frame(0, &home), work_in_base]
+    }
+
+    /// Moving the base by T leaves the torch where it is in the base frame, and moves the work by the inverse of T.
+    #[test]
+    fn a_moved_base_is_the_work_moved_the_other_way() {
+        let by = DAffine3::from_rotation_translation(DQuat::from_rotation_z(0.3), DVec3::new(10.0, -20.5, 35.0));
+        for name in ["irb-2600", "irb-2600-positioner", "irb-2600-rail", "ur10e", "saddle-4axis", "table-tilting-xyzac"]
+        {
+            let before = seamwright_machine::shipped(name).unwrap().text;
+            let file = seamwright_machine::MachineFile::read("m.toml", before).unwrap().value;
+            let placed = placed_base(before, "m.toml", &file, &by).unwrap();
+            let ([torch, work], [moved_torch, moved_work]) = (home_frames(before), home_frames(&placed.text));
+            assert!(moved_torch.abs_diff_eq(torch, 1e-9), "{name}");
+            assert!(moved_work.abs_diff_eq(by.inverse() * work, 1e-5), "{name}: {}", placed.text);
+            let comments = |text: &str| text.lines().filter(|line| line.contains('#')).count();
+            assert_eq!(comments(&placed.text), comments(before), "{name}");
+        }
     }
 }

@@ -114,13 +114,36 @@ pub fn proven_robot(
     language: RobotLanguage,
     options: &RobotOptions,
 ) -> Result<(String, Verification), Unproven> {
+    let first = match proven_within(loaded, motion, language, options, options.tolerance_mm) {
+        Err(Unproven::Wrong(lines)) => lines,
+        result => return result,
+    };
+    let finer = PARTS
+        .into_iter()
+        .find_map(|part| proven_within(loaded, motion, language, options, part * options.tolerance_mm).ok());
+    finer.ok_or(Unproven::Wrong(first))
+}
+
+/// Parts of the tolerance for lines and arcs that are tried if the proof with all of it fails: beside a tight bend a line and
+/// the rounded corner at its end may leave the path to the same side.
+const PARTS: [f64; 2] = [0.7, 0.5];
+
+/// The robot program whose lines and arcs keep within `used_mm` of the path, proven against the tolerance of `options`.
+fn proven_within(
+    loaded: &Loaded,
+    motion: &WeldMotion,
+    language: RobotLanguage,
+    options: &RobotOptions,
+    used_mm: f64,
+) -> Result<(String, Verification), Unproven> {
     let machine = &loaded.machine;
     let program = &loaded.welding.program.value;
     let paths = loaded.paths();
     let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
     let refused = |e: Error| Failure::Input(e.message());
     let arm = RobotArm::new(machine, language).map_err(refused)?;
-    let asked = robot_program(machine, language, program, &paths, motion, options)
+    let used = RobotOptions { tolerance_mm: used_mm, ..*options };
+    let asked = robot_program(machine, language, program, &paths, motion, &used)
         .map_err(|e| Failure::Input(located(&e, options.tolerance_mm)))?;
     let text = |remarks: &[String]| write_robot(language, &asked, &RobotText { machine, arm: &arm, remarks });
     let planned = PlannedRobot {

@@ -83,6 +83,15 @@ pub(crate) struct PostArgs {
     /// percent of the planned speed; not for weaving passes [default: 1; robots: 2]
     #[arg(long, value_name = "PERCENT")]
     pub(crate) speed_percent: Option<f64>,
+    /// URScript: set-points every MS ms (servoj) in the place of lines and arcs, 2 to 40 in steps of 2
+    #[arg(long, value_name = "MS")]
+    pub(crate) servo_ms: Option<f64>,
+    /// Look-ahead time of the set-points, s, 0.03 to 0.2 [default: 0.1]
+    #[arg(long, value_name = "S")]
+    pub(crate) lookahead_s: Option<f64>,
+    /// Gain of the set-points, 100 to 2000 [default: 300]
+    #[arg(long, value_name = "GAIN")]
+    pub(crate) gain: Option<f64>,
     /// Retract distance of the torch along its axis before and after the weld, mm [default: the job's air.retract_mm]
     #[arg(long, value_name = "MM")]
     pub(crate) retract_mm: Option<f64>,

@@ -6,7 +6,7 @@ use crate::rows::{json_text, print_text};
 use seamwright_document::Positive;
 use seamwright_message::{Message, Unit};
 use seamwright_motion::WeldMotion;
-use seamwright_post::robot::{RobotArm, RobotLanguage, RobotOptions};
+use seamwright_post::robot::{RobotArm, RobotLanguage, RobotOptions, ServoStream};
 use seamwright_post::{Control, Dialect, Feed, Interpolation, Level, Options, Verification};
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
@@ -97,6 +97,7 @@ pub(super) fn differences<T>(proven: Result<T, Unproven>) -> Result<T, Failure> 
 fn request(args: &PostArgs) -> Result<Request, Failure> {
     let target = PostTarget::from(args.dialect);
     let tolerance_mm = tolerance(args.tolerance_mm.unwrap_or(target.tolerance_mm()))?;
+    let stream = stream(args, target)?;
     match target {
         PostTarget::Machine(dialect) => {
             let feed = match args.feed {
@@ -119,9 +120,42 @@ fn request(args: &PostArgs) -> Result<Request, Failure> {
             }
             let usual = RobotOptions::default();
             let speed_percent = speed(args.speed_percent.unwrap_or(usual.speed_percent))?;
-            Ok(Request::Robot(language, RobotOptions { tolerance_mm, speed_percent, ..usual }))
+            Ok(Request::Robot(language, RobotOptions { tolerance_mm, speed_percent, stream, ..usual }))
         }
     }
+}
+
+/// The stream of set-points that is asked for.
+fn stream(args: &PostArgs, target: PostTarget) -> Result<Option<ServoStream>, Failure> {
+    let given = [("--servo-ms", args.servo_ms), ("--lookahead-s", args.lookahead_s), ("--gain", args.gain)];
+    let Some((option, value)) = given.into_iter().find_map(|(option, value)| Some((option, value?))) else {
+        return Ok(None);
+    };
+    if target != PostTarget::Robot(RobotLanguage::Urscript) {
+        let allowed = Message::new("cli-servo-language");
+        return Err(refused(option, value, Message::new("cli-servo-not-here"), allowed));
+    }
+    let Some(period_ms) = args.servo_ms else {
+        return Err(refused(option, value, Message::new("cli-servo-alone"), Message::new("cli-servo-with-period")));
+    };
+    let cycles = period_ms * 1e-3 / ServoStream::CYCLE_S;
+    let max_cycles = ServoStream::MAX_PERIOD_S / ServoStream::CYCLE_S;
+    if !(1.0 - 1e-9..=max_cycles + 1e-9).contains(&cycles) || (cycles - cycles.round()).abs() > 1e-9 {
+        let allowed = Message::new("cli-servo-period").value("step", 1e3 * ServoStream::CYCLE_S, Unit::Ms);
+        return Err(not_allowed(
+            "--servo-ms",
+            period_ms,
+            allowed.value("max", 1e3 * ServoStream::MAX_PERIOD_S, Unit::Ms),
+        ));
+    }
+    let within = |option, value: f64, [min, max]: [f64; 2]| match (min..=max).contains(&value) {
+        true => Ok(value),
+        false => Err(not_allowed(option, value, between(min, max))),
+    };
+    let usual = ServoStream::with_period(cycles.round() * ServoStream::CYCLE_S);
+    let lookahead_s = within("--lookahead-s", args.lookahead_s.unwrap_or(usual.lookahead_s), ServoStream::LOOKAHEAD_S)?;
+    let gain = within("--gain", args.gain.unwrap_or(usual.gain), ServoStream::GAIN)?;
+    Ok(Some(ServoStream { lookahead_s, gain, ..usual }))
 }
 
 fn tolerance(tolerance_mm: f64) -> Result<f64, Failure> {

@@ -105,8 +105,10 @@ fn robot(args: &ReadArgs, file: &str, text: &str, import: &RobotImport) -> Resul
     }
     let ImportedRobot { program, moves, seconds } = &imported;
     let written = written(file, program)?;
+    let without_frames = Message::new("post-robot-no-frames").text("machine", &import.machine.name);
+    let notes: &[Message] = if read.frames.is_none() { &[without_frames] } else { &[] };
     let counts =
-        Counts { file, dialect: import.language.name(), moves: *moves, seconds: *seconds, left_out: &[], notes: &[] };
+        Counts { file, dialect: import.language.name(), moves: *moves, seconds: *seconds, left_out: &[], notes };
     describe(&counts, program)?;
     write(args, &written, || summary(args, &counts, program))
 }

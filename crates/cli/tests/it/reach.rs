@@ -64,6 +64,79 @@ fn the_best_placement_on_an_arm_with_a_positioner_is_planned() {
     on_arm("ur10e-positioner", ["--x=-60,60,3", "--y=0,0", "--z=0,60,2", "--turn=0,0"]);
 }
 
+/// The base of a machine file is moved, and the job is planned on it; a supplied machine has no file to write to.
+#[test]
+fn the_best_base_is_written_into_the_machine_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = write(folder.path(), "job.toml", NOZZLE.replace("MACHINE", "irb-2600"));
+    let ranges = ["--base", "--x=-100,200,2", "--y=0,0", "--z=0,0", "--turn=0,0", "--budget", "400"];
+    let refused = bad(2, &[&["machine", "reach", &job, "--apply"], &ranges[..]].concat());
+    has_all(&refused, &["--apply irb-2600", "seamwright machine show irb-2600 > machines/irb-2600.toml"]);
+    fs::create_dir(folder.path().join("machines")).unwrap();
+    let supplied = good(&["machine", "show", "irb-2600"]);
+    let machine = write(&folder.path().join("machines"), "irb-2600.toml", supplied.clone());
+    let before = fs::read_to_string(&job).unwrap();
+    let out = folder.path().join("out").display().to_string();
+    let text = good(&[&["machine", "reach", &job, "--apply", "-o", &out], &ranges[..]].concat());
+    has_all(&text, &["the machine's base", "irb-2600.toml: work[0].fixed = { move_mm = ["]);
+    let found = json_file(format!("{out}/reach.json"));
+    assert_eq!((&found["moved"], &found["best"]["key"]), (&"base".into(), &"work[0].fixed".into()));
+    let x = found["best"]["x_mm"].as_f64().unwrap();
+    assert!(x.abs() > 1.0, "{found}");
+    let written = fs::read_to_string(&machine).unwrap();
+    assert!(written.contains(&format!("fixed = {{ move_mm = [{:?}, 0.0, 0.0] }}", 900.0 - x)), "{x} {written}");
+    let same = written.lines().zip(supplied.lines()).filter(|(a, b)| a == b).count();
+    assert_eq!(same + 1, supplied.lines().count());
+    assert_eq!(fs::read_to_string(&job).unwrap(), before);
+    assert!(fs::read_to_string(format!("{out}/reach.html")).unwrap().contains("Placements of the machine's base"));
+    good(&["check", &job]);
+}
+
+/// Ctrl-C ends the search with a result, a second one ends the program.
+#[cfg(target_os = "linux")]
+#[test]
+fn ctrl_c_ends_the_search_and_then_the_program() {
+    let arguments = ["machine", "reach", "ellipse", "--x=-300,300,300", "--y=-100,100,300", "--budget", "3000"];
+    let mut search = start_search(&arguments);
+    interrupt(&search);
+    let ended = search.wait_with_output().unwrap();
+    let text = String::from_utf8(ended.stdout).unwrap();
+    has_all(&text, &["Ctrl-C ended the search", "placement: move_mm"]);
+    assert_eq!(ended.status.code(), Some(0));
+    // The plan of the best placement takes longer than the pause.
+    let folder = tempfile::tempdir().unwrap();
+    let job = write(folder.path(), "job.toml", NOZZLE.replace("MACHINE", "irb-2600"));
+    search = start_search(&["machine", "reach", &job, "--x=-100,100,100", "--budget", "3000"]);
+    interrupt(&search);
+    std::thread::sleep(std::time::Duration::from_millis(100));
+    interrupt(&search);
+    let ended = search.wait_with_output().unwrap();
+    assert_eq!(ended.status.code(), Some(130), "{}", String::from_utf8_lossy(&ended.stderr));
+}
+
+/// Starts the program, and waits until it takes Ctrl-C and has searched for a while.
+#[cfg(target_os = "linux")]
+fn start_search(arguments: &[&str]) -> std::process::Child {
+    use std::time::Duration;
+    let child = crate::common::start(arguments);
+    let takes_interrupts = || {
+        let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
+        let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap().trim().to_owned();
+        u64::from_str_radix(&caught, 16).unwrap() & 2 != 0
+    };
+    while !takes_interrupts() {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    std::thread::sleep(Duration::from_secs(2));
+    child
+}
+
+#[cfg(target_os = "linux")]
+fn interrupt(child: &std::process::Child) {
+    let sent = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+}
+
 #[test]
 fn nothing_is_written_without_a_placement() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,7 +1,11 @@
 //! `read`: part programs as weld programs, posted back and welded in simulation.
 
-use crate::common::{good, json_file, run as seamwright, write};
+use crate::common::{good, json, json_file, run as seamwright, write};
+use serde_json::Value;
 use std::fs;
+
+/// A nozzle on a shell, near enough for the arms.
+const NOZZLE: &str = include_str!("../../../../tests/data/nozzle-on-arm.toml");
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
@@ -113,30 +117,69 @@ fn mistakes_have_line_and_column() {
 /// A weld that was posted for a robot is read back as a program, planned and posted again; faults have their line.
 #[test]
 fn robot_programs_are_read() {
+    for (machine, dialect, file, wrong) in [
+        ("irb-2600", "rapid", "weld.mod", ["ArcL ", "ArcX "]),
+        ("kr-16", "krl", "weld.src", ["LIN {", "LIM {"]),
+        ("arc-mate-120id", "fanuc-ls", "weld.ls", ["L P[", "X P["]),
+        ("ur10e", "urscript", "weld.script", ["movep(", "movex("]),
+        ("ar1440", "inform", "weld.jbi", ["MOVL ", "MOVX "]),
+    ] {
+        read_back(machine, dialect, file, wrong);
+    }
+}
+
+/// Posts a nozzle in `dialect` to `file`, imports it and posts the program that was read. A text with `wrong[1]` in the
+/// place of `wrong[0]` is refused with the line.
+fn read_back(machine: &str, dialect: &str, file: &str, wrong: [&str; 2]) {
     let dir = tempfile::tempdir().unwrap();
     let at = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
-    let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/head-nozzle.toml");
-    let job = fs::read_to_string(example).unwrap();
-    for (machine, dialect, file) in [("irb-2600", "rapid", "weld.mod"), ("kr-16", "krl", "weld.src")] {
-        let lines = job.lines().map(|line| match line.starts_with("machine = ") {
-            true => format!("machine = \"{machine}\""),
-            false => line.to_owned(),
-        });
-        fs::write(at("job.toml"), lines.collect::<Vec<_>>().join("\n")).unwrap();
-        good(&["post", &at("job.toml"), "--dialect", dialect, "-o", &at(file)]);
-        let read = seamwright(&["import", &at(file), "--machine", machine, "-o", &at("weld.toml")]);
-        let told = text(&read.stderr);
-        assert!(read.status.success() && told.contains(&format!("{dialect} program")), "{told}");
-        good(&["post", &at("weld.toml"), "--dialect", dialect, "-o", &at("again")]);
-        let damaged = fs::read_to_string(at(file)).unwrap().replacen("ArcL ", "ArcX ", 1).replacen("LIN {", "LIM {", 1);
-        fs::write(at(file), &damaged).unwrap();
-        let line = damaged.lines().position(|line| line.contains("ArcX ") || line.contains("LIM {")).unwrap() + 1;
-        let refused = seamwright(&["import", &at(file), "--machine", machine]);
-        let told = text(&refused.stderr);
-        assert!(refused.status.code() == Some(2) && told.contains(&format!("{file}:{line}:")), "{told}");
-        let refused = seamwright(&["import", &at(file), "--machine", machine, "--lenient"]);
-        assert_eq!(refused.status.code(), Some(2));
-    }
+    fs::write(at("job.toml"), NOZZLE.replace("MACHINE", machine)).unwrap();
+    good(&["post", &at("job.toml"), "--dialect", dialect, "-o", &at(file)]);
+    let read = seamwright(&["import", &at(file), "--machine", machine, "-o", &at("weld.toml"), "--json"]);
+    let said = text(&read.stderr);
+    assert!(read.status.success() && said.contains(&format!("{dialect} program")), "{said}");
+    // A job in INFORM has no frames: its reader can compare none.
+    assert_eq!(said.contains("no frames of tool and work"), dialect == "inform", "{said}");
+    let summary: Value = serde_json::from_slice(&read.stdout).unwrap();
+    let planned = json(&["plan", &at("job.toml"), "--json", "-o", &at("plan")]);
+    let welded_s = planned["plan"]["arc_on_s"].as_f64().unwrap();
+    assert!((summary["seconds"].as_f64().unwrap() / welded_s - 1.0).abs() < 1e-3, "{summary} {planned}");
+    good(&["post", &at("weld.toml"), "--dialect", dialect, "-o", &at("again")]);
+    let damaged = fs::read_to_string(at(file)).unwrap().replacen(wrong[0], wrong[1], 1);
+    fs::write(at(file), &damaged).unwrap();
+    let line = damaged.lines().position(|line| line.contains(wrong[1])).unwrap() + 1;
+    let refused = seamwright(&["import", &at(file), "--machine", machine]);
+    let said = text(&refused.stderr);
+    assert!(refused.status.code() == Some(2) && said.contains(&format!("{file}:{line}:")), "{said}");
+    let refused = seamwright(&["import", &at(file), "--machine", machine, "--lenient"]);
+    assert_eq!(refused.status.code(), Some(2));
+}
+
+/// `--servo-ms`: set-points with the given settings, proven; bad settings are refused with what is allowed.
+#[test]
+fn urscript_is_posted_as_set_points() {
+    let dir = tempfile::tempdir().unwrap();
+    let job = write(dir.path(), "job.toml", NOZZLE.replace("MACHINE", "ur10e"));
+    let post = |extra: &[&str]| seamwright(&[&["post", &job, "--dialect", "urscript"], extra].concat());
+    let out = post(&["--servo-ms", "8", "--lookahead-s", "0.05", "--gain", "500", "--verify"]);
+    let said = text(&out.stderr);
+    assert!(out.status.success() && said.contains("proven by reading back"), "{said}");
+    let script = text(&out.stdout);
+    assert!(script.matches("], 0, 0, 0.008, 0.05, 500)\n").count() > 7000 && !script.contains("movep("), "{said}");
+    let refused = |extra: &[&str], words: [&str; 2]| {
+        let out = post(extra);
+        let said = text(&out.stderr);
+        assert!(out.status.code() == Some(2) && words.iter().all(|word| said.contains(word)), "{extra:?}: {said}");
+    };
+    refused(&["--servo-ms", "3"], ["--servo-ms 3", "2 ms to 40 ms in steps of 2 ms"]);
+    refused(&["--servo-ms", "42"], ["--servo-ms 42", "2 ms to 40 ms"]);
+    refused(&["--servo-ms", "nan"], ["--servo-ms NaN", "2 ms to 40 ms"]);
+    refused(&["--servo-ms", "8", "--lookahead-s", "0.3"], ["--lookahead-s 0.3", "0.03"]);
+    refused(&["--servo-ms", "8", "--gain", "50"], ["--gain 50", "2000"]);
+    refused(&["--gain", "300"], ["--gain 300", "--servo-ms"]);
+    let other = seamwright(&["post", &job, "--dialect", "rapid", "--servo-ms", "8"]);
+    let said = text(&other.stderr);
+    assert!(other.status.code() == Some(2) && said.contains("--servo-ms 8") && said.contains("urscript"), "{said}");
 }
 
 /// Posts state their proof; text that the control cannot express is not written.

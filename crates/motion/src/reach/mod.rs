@@ -13,6 +13,9 @@
 //! A [`Placement`] is a displacement of the work from its present position, in the work frame: mm, and rad about the
 //! vertical through a pivot.
 //!
+//! A base placement is the same of the machine's base, in the base frame. It is judged on a machine that has its base
+//! there: see the search of the `project` crate.
+//!
 //! # Method
 //!
 //! A placement is judged as the planner starts a pass: redundant axes are resolved, the axes follow the whole path on one
@@ -30,5 +33,5 @@ mod search;
 
 pub use judge::PlacementTask;
 pub use margin::{FaultKind, Judgement, MarginAxis, PlacementFault, PlacementMargin};
-pub use placement::{Pivot, Placement, ReachGrid, ReachSpan, SpanError};
+pub use placement::{Moved, Pivot, Placement, ReachGrid, ReachSpan, SpanError};
 pub use search::{Judged, SearchResult, search};

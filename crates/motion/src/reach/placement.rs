@@ -1,15 +1,34 @@
 use glam::{DAffine3, DQuat, DVec3};
 
-/// A displacement of the work from its present position.
+/// Subject of placements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Moved {
+    /// The work, in the work frame.
+    Work,
+    /// The machine's base with all that stands on it, in the base frame.
+    Base,
+}
+
+impl Moved {
+    /// Name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Work => "work",
+            Self::Base => "base",
+        }
+    }
+}
+
+/// A displacement of the work, or of the machine's base, from its present position.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Placement {
-    /// Displacement in the work frame, mm.
+    /// Displacement in the frame of what is moved, mm.
     pub by: DVec3,
     /// Rotation about the vertical through the pivot, rad.
     pub turn: f64,
 }
 
-/// Axis about which placements turn the work, in the work frame.
+/// Axis about which placements turn, in the frame of what is moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pivot {
     /// A point on the axis, mm.
@@ -19,7 +38,7 @@ pub struct Pivot {
 }
 
 impl Placement {
-    /// The displacement as a map of points in the work frame: the rotation about `pivot`, then the translation.
+    /// The displacement as a map of points in that frame: the rotation about `pivot`, then the translation.
     pub fn affine(&self, pivot: &Pivot) -> DAffine3 {
         let turned = DAffine3::from_quat(DQuat::from_axis_angle(pivot.up, self.turn));
         DAffine3::from_translation(self.by + pivot.point) * turned * DAffine3::from_translation(-pivot.point)

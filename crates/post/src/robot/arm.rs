@@ -2,7 +2,7 @@ use super::language::RobotLanguage;
 use super::pose::RobotPose;
 use crate::error::Error;
 use glam::{DAffine3, DVec3};
-use seamwright_machine::{AxisKind, Joints, Machine};
+use seamwright_machine::{AxisKind, Joints, LinkJoint, Machine};
 
 /// Sine of the angle below which two axes are parallel.
 const PARALLEL: f64 = 1e-9;
@@ -37,11 +37,44 @@ pub struct RobotArm {
     pub shoulder_height_mm: f64,
 }
 
+/// Refuses more external axes than the language has.
+fn check_externals(machine: &Machine, language: RobotLanguage, externals: &[External]) -> Result<(), Error> {
+    let (positioner, carriers): (Vec<_>, Vec<_>) = externals.iter().partition(|external| external.carries_work);
+    let refused = |axes: Vec<&External>, max| {
+        let axes = axes.into_iter().map(|external| external.name.clone()).collect();
+        Err(Error::ExternalAxes { machine: machine.name.clone(), language, axes, max })
+    };
+    if carriers.len() > language.max_carriers() {
+        return refused(carriers, language.max_carriers());
+    }
+    if positioner.len() > language.max_positioner_axes() {
+        return refused(positioner, language.max_positioner_axes());
+    }
+    if externals.len() > language.max_externals() {
+        return refused(externals.iter().collect(), language.max_externals());
+    }
+    Ok(())
+}
+
+/// Refuses axes that carry the arm unless they are linear along x, y or z of the base frame: INFORM counts their positions
+/// along these. `base` is that frame in the work frame.
+fn check_base_axes(machine: &Machine, carriers: &[LinkJoint], base: &DAffine3) -> Result<(), Error> {
+    for joint in carriers {
+        let (axis, along) = (&machine.axes[joint.axis], base.inverse().transform_vector3(joint.direction));
+        let is_along = [DVec3::X, DVec3::Y, DVec3::Z].iter().any(|unit| along.distance(*unit) < PARALLEL);
+        if axis.kind != AxisKind::Linear || !is_along {
+            return Err(Error::BaseAxis { machine: machine.name.clone(), axis: axis.name.clone() });
+        }
+    }
+    Ok(())
+}
+
 impl RobotArm {
     /// The robot that `machine` is, for `language`.
     ///
     /// # Errors
-    /// [`Error::NotAnArm`], [`Error::WrongArm`], [`Error::ExternalAxes`], [`Error::TwoTorches`], [`Error::FrameNotFinite`].
+    /// [`Error::NotAnArm`], [`Error::WrongArm`], [`Error::ExternalAxes`], [`Error::BaseAxis`], [`Error::TwoTorches`],
+    /// [`Error::FrameNotFinite`].
     pub fn new(machine: &Machine, language: RobotLanguage) -> Result<Self, Error> {
         let no_arm = || Error::NotAnArm { machine: machine.name.clone(), language };
         if machine.heads.len() > 1 {
@@ -77,18 +110,14 @@ impl RobotArm {
                 External { axis, name: of.name.clone(), kind: of.kind, carries_work }
             })
             .collect();
-        let carries_work = externals.iter().any(|external| external.carries_work);
-        if externals.len() > language.max_externals()
-            || (carries_work && !language.takes_positioner())
-            || (externals.iter().any(|external| !external.carries_work) && !language.takes_rail())
-        {
-            let axes = externals.into_iter().map(|external| external.name).collect();
-            return Err(Error::ExternalAxes { machine: machine.name.clone(), language, axes });
-        }
+        check_externals(machine, language, &externals)?;
         let work_at_zero = machine.links.named().iter().find(|frame| frame.name == "base").ok_or_else(no_arm)?.zero;
         let on_positioner = externals.iter().rev().find(|external| external.carries_work);
         let last = on_positioner.and_then(|external| machine.links.frame(&external.name));
         let work = last.map_or(work_at_zero, |frame| frame.zero).inverse();
+        if language == RobotLanguage::Inform {
+            check_base_axes(machine, &chain[6..base_at], &work_at_zero)?;
+        }
         let second = work_at_zero.inverse().transform_point3(chain[4].at);
         let arm = Self {
             joints,

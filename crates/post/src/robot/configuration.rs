@@ -2,7 +2,7 @@
 
 use super::arm::RobotArm;
 use super::language::RobotLanguage;
-use seamwright_machine::{ArmConfiguration, Elbow, Joints, Machine, Shoulder, WristSide};
+use seamwright_machine::{ArmConfiguration, Elbow, Joints, Machine, Shoulder};
 
 impl RobotLanguage {
     /// The arm's configuration at positions `q` in the numbers of the language:
@@ -52,25 +52,22 @@ fn fanuc(deg: &[f64; 6], of: &ArmConfiguration) -> Vec<i32> {
     flags.into_iter().chain(turns).collect()
 }
 
-/// Front, elbow, flip, then whether R, T and S are beyond half a turn; the last two are of axes that the arm lacks.
+/// No-flip (axis R turned by more than a quarter, whole turns aside), lower arm, rear, then whether R, T and S are beyond
+/// half a turn; the last two are of axes that the arm lacks.
 fn inform(deg: &[f64; 6], of: &ArmConfiguration) -> Vec<i32> {
-    let far = |i: usize| deg[i].abs() >= 180.0;
-    let flags = [
-        of.shoulder == Shoulder::Back,
-        of.elbow == Elbow::Down,
-        of.wrist == WristSide::Flip,
-        far(3),
-        far(5),
-        far(0),
-        false,
-        false,
-    ];
+    let far = |i: usize| deg[i] > 180.0 || deg[i] <= -180.0;
+    let quarters = (deg[3] + 90.0).rem_euclid(360.0);
+    let flips = quarters > 0.0 && quarters <= 180.0;
+    let flags = [!flips, of.elbow == Elbow::Down, of.shoulder == Shoulder::Back, far(3), far(5), far(0), false, false];
     flags.map(i32::from).to_vec()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::robot::pose::RobotPose;
+    use crate::robot::program::{JointTarget, RobotProgram, RobotStep, TcpMove};
+    use crate::robot::write::{RobotText, write_robot};
     use seamwright_machine::shipped;
 
     fn of(name: &str, language: RobotLanguage, deg: [f64; 6]) -> Vec<i32> {
@@ -96,8 +93,53 @@ mod tests {
         assert_eq!(fanuc([0.0, 0.0, 0.0, 0.0, -90.0, 0.0]), [0, 1, 1, 0, 0, 0]);
         assert_eq!(fanuc([0.0, 0.0, 0.0, 190.0, 60.0, 0.0]), [1, 1, 1, 0, 1, 0]);
         let inform = |deg| of("ar1440", RobotLanguage::Inform, deg);
-        assert_eq!(inform([0.0, 0.0, 0.0, 0.0, -90.0, 190.0])[..2], [0, 0]);
-        assert_eq!(inform([0.0, 0.0, 0.0, 0.0, -90.0, 190.0])[3..], [0, 1, 0, 0, 0]);
+        assert_eq!(inform([0.0, 0.0, 0.0, 0.0, -90.0, 190.0]), [0, 0, 0, 0, 1, 0, 0, 0]);
+        // Ranges of R printed in the NX100 operator's manual: flip up to 90 degrees, no-flip above, flip again from 270.
+        for (r, no_flip, far) in
+            [(90.0, 0, 0), (90.1, 1, 0), (-89.9, 0, 0), (-90.0, 1, 0), (181.0, 1, 1), (-275.0, 0, 1)]
+        {
+            assert_eq!(inform([0.0, 0.0, 0.0, r, -90.0, 0.0]), [no_flip, 0, 0, far, 0, 0, 0, 0], "{r}");
+        }
+        // Turned half round at the base and bent over backwards: rear.
+        assert_eq!(inform([170.0, -80.0, 130.0, 0.0, -30.0, 0.0])[2], 1);
         assert!(of("ur10e", RobotLanguage::Urscript, [0.0, -90.0, -90.0, -90.0, 90.0, 0.0]).is_empty());
+    }
+
+    /// A position of a FANUC arm published with its axes for both sides of the wrist (J. Strybis, "The perils of six-axis
+    /// robots", onerobotics.com, 2013): W 135, P -45, R 0. The orientation does not depend on the lengths of the arm.
+    #[test]
+    fn a_published_position_has_its_orientation() {
+        let machine = Machine::read("m", shipped("arc-mate-120id").unwrap().text).unwrap();
+        let arm = RobotArm::new(&machine, RobotLanguage::FanucLs).unwrap();
+        for (pendant, configuration) in [
+            ([7.962, -5.284, -36.25, 77.661, -51.975, -79.273], "'N U T, 0, 0, 0'"),
+            ([7.962, -5.284, -36.25, -102.339, 51.975, 100.727], "'F U T, 0, 0, 0'"),
+        ] {
+            // The pendant counts J3 from the horizontal.
+            let mut deg: [f64; 6] = pendant;
+            deg[2] += deg[1];
+            let mut q = machine.home();
+            arm.joints.iter().zip(deg).for_each(|(axis, deg)| q[*axis] = deg.to_radians());
+            let turn = arm.work.turn * RobotArm::pose(&machine, &q).turn * arm.tool.turn.inverse();
+            let flange = TcpMove {
+                via: None,
+                to: RobotPose { turn, ..RobotPose::IDENTITY },
+                externals: Vec::new(),
+                configuration: RobotLanguage::FanucLs.configuration(&machine, &arm, &q),
+                speed_mm_s: 1.0,
+                zone_mm: 0.0,
+            };
+            let joints = RobotStep::Joints(JointTarget { arm: deg, externals: Vec::new() });
+            let steps = vec![RobotStep::Pass(String::new()), joints, RobotStep::Move(flange)];
+            let program = RobotProgram { title: String::new(), frames: None, steps };
+            let text = RobotText { machine: &machine, arm: &arm, remarks: &[] };
+            let text = write_robot(RobotLanguage::FanucLs, &program, &text);
+            assert!(text.contains(configuration) && text.contains("J3= -36.25 deg"), "{text}");
+            for (word, angle) in [("\tW = ", 135.0), ("\tP = ", -45.0), ("\tR = ", 0.0)] {
+                let (_, rest) = text.split_once(word).unwrap();
+                let written: f64 = rest.split(' ').next().unwrap().parse().unwrap();
+                assert!((written - angle).abs() < 2e-3, "{word}: {written}");
+            }
+        }
     }
 }

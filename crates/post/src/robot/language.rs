@@ -69,19 +69,19 @@ impl RobotLanguage {
         match self {
             Self::Rapid | Self::Krl => 6,
             Self::FanucLs => 3,
-            Self::Inform => 2,
+            Self::Inform => self.max_carriers() + self.max_positioner_axes(),
             Self::Urscript => 0,
         }
     }
 
-    /// Whether the arm is coordinated with a positioner.
-    pub fn takes_positioner(self) -> bool {
-        self != Self::Urscript
+    /// Maximum number of axes of a positioner with which the arm is coordinated.
+    pub fn max_positioner_axes(self) -> usize {
+        if self == Self::Inform { 2 } else { self.max_externals() }
     }
 
-    /// Whether external axes may carry the arm.
-    pub fn takes_rail(self) -> bool {
-        matches!(self, Self::Rapid | Self::Krl | Self::FanucLs)
+    /// Maximum number of axes that carry the arm.
+    pub fn max_carriers(self) -> usize {
+        if self == Self::Inform { 3 } else { self.max_externals() }
     }
 
     /// Whether poses on a positioner are in a frame that stands still, and not in that of its last axis: FANUC and Yaskawa.

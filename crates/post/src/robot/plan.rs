@@ -8,6 +8,7 @@ use super::play::{bend, corner_cut};
 use super::pose::RobotPose;
 use super::program::{ArcEnd, ArcStart, JointTarget, RobotProgram, RobotStep, TcpMove, ThroughPoint};
 use super::speeds::{Timed, speeds};
+use super::stream::{self, ServoStream};
 use super::way::Way;
 use super::weld_values::WeldValues;
 use crate::error::Error;
@@ -39,12 +40,14 @@ pub struct RobotOptions {
     pub speed_percent: f64,
     /// Whether arcs take the place of lines where they save poses.
     pub arcs: bool,
+    /// Set-points in the place of lines and arcs, in URScript.
+    pub stream: Option<ServoStream>,
 }
 
 impl Default for RobotOptions {
     fn default() -> Self {
         // The repeatability of welding robots is of the same size.
-        Self { tolerance_mm: 0.05, speed_percent: 2.0, arcs: true }
+        Self { tolerance_mm: 0.05, speed_percent: 2.0, arcs: true, stream: None }
     }
 }
 
@@ -61,7 +64,7 @@ struct Target<'a> {
 ///
 /// # Errors
 /// [`Error::TooFine`], [`Error::BriefBlocks`], [`Error::TurnsAtRest`], [`Error::Slopes`], [`Error::PassEvents`],
-/// [`Error::TwoTorches`].
+/// [`Error::TwoTorches`], [`Error::NoStream`], [`Error::TooManySetPoints`].
 pub fn robot_program(
     machine: &Machine,
     language: RobotLanguage,
@@ -73,6 +76,9 @@ pub fn robot_program(
     let arm = &RobotArm::new(machine, language)?;
     if paths.iter().any(|path| path.second(0.0).is_some()) {
         return Err(Error::TwoTorches);
+    }
+    if let Some(stream) = &options.stream {
+        stream::check(language, motion, stream)?;
     }
     let target = Target { machine, arm, language };
     let mut steps = Vec::new();
@@ -179,11 +185,43 @@ impl Target<'_> {
         options: &RobotOptions,
         steps: &mut Vec<RobotStep>,
     ) -> Result<(), Error> {
+        let breaks = breaks(pass, course);
+        let (values, moves) = match options.stream {
+            Some(stream) => {
+                let end = breaks.first().copied().unwrap_or(course.motion.profile.duration());
+                (stream::values_between(pass, course, 0.0, end), stream::set_points(pass, course, &breaks, stream))
+            }
+            None => self.lines(pass, course, &breaks, options)?,
+        };
+        let sequence = &pass.sequence;
+        let gas = |time_s: f64| if self.language.has_gas_and_wire() { self.language.time_s(time_s) } else { 0.0 };
+        if pass.has_arc() {
+            let preflow_s = gas(sequence.preflow_s.get());
+            let delay_s = self.language.time_s(sequence.travel_delay_s.get());
+            steps.push(RobotStep::ArcOn(ArcStart { preflow_s, delay_s, values }));
+        }
+        steps.extend(moves);
+        if pass.has_arc() {
+            let crater_s = self.language.time_s(sequence.crater_s.get());
+            let postflow_s = gas(sequence.postflow_s.get());
+            steps.push(RobotStep::ArcOff(ArcEnd { crater_s, postflow_s }));
+        }
+        Ok(())
+    }
+
+    /// The lines and arcs of a weld, with the process values of the first.
+    fn lines(
+        &self,
+        pass: &Pass,
+        course: &Course,
+        breaks: &[f64],
+        options: &RobotOptions,
+    ) -> Result<(WeldValues, Vec<RobotStep>), Error> {
         let tolerance_mm = USED * (options.tolerance_mm - 2.0 * self.language.rounding_mm());
         let is_woven = course.motion.path.is_woven();
         let speed = if is_woven { f64::INFINITY } else { 0.01 * options.speed_percent };
-        let mut ends = course
-            .cut(&breaks(pass, course), &Bounds { tolerance_mm, speed, language: self.language, arcs: options.arcs })?;
+        let mut ends =
+            course.cut(breaks, &Bounds { tolerance_mm, speed, language: self.language, arcs: options.arcs })?;
         course.mark_stops(&mut ends);
         let ways: Vec<Way> = ends.windows(2).map(|w| w[1].way(&w[0], self.language)).collect();
         let times = ends.windows(2).map(|w| w[1].time - w[0].time);
@@ -194,14 +232,8 @@ impl Target<'_> {
         let speeds = speeds(&timed, self.language.speed_step_mm_s(), 0.3 * speed.min(0.05));
         let zones = self.zones(&ends, &ways, &speeds, tolerance_mm);
         let values_at = |s: f64| self.language.values(WeldValues::of(pass, s));
-        let mut values = values_at(0.5 * ends[1].s);
-        let sequence = &pass.sequence;
-        let gas = |time_s: f64| if self.language.has_gas_and_wire() { self.language.time_s(time_s) } else { 0.0 };
-        if pass.has_arc() {
-            let preflow_s = gas(sequence.preflow_s.get());
-            let delay_s = self.language.time_s(sequence.travel_delay_s.get());
-            steps.push(RobotStep::ArcOn(ArcStart { preflow_s, delay_s, values }));
-        }
+        let first = values_at(0.5 * ends[1].s);
+        let (mut values, mut steps) = (first, Vec::new());
         for (k, end) in ends.iter().enumerate().skip(1) {
             let now = values_at(0.5 * (ends[k - 1].s + end.s));
             if pass.has_arc() && now != std::mem::replace(&mut values, now) {
@@ -209,12 +241,7 @@ impl Target<'_> {
             }
             steps.push(self.move_to(end, speeds[k - 1], zones[k - 1]));
         }
-        if pass.has_arc() {
-            let crater_s = self.language.time_s(sequence.crater_s.get());
-            let postflow_s = gas(sequence.postflow_s.get());
-            steps.push(RobotStep::ArcOff(ArcEnd { crater_s, postflow_s }));
-        }
-        Ok(())
+        Ok((first, steps))
     }
 
     /// The zone at the end of each move.

@@ -1,4 +1,5 @@
 use super::pose::RobotPose;
+use super::stream::SetPoints;
 use super::weld_values::WeldValues;
 
 /// Frames that a program declares.
@@ -32,6 +33,8 @@ pub enum RobotStep {
     JointsTo(TcpMove),
     /// The tool centre point goes straight or along an arc in the work frame.
     Move(TcpMove),
+    /// The arm's axes go through set-points, one each period, in URScript.
+    SetPoints(SetPoints),
     /// The arc is switched on at rest.
     ArcOn(ArcStart),
     /// The arc is switched off at rest.

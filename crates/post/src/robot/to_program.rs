@@ -44,11 +44,14 @@ pub struct ImportedRobot {
 /// the torch, the external axes and the transfer moves are left to the planner.
 ///
 /// # Errors
-/// [`Error::Nothing`] without moves, [`Error::OtherFrames`] if the text has other frames than the machine, and those of
+/// [`Error::Nothing`] without moves, [`Error::StreamRead`] for a stream of set-points, [`Error::OtherFrames`] if the text has other frames than the machine, and those of
 /// [`RobotArm::new`].
 pub fn robot_to_program(read: &RobotProgram, import: &RobotImport) -> Result<ImportedRobot, Error> {
     let RobotImport { machine, machine_name, language, .. } = *import;
     let arm = RobotArm::new(machine, language)?;
+    if read.has_stream() {
+        return Err(Error::StreamRead);
+    }
     if let Some(frames) = &read.frames {
         check_frames(frames, &language.frames(&arm), machine)?;
     }

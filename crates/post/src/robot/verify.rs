@@ -1,14 +1,18 @@
 //! Verification of a robot program: what was read back is compared with what was ordered step by step, and its play with
 //! the planned motion.
 
+mod stream;
+
+use self::stream::StreamedWeld;
 use super::arm::RobotArm;
 use super::cutter::Course;
 use super::language::RobotLanguage;
 use super::play::{RobotPlay, Station};
 use super::pose::RobotPose;
 use super::program::{RobotFrames, RobotProgram, RobotStep, TcpMove};
+use super::stream::ServoStream;
 use super::weld_values::{NAMES, WeldValues};
-use crate::verify::{PassVerification, Verification};
+use crate::verify::{PassVerification, Permitted, TIME_PERCENT, Verification};
 use seamwright_machine::{Machine, Target};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::{PassMotion, TipPath, WeldMotion};
@@ -64,10 +68,7 @@ pub fn verify_robot(
         let judge = Judge::new(planned, &arm, pass, motion);
         let checked = judge.check(steps);
         wrong.extend(checked.complaints(&planned, i + 1));
-        moves += steps
-            .iter()
-            .filter(|step| matches!(step, RobotStep::Move(_) | RobotStep::Joints(_) | RobotStep::JointsTo(_)))
-            .count();
+        moves += steps.iter().map(moves_of).sum::<usize>();
         passes.push(checked.proof);
     }
     if passes.len() != planned.program.passes.len() {
@@ -93,6 +94,14 @@ pub(super) fn on_work<'a>(
         step => step.clone(),
     };
     Cow::Owned(steps.iter().map(moved).collect())
+}
+
+/// Number of moves of a step: a set-point is one.
+fn moves_of(step: &RobotStep) -> usize {
+    match step {
+        RobotStep::SetPoints(points) => points.positions.len(),
+        step => usize::from(matches!(step, RobotStep::Move(_) | RobotStep::Joints(_) | RobotStep::JointsTo(_))),
+    }
 }
 
 /// The steps of each pass.
@@ -158,6 +167,13 @@ fn same_step(a: &RobotStep, t: &RobotStep) -> Option<f64> {
             };
             known.then_some(off.max(via))
         }
+        (RobotStep::SetPoints(a), RobotStep::SetPoints(t)) => {
+            let of = |stream: &ServoStream| [stream.period_s, stream.lookahead_s, stream.gain];
+            let settings = most(&of(&a.stream), &of(&t.stream)).filter(|off| *off < 1e-9)?;
+            (a.positions.len() == t.positions.len()).then_some(())?;
+            let pairs = a.positions.iter().zip(&t.positions);
+            Some(pairs.filter_map(|(a, t)| most(a, t)).fold(settings, f64::max))
+        }
         (RobotStep::ArcOn(a), RobotStep::ArcOn(t)) => {
             let times = most(&[a.preflow_s, a.delay_s], &[t.preflow_s, t.delay_s])?;
             Some(times.max(most(&a.values.all(), &t.values.all())?))
@@ -182,6 +198,8 @@ struct Judge<'a> {
     /// Maximum speed deviation that counts, percent, and whether all positions can be reached.
     speed_counted: f64,
     reaches: bool,
+    /// Permitted deviation of the time, percent.
+    time_percent: f64,
 }
 
 /// A weld in the text: its lines, its times at rest and the values of each line.
@@ -206,10 +224,15 @@ impl<'a> Judge<'a> {
             proof: PassVerification { name: pass.name.clone(), ..PassVerification::default() },
             speed_counted: 0.0,
             reaches: true,
+            time_percent: TIME_PERCENT,
         }
     }
 
     fn check(mut self, steps: &[RobotStep]) -> Self {
+        if let Some(weld) = StreamedWeld::of(steps, self.pass.has_arc()) {
+            self.check_stream(&weld);
+            return self;
+        }
         let Some(weld) = self.weld(steps) else {
             self.proof.time_percent = f64::NAN;
             return self;
@@ -351,20 +374,24 @@ impl<'a> Judge<'a> {
 
     /// Process values of the lines against those of the pass.
     fn values(&mut self, play: &RobotPlay, values: &[WeldValues]) {
+        for piece in &play.pieces {
+            self.values_at(piece.begin_s + 0.5 * piece.seconds, &values[piece.line]);
+        }
+    }
+
+    /// Process values of the text at a time against those of the pass.
+    fn values_at(&mut self, time: f64, told: &WeldValues) {
         if !self.pass.has_arc() {
             return;
         }
-        for piece in &play.pieces {
-            let time = (piece.begin_s + 0.5 * piece.seconds).min(self.motion.profile.duration());
-            let s = self.motion.profile.at(time, &mut 0).s;
-            let asked = WeldValues::of(self.pass, s).all();
-            let count = if self.planned.language.has_gas_and_wire() { 3 } else { 2 };
-            for ((name, told), asked) in NAMES.iter().zip(values[piece.line].all()).zip(asked).take(count) {
-                let greatest = self.pass.process_range(name).map_or(0.0, |range| range.1);
-                let percent = if greatest > 0.0 { 100.0 * (told - asked).abs() / greatest } else { 0.0 };
-                if greatest > 0.0 && self.proof.process.as_ref().is_none_or(|(most, _)| percent > *most) {
-                    self.proof.process = Some((percent, (*name).to_owned()));
-                }
+        let s = self.motion.profile.at(time.min(self.motion.profile.duration()), &mut 0).s;
+        let asked = WeldValues::of(self.pass, s).all();
+        let count = if self.planned.language.has_gas_and_wire() { 3 } else { 2 };
+        for ((name, told), asked) in NAMES.iter().zip(told.all()).zip(asked).take(count) {
+            let greatest = self.pass.process_range(name).map_or(0.0, |range| range.1);
+            let percent = if greatest > 0.0 { 100.0 * (told - asked).abs() / greatest } else { 0.0 };
+            if greatest > 0.0 && self.proof.process.as_ref().is_none_or(|(most, _)| percent > *most) {
+                self.proof.process = Some((percent, (*name).to_owned()));
             }
         }
     }
@@ -376,7 +403,12 @@ impl<'a> Judge<'a> {
     }
 
     fn complaints(&self, planned: &PlannedRobot, number: usize) -> Vec<Message> {
-        let mut wrong = self.proof.complaints_within(planned.tolerance_mm, self.rounding_percent(), number);
+        let permitted = Permitted {
+            tip_mm: planned.tolerance_mm,
+            time_percent: self.time_percent,
+            rounding_percent: self.rounding_percent(),
+        };
+        let mut wrong = self.proof.complaints_within(&permitted, number);
         // Speeds are programmed in steps.
         let step = 50.0 * planned.language.speed_step_mm_s() / self.fastest;
         let max = planned.speed_percent + step;

@@ -76,7 +76,7 @@ pub struct PassVerification {
 }
 
 /// Deviation of a pass' time that is allowed, percent.
-const TIME_PERCENT: f64 = 0.1;
+pub(crate) const TIME_PERCENT: f64 = 0.1;
 /// Permitted deviation of a process value, percent of its maximum: ramps go in steps of a fiftieth.
 const PROCESS_PERCENT: f64 = 2.5;
 /// Rounding of six decimals.
@@ -118,10 +118,21 @@ pub fn verify(
     if wrong.is_empty() { Ok(proof) } else { Err(wrong) }
 }
 
+/// Permitted deviations of a pass.
+pub(crate) struct Permitted {
+    /// Of the tip, mm.
+    pub(crate) tip_mm: f64,
+    /// Of the time, percent.
+    pub(crate) time_percent: f64,
+    /// Of process values by rounding, beside [`PROCESS_PERCENT`], percent.
+    pub(crate) rounding_percent: f64,
+}
+
 impl PassVerification {
     fn complaints(&self, planned: Planned, number: usize) -> Vec<Message> {
         let Planned { tolerance_mm, speed_percent, .. } = planned;
-        let mut wrong = self.complaints_within(tolerance_mm, 0.0, number);
+        let permitted = Permitted { tip_mm: tolerance_mm, time_percent: TIME_PERCENT, rounding_percent: 0.0 };
+        let mut wrong = self.complaints_within(&permitted, number);
         if self.speed_bounded_percent > speed_percent {
             let fault = percent("post-speed-off", self.speed_bounded_percent, 2, speed_percent);
             wrong.push(in_pass(number, &self.name, fault));
@@ -129,16 +140,17 @@ impl PassVerification {
         wrong
     }
 
-    /// Faults of tip, time and process values; these may differ by `rounding_percent` more.
-    pub(crate) fn complaints_within(&self, tolerance_mm: f64, rounding_percent: f64, number: usize) -> Vec<Message> {
+    /// Faults of tip, time and process values.
+    pub(crate) fn complaints_within(&self, permitted: &Permitted, number: usize) -> Vec<Message> {
+        let Permitted { tip_mm: tolerance_mm, time_percent, rounding_percent } = *permitted;
         let mut wrong = Vec::new();
         let mut complain = |fault: Message| wrong.push(in_pass(number, &self.name, fault));
         if self.tip_mm > tolerance_mm + ROUNDING {
             let message = Message::new("post-tip-off").quantity("deviation", self.tip_mm, Unit::Mm, 6);
             complain(message.value("max", tolerance_mm, Unit::Mm));
         }
-        if self.time_percent.is_nan() || self.time_percent.abs() > TIME_PERCENT {
-            complain(percent("post-time-off", self.time_percent, 3, TIME_PERCENT));
+        if self.time_percent.is_nan() || self.time_percent.abs() > time_percent {
+            complain(percent("post-time-off", self.time_percent, 3, time_percent));
         }
         if let Some((off, name)) = self.process.as_ref().filter(|(off, _)| *off > PROCESS_PERCENT + rounding_percent) {
             complain(percent("post-process-off", *off, 2, PROCESS_PERCENT + rounding_percent).text("name", name));

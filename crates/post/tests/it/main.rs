@@ -9,6 +9,7 @@ mod read_arcs;
 mod read_errors;
 mod read_random;
 mod reading;
+mod robot_streams;
 mod robots;
 mod round_trip;
 #[path = "common/text.rs"]

@@ -3,6 +3,7 @@
 use crate::common::Planned;
 use glam::{DQuat, DVec3};
 use seamwright_document::Positive;
+use seamwright_geometry::Pose;
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::robot::{
     ArcEnd, ArcStart, JointTarget, PlannedRobot, RobotArm, RobotImport, RobotLanguage, RobotOptions, RobotPose,
@@ -14,11 +15,12 @@ use seamwright_program::{Program, TorchPath};
 use seamwright_testkit::{Random, cases};
 use std::f64::consts::PI;
 
-const OPTIONS: RobotOptions = RobotOptions { tolerance_mm: 0.05, speed_percent: 2.0, arcs: true };
+pub(crate) const OPTIONS: RobotOptions =
+    RobotOptions { tolerance_mm: 0.05, speed_percent: 2.0, arcs: true, stream: None };
 /// A nozzle on a shell, near enough for all arms.
 const NOZZLE: &str = include_str!("../../../../tests/data/nozzle-on-arm.toml");
 
-fn on(machine: &str) -> Planned {
+pub(crate) fn on(machine: &str) -> Planned {
     Planned::job(&NOZZLE.replace("MACHINE", machine))
 }
 
@@ -26,19 +28,23 @@ fn program(planned: &Planned, language: RobotLanguage) -> Result<RobotProgram, E
     program_with(planned, language, &OPTIONS)
 }
 
-fn program_with(planned: &Planned, language: RobotLanguage, options: &RobotOptions) -> Result<RobotProgram, Error> {
+pub(crate) fn program_with(
+    planned: &Planned,
+    language: RobotLanguage,
+    options: &RobotOptions,
+) -> Result<RobotProgram, Error> {
     let count = planned.welding.program.value.passes.len();
     let paths: Vec<_> = (0..count).map(|i| planned.welding.path(i)).collect();
     let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
     robot_program(&planned.machine, language, &planned.welding.program.value, &paths, &planned.motion, options)
 }
 
-fn text(planned: &Planned, language: RobotLanguage, program: &RobotProgram) -> String {
+pub(crate) fn text(planned: &Planned, language: RobotLanguage, program: &RobotProgram) -> String {
     let arm = RobotArm::new(&planned.machine, language).unwrap();
     write_robot(language, program, &RobotText { machine: &planned.machine, arm: &arm, remarks: &[] })
 }
 
-fn plan(planned: &Planned, language: RobotLanguage) -> PlannedRobot<'_> {
+pub(crate) fn plan(planned: &Planned, language: RobotLanguage) -> PlannedRobot<'_> {
     PlannedRobot {
         machine: &planned.machine,
         language,
@@ -117,40 +123,137 @@ fn inform_is_the_plan() {
 /// A text that is read as a weld program has its torch, speeds and values, and plans to the same weld.
 #[test]
 fn programs_come_back_as_welds() {
-    for (machine, language) in [("irb-2600", RobotLanguage::Rapid), ("kr-16", RobotLanguage::Krl)] {
-        let planned = on(machine);
-        let written = text(&planned, language, &program(&planned, language).unwrap());
-        let read = read_robot(language, "p", &written).unwrap();
-        let blend_mm = Positive::new(0.1).unwrap();
-        let import = RobotImport { machine: &planned.machine, machine_name: machine, language, blend_mm };
-        let imported = robot_to_program(&read, &import).unwrap();
-        let again = Program::read("p.toml", &imported.program.to_toml().unwrap()).unwrap().value;
-        let [pass] = &again.passes[..] else { panic!("{}", again.passes.len()) };
-        let (points, first) = (pass.points.as_ref().unwrap(), &planned.motion.passes[0]);
-        assert!((imported.seconds / first.profile.duration() - 1.0).abs() < 1e-3, "{}", imported.seconds);
-        assert_eq!(points.count(), imported.moves);
-        let rows: Vec<Vec<f64>> = points.rows().map(|row| row.iter().map(|v| v.get()).collect()).collect();
-        let end = first.path.length();
-        for (row, s) in [(&rows[0], 0.0), (&rows[rows.len() - 1], end)] {
-            let pose = planned.machine.forward(&first.path.at(s));
-            assert!(pose.point.distance(DVec3::new(row[0], row[1], row[2])) < 1e-3, "{row:?}");
-            assert!(pose.direction.distance(DVec3::new(row[3], row[4], row[5])) < 1e-5, "{row:?}");
-        }
-        assert_eq!(points.columns[6..], ["current_a", "voltage_v", "wire_feed_m_min", "speed_mm_s"]);
-        assert_eq!(rows[1][6..9], [220.0, 25.0, 7.0]);
-        let others = written.replace("tTorch:=[TRUE,[[90", "tTorch:=[TRUE,[[95").replace("$TOOL={X 90", "$TOOL={X 95");
-        let refused = robot_to_program(&read_robot(language, "p", &others).unwrap(), &import).unwrap_err();
-        assert!(matches!(refused, Error::OtherFrames { frame: "tool", .. }), "{refused:?}");
+    comes_back("irb-2600", RobotLanguage::Rapid, Some(["tTorch:=[TRUE,[[90", "tTorch:=[TRUE,[[95"]));
+    comes_back("kr-16", RobotLanguage::Krl, Some(["$TOOL={X 90", "$TOOL={X 95"]));
+    comes_back("arc-mate-120id", RobotLanguage::FanucLs, Some(["PR[91,1]=-90", "PR[91,1]=-95"]));
+    comes_back("ur10e", RobotLanguage::Urscript, Some(["set_tcp(p[0.09,", "set_tcp(p[0.095,"]));
+    comes_back("ar1440", RobotLanguage::Inform, None);
+}
+
+/// On FANUC and Yaskawa poses stand still in space: the reader takes them back to the work on the positioner.
+#[test]
+fn programs_with_a_positioner_come_back_as_welds() {
+    comes_back("arc-mate-120id-positioner", RobotLanguage::FanucLs, None);
+    comes_back("ar1440-positioner", RobotLanguage::Inform, None);
+}
+
+/// The weld program made of the written text has the torch, speed and values of the plan. With the text `other_tool[0]`
+/// replaced by `other_tool[1]` the tool is another one, which is refused.
+fn comes_back(machine: &str, language: RobotLanguage, other_tool: Option<[&str; 2]>) {
+    let planned = on(machine);
+    let written = text(&planned, language, &program(&planned, language).unwrap());
+    let read = read_robot(language, "p", &written).unwrap();
+    let blend_mm = Positive::new(0.1).unwrap();
+    let import = RobotImport { machine: &planned.machine, machine_name: machine, language, blend_mm };
+    let imported = robot_to_program(&read, &import).unwrap();
+    let again = Program::read("p.toml", &imported.program.to_toml().unwrap()).unwrap().value;
+    let [pass] = &again.passes[..] else { panic!("{}", again.passes.len()) };
+    let (points, first) = (pass.points.as_ref().unwrap(), &planned.motion.passes[0]);
+    assert!((imported.seconds / first.profile.duration() - 1.0).abs() < 1e-3, "{}", imported.seconds);
+    assert_eq!(points.count(), imported.moves);
+    let rows: Vec<Vec<f64>> = points.rows().map(|row| row.iter().map(|v| v.get()).collect()).collect();
+    let samples = tip_samples(&planned, 0.05);
+    for row in &rows {
+        let (point, direction) = (DVec3::from_slice(&row[..3]), DVec3::from_slice(&row[3..6]));
+        let near = nearest(&samples, point);
+        // Points have the decimals of the text: 0.001 mm, and 0.0001 degrees of the positioner at 400 mm.
+        assert!(near.point.distance(point) < 4e-3, "{row:?} {near:?}");
+        assert!(near.direction.distance(direction) < 1e-4, "{row:?} {near:?}");
     }
+    let (process, values): (&[&str], &[f64]) = match language {
+        // The wire is set at the power source.
+        RobotLanguage::FanucLs | RobotLanguage::Inform => (&["current_a", "voltage_v"], &[220.0, 25.0]),
+        _ => (&["current_a", "voltage_v", "wire_feed_m_min"], &[220.0, 25.0, 7.0]),
+    };
+    let speed_at = 6 + process.len();
+    assert_eq!(points.columns[6..], [process, &["speed_mm_s"]].concat());
+    for row in &rows[1..] {
+        assert_eq!(&row[6..speed_at], values);
+    }
+    let middle = rows[rows.len() / 2][speed_at];
+    assert!((middle / 6.0 - 1.0).abs() < 0.02, "{middle}");
+    if let Some([own, other]) = other_tool {
+        assert!(written.contains(own), "{own}");
+        let refused = robot_to_program(&read_robot(language, "p", &written.replace(own, other)).unwrap(), &import);
+        assert!(matches!(refused, Err(Error::OtherFrames { frame: "tool", .. })), "{refused:?}");
+    }
+}
+
+/// Poses of the planned tip every `step_mm` along the first pass.
+fn tip_samples(planned: &Planned, step_mm: f64) -> Vec<Pose> {
+    let path = &planned.motion.passes[0].path;
+    let count = (path.length() / step_mm).ceil() as usize;
+    (0..=count).map(|k| planned.machine.forward(&path.at(path.length() * k as f64 / count as f64))).collect()
+}
+
+/// The pose nearest to `point` on the chords between `samples`.
+fn nearest(samples: &[Pose], point: DVec3) -> Pose {
+    let on_chord = |pair: &[Pose]| {
+        let chord = pair[1].point - pair[0].point;
+        let part = ((point - pair[0].point).dot(chord) / chord.length_squared()).clamp(0.0, 1.0);
+        Pose { point: pair[0].point + part * chord, direction: pair[0].direction.lerp(pair[1].direction, part) }
+    };
+    let poses = samples.windows(2).map(on_chord);
+    poses.min_by(|a, b| a.point.distance(point).total_cmp(&b.point.distance(point))).unwrap()
 }
 
 /// The rail is an external axis.
 #[test]
 fn a_rail_goes_with_the_arm() {
     let planned = on("irb-2600-rail");
-    for language in [RobotLanguage::Rapid, RobotLanguage::Krl, RobotLanguage::FanucLs] {
+    for language in [RobotLanguage::Rapid, RobotLanguage::Krl, RobotLanguage::FanucLs, RobotLanguage::Inform] {
         proven(&planned, language);
     }
+    let job = text(&planned, RobotLanguage::Inform, &program(&planned, RobotLanguage::Inform).unwrap());
+    let count = |start: &str| job.lines().filter(|line| line.starts_with(start)).count();
+    assert!(job.contains("///GROUP1 RB1,BS1\nNOP\n") && job.contains("///POSTYPE BASE\n///RECTAN\nBC00000="), "{job}");
+    assert_eq!(job.lines().nth(3).unwrap(), format!("///NPOS {0},{0},0,0,0,0", count("C0")));
+    assert_eq!(count("BC0"), count("C0"));
+    let rail = planned.machine.axes.iter().position(|axis| axis.name == "rail").unwrap();
+    let motion = &planned.motion.passes[0];
+    let end = motion.path.at(motion.path.length())[rail];
+    let bases: Vec<f64> =
+        job.lines().filter_map(|line| line.strip_prefix("BC")).map(|line| line[6..].parse().unwrap()).collect();
+    assert!(bases.iter().any(|mm| (mm - end).abs() < 1e-3), "{end} {bases:?}");
+}
+
+/// An arm on a rail beside a positioner: base axes and station of a job come back from its text.
+#[test]
+fn a_rail_and_a_positioner_come_back() {
+    let [rail, positioner] = ["irb-2600-rail", "irb-2600-positioner"].map(|name| shipped(name).unwrap().text);
+    let work = &positioner[positioner.find("[[work]]").unwrap()..positioner.find("# Shapes").unwrap()];
+    let machine = rail.replace("[[work]]\nfixed = { move_mm = [900, 0, 0] }\n", work);
+    let machine = Machine::read("both", &machine).unwrap();
+    let arm = RobotArm::new(&machine, RobotLanguage::Inform).unwrap();
+    assert_eq!(arm.externals.iter().map(|axis| axis.name.as_str()).collect::<Vec<_>>(), ["rail", "tilt", "turn"]);
+    let mut random = Random::new(45);
+    let mut step = |is_arc| {
+        let mut step = random_step(&mut random, RobotLanguage::Inform, is_arc);
+        let mut externals = || [2000.0, 90.0, 720.0].map(|max| random.within(-max, max)).to_vec();
+        step.externals = externals();
+        if let Some(via) = &mut step.via {
+            via.externals = externals();
+        }
+        step
+    };
+    let mut steps = vec![RobotStep::Pass("p".to_owned())];
+    steps.push(RobotStep::JointsTo(TcpMove { speed_mm_s: 0.0, ..step(false) }));
+    steps.extend((0..40).map(|k| RobotStep::Move(step(k % 4 == 2))));
+    let program = RobotProgram { title: "random".to_owned(), frames: None, steps };
+    let remarks = RobotText { machine: &machine, arm: &arm, remarks: &[] };
+    let text = write_robot(RobotLanguage::Inform, &program, &remarks);
+    let back = read_robot(RobotLanguage::Inform, "p", &text).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(back.steps.len(), program.steps.len());
+    for (asked, read) in program.steps.iter().zip(&back.steps) {
+        assert!(is_near(asked, read), "{asked:?} {read:?}");
+    }
+    // A position of the base axes that no line declares, and one too few.
+    let at = text.lines().find(|line| line.starts_with("BC00003=")).unwrap();
+    let missing = read_robot(RobotLanguage::Inform, "p", &text.replace(&format!("{at}\n"), "")).unwrap_err();
+    assert!(missing.to_string().contains("BC00003"), "{missing}");
+    let uncounted = text.replacen("///NPOS 51,51,", "///NPOS 51,50,", 1);
+    assert_ne!(uncounted, text);
+    assert!(read_robot(RobotLanguage::Inform, "p", &uncounted).is_err());
 }
 
 /// A positioner carries the work: lines and arcs are straight and round on it. On FANUC and Yaskawa poses stand still in
@@ -283,7 +386,14 @@ fn is_near(asked: &RobotStep, told: &RobotStep) -> bool {
                 }
                 (a, t) => a.is_none() && t.is_none(),
             };
+            let of = |step: &TcpMove| {
+                let via = step.via.iter().flat_map(|via| via.externals.clone());
+                via.chain(step.externals.clone()).collect::<Vec<f64>>()
+            };
+            let (externals, found) = (of(a), of(t));
             is_same_via
+                && externals.len() == found.len()
+                && externals.iter().zip(&found).all(|(a, t)| (a - t).abs() < 2e-3)
                 && a.to.point.distance(t.to.point) < 2e-3
                 && a.to.angle_to(&t.to) < 2e-5
                 && a.configuration == t.configuration
@@ -311,7 +421,7 @@ const EXAMPLES: [(&str, f64); 11] = [
 ];
 
 /// The text of an example with its work on the table of a robot.
-fn placed(example: &str, height_mm: f64, machine: &str) -> String {
+pub(crate) fn placed(example: &str, height_mm: f64, machine: &str) -> String {
     let path = format!("{}/../../examples/{example}.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
     let mut lines: Vec<String> = Vec::new();
@@ -471,9 +581,16 @@ fn machines_that_do_not_fit_are_refused() {
         ("ur10e", RobotLanguage::Rapid, "post-robot-not-spherical"),
         ("irb-2600", RobotLanguage::Urscript, "post-robot-not-parallel"),
         ("ur10e-positioner", RobotLanguage::Urscript, "post-robot-external-axes"),
-        ("irb-2600-rail", RobotLanguage::Inform, "post-robot-external-axes"),
     ] {
         let error = RobotArm::new(&of(machine), language).unwrap_err();
         assert!(error.message().as_data().contains(code), "{error:?}");
+    }
+    // INFORM counts base axes along x, y and z of the base frame.
+    let rail = shipped("irb-2600-rail").unwrap().text;
+    for along in ["[0, -1, 0]", "[1, 1, 0]"] {
+        let machine = Machine::read("m", &rail.replacen("move = [0, 1, 0]", &format!("move = {along}"), 1)).unwrap();
+        let error = RobotArm::new(&machine, RobotLanguage::Inform).unwrap_err();
+        assert!(matches!(&error, Error::BaseAxis { axis, .. } if axis == "rail"), "{error:?}");
+        assert!(RobotArm::new(&machine, RobotLanguage::Rapid).is_ok());
     }
 }

@@ -2,7 +2,7 @@ use super::map::{ReachCell, ReachMap};
 use crate::Language;
 use seamwright_machine::Machine;
 use seamwright_message::Message;
-use seamwright_motion::reach::{FaultKind, Judged, Pivot, ReachGrid, SearchResult};
+use seamwright_motion::reach::{FaultKind, Judged, Moved, Pivot, ReachGrid, SearchResult};
 use serde::{Serialize, Serializer};
 
 /// Figures of a search for placements, as JSON has them.
@@ -12,9 +12,12 @@ pub struct ReachFigures {
     pub title: String,
     /// Name of the machine.
     pub machine: String,
-    /// A point of the axis about which placements turn the work, in the work frame, mm.
+    /// Subject of the placements: `work`, in the work frame, or `base`, in the base frame.
+    #[serde(serialize_with = "by_name")]
+    pub moved: Moved,
+    /// A point of the axis about which placements turn, in that frame, mm.
     pub pivot_mm: [f64; 3],
-    /// Direction of that axis, against gravity, in the work frame.
+    /// Direction of that axis, against gravity, in that frame.
     pub up: [f64; 3],
     /// True if budget or cancellation ended the search early.
     pub cut_off: bool,
@@ -36,10 +39,12 @@ pub struct BestPlacement {
     pub planned_axis: Option<String>,
     /// Minimum clearance along the passes, mm; none if nothing is watched.
     pub clearance_mm: Option<f64>,
-    /// Key of the job file that holds the placement.
+    /// Key of the job or machine file that holds the placement.
     pub key: String,
     /// Its value: displacement, mm.
     pub move_mm: [f64; 3],
+    /// Its value: direction of the axis of rotation; none without a rotation.
+    pub turn: Option<[f64; 3]>,
     /// Its value: angle of rotation, degrees.
     pub angle_deg: f64,
 }
@@ -47,7 +52,7 @@ pub struct BestPlacement {
 /// A judged placement, relative to the present one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlacementRow {
-    /// Displacement in the work frame, mm.
+    /// Displacement, mm.
     pub x_mm: f64,
     /// The same along y.
     pub y_mm: f64,
@@ -79,6 +84,12 @@ pub struct PlacementRow {
     /// Cells of the grid.
     #[serde(skip)]
     pub cell: Option<[usize; 4]>,
+}
+
+// Serde passes fields by reference.
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn by_name<S: Serializer>(moved: &Moved, out: S) -> Result<S::Ok, S::Error> {
+    moved.name().serialize(out)
 }
 
 fn in_english<S: Serializer>(message: &Option<Message>, out: S) -> Result<S::Ok, S::Error> {
@@ -135,6 +146,7 @@ impl ReachFigures {
         Self {
             title: title.to_owned(),
             machine: machine.name.clone(),
+            moved: Moved::Work,
             pivot_mm: pivot.point.to_array(),
             up: pivot.up.to_array(),
             cut_off: !search.is_complete,

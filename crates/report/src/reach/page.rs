@@ -4,6 +4,7 @@ use crate::block::{figure, paragraph, sections, tile};
 use crate::number::significant;
 use crate::{Block, Language, Page, Table, Tile, Verdict, Words as _};
 use seamwright_message::{Message, Unit};
+use seamwright_motion::reach::Moved;
 use std::collections::BTreeMap;
 
 /// Number of rows of the table of the best placements.
@@ -16,14 +17,17 @@ pub fn reach_page(figures: &ReachFigures, map: &ReachMap, file: &str, date: &str
         ("report-reach-heading-map", vec![figure(map, "report-reach-caption-map", language)]),
         ("report-reach-heading-best", best_table(figures, language).into_iter().collect()),
         ("report-reach-heading-reasons", reasons_table(figures, language).into_iter().collect()),
-        ("report-reach-heading-method", vec![paragraph("report-reach-method", language)]),
+        (
+            "report-reach-heading-method",
+            vec![paragraph(of(figures, ["report-reach-method", "report-reach-method-base"]), language)],
+        ),
     ];
     let mut blocks = vec![Block::Tiles(tiles(figures, language))];
     blocks.extend(sections(parts, language));
     Page {
         language,
         title: figures.title.clone(),
-        subtitle: language.words("report-reach-subtitle"),
+        subtitle: language.words(of(figures, ["report-reach-subtitle", "report-reach-subtitle-base"])),
         meta: language.named_values([
             ("report-meta-machine", figures.machine.clone()),
             ("report-column-file", file.to_owned()),
@@ -33,6 +37,14 @@ pub fn reach_page(figures: &ReachFigures, map: &ReachMap, file: &str, date: &str
         blocks,
     }
     .render()
+}
+
+/// The words for the work or for the base.
+fn of(figures: &ReachFigures, [work, base]: [&'static str; 2]) -> &'static str {
+    match figures.moved {
+        Moved::Work => work,
+        Moved::Base => base,
+    }
 }
 
 fn verdict(figures: &ReachFigures) -> Message {

@@ -1,5 +1,6 @@
 use crate::args::reach::ReachArgs;
 use crate::clock;
+use crate::interrupt::on_ctrl_c;
 use crate::labels::labelled;
 use crate::progress::Progress;
 use crate::refusals::{at_most, not_allowed, refused};
@@ -7,13 +8,14 @@ use crate::rows::{json_text, print_either};
 use crate::verbs::positive;
 use seamwright_machine::Machine;
 use seamwright_message::{Message, Unit};
-use seamwright_motion::reach::{PlacementMargin, ReachGrid, ReachSpan, SpanError};
+use seamwright_motion::reach::{Moved, PlacementMargin, ReachGrid, ReachSpan, SpanError};
 use seamwright_project::failure::Failure;
 use seamwright_project::files::{self, Output};
 use seamwright_project::load::{Loaded, load};
-use seamwright_project::reach::{ReachRequest, Reached, TriedPlacement, reach};
+use seamwright_project::placing::inline;
+use seamwright_project::reach::{CutOff, JobText, ReachRequest, Reached, TriedPlacement, reach};
 use seamwright_report::{BestPlacement, Drawing as _, Language, PlacementRow, ReachFigures, reach_page};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Maximum number of places in the grid.
@@ -32,16 +34,21 @@ pub(crate) fn run(args: &ReachArgs) -> Result<(), Failure> {
     if budget > MAX_BUDGET_S {
         return Err(not_allowed("--budget", budget, at_most(MAX_BUDGET_S, Unit::S)));
     }
-    if args.apply && !args.job.is_file() {
+    if args.apply && !args.base && !args.job.is_file() {
         let (fault, allowed) = ("cli-reach-no-file", "cli-reach-job-file");
         return Err(refused("--apply", args.job.display(), Message::new(fault), Message::new(allowed)));
     }
     let loaded = load(&args.job)?;
+    let target = Target::new(args, &loaded)?;
     let mut output = args.output.as_deref().map(Output::new).transpose()?;
     let reached = search(args, &loaded, grid, budget)?;
-    let figures = figures(&loaded, &reached);
+    let figures = figures(args, &loaded, &reached);
     let language = Language::of_process();
     let mut text = summary(&figures, &reached, budget);
+    if let Some(best) = reached.best().filter(|_| args.base) {
+        let entry = Message::new("cli-reach-base-entry").text("file", &target.name).key("key", &best.placed.key);
+        labelled(&mut text, "cli-label-entry", entry.text("entry", inline(&best.placed.transform)));
+    }
     if let Some(mut output) = output.take() {
         let map = figures.map(&grid, language);
         let file = loaded.welding.program.file();
@@ -54,19 +61,60 @@ pub(crate) fn run(args: &ReachArgs) -> Result<(), Failure> {
         }
     }
     if let (Some(best), true) = (reached.best(), args.apply) {
-        apply(args, &loaded, best)?;
-        labelled(&mut text, "cli-label-wrote", args.job.display());
+        target.apply(best)?;
+        labelled(&mut text, "cli-label-wrote", &target.name);
     }
     print_either(args.json, &figures, || text)?;
     if figures.best.is_some() { Ok(()) } else { Err(Failure::Printed) }
 }
 
 fn search(args: &ReachArgs, loaded: &Loaded, grid: ReachGrid, budget: f64) -> Result<Reached, Failure> {
+    let cancel = on_ctrl_c()?;
     let bar = Progress::new("cli-progress-reach", grid.count() as u64 + LOCAL);
     let show = |judged: usize| bar.at(judged as u64);
-    let request = ReachRequest { grid, budget: Duration::from_secs_f64(budget), cancel: None, progress: Some(&show) };
+    let budget = Duration::from_secs_f64(budget);
+    let request = ReachRequest { moved: moved(args), grid, budget, cancel: Some(&cancel), progress: Some(&show) };
     let folder = args.job.parent().unwrap_or(Path::new("."));
-    reach(loaded, loaded.welding.program.text(), folder, &request)
+    reach(loaded, JobText { text: loaded.welding.program.text(), folder }, &request)
+}
+
+fn moved(args: &ReachArgs) -> Moved {
+    if args.base { Moved::Base } else { Moved::Work }
+}
+
+/// The file that holds the placement.
+struct Target {
+    /// Its name; of a machine without a file that of the machine.
+    name: String,
+    path: Option<PathBuf>,
+    /// Its text before the search.
+    text: String,
+}
+
+impl Target {
+    /// Refuses `--apply` for a supplied machine.
+    fn new(args: &ReachArgs, loaded: &Loaded) -> Result<Self, Failure> {
+        if !args.base {
+            let name = args.job.display().to_string();
+            return Ok(Self { name, path: Some(args.job.clone()), text: loaded.welding.program.text().to_owned() });
+        }
+        let (path, wanted) = (loaded.machine_file.clone(), &loaded.welding.program.value.machine);
+        if args.apply && path.is_none() {
+            let fault = Message::new("cli-reach-supplied");
+            return Err(refused("--apply", wanted, fault, Message::new("cli-reach-own-machine").text("name", wanted)));
+        }
+        let name = path.as_ref().map_or_else(|| wanted.clone(), |path| path.display().to_string());
+        Ok(Self { name, path, text: loaded.machine_text()? })
+    }
+
+    /// Writes the best placement, unless somebody else has changed the file since.
+    fn apply(&self, best: &TriedPlacement) -> Result<(), Failure> {
+        let Some(path) = &self.path else { return Ok(()) };
+        if files::read(path)? != self.text {
+            return Err(Failure::input(Message::new("cli-reach-changed").text("file", &self.name)));
+        }
+        files::write(path, &best.placed.text)
+    }
 }
 
 fn grid(args: &ReachArgs) -> Result<ReachGrid, Failure> {
@@ -107,11 +155,12 @@ fn span(option: &str, value: &str, max: f64, unit: f64) -> Result<ReachSpan, Fai
     })
 }
 
-fn figures(loaded: &Loaded, reached: &Reached) -> ReachFigures {
+fn figures(args: &ReachArgs, loaded: &Loaded, reached: &Reached) -> ReachFigures {
     let machine = &loaded.machine;
     let title = &loaded.welding.program.value.title;
     let mut figures = ReachFigures::new(title, machine, &reached.pivot, &reached.search);
-    figures.cut_off = reached.is_cut_off;
+    figures.moved = moved(args);
+    figures.cut_off = reached.cut_off.is_some();
     figures.best = reached.best().map(|best| best_placement(machine, best));
     figures
 }
@@ -125,27 +174,28 @@ fn best_placement(machine: &Machine, best: &TriedPlacement) -> BestPlacement {
         clearance_mm: best.clearance_mm(),
         key: best.placed.key.clone(),
         move_mm: best.placed.transform.move_mm.get().to_array(),
+        turn: best.placed.transform.turn.map(|turn| turn.unit().to_array()),
         angle_deg: best.placed.transform.angle_deg.get(),
     }
-}
-
-/// Writes the job with the best placement, unless somebody else has changed it since.
-fn apply(args: &ReachArgs, loaded: &Loaded, best: &TriedPlacement) -> Result<(), Failure> {
-    if files::read(&args.job)? != loaded.welding.program.text() {
-        let message = Message::new("cli-reach-changed").text("file", args.job.display().to_string());
-        return Err(Failure::input(message));
-    }
-    files::write(&args.job, &best.placed.text)
 }
 
 fn summary(figures: &ReachFigures, reached: &Reached, budget: f64) -> String {
     let mut text = format!("{}\n", figures.title);
     labelled(&mut text, "cli-label-machine", &figures.machine);
+    let moved = match figures.moved {
+        Moved::Work => "cli-reach-moves-work",
+        Moved::Base => "cli-reach-moves-base",
+    };
+    labelled(&mut text, "cli-label-moved", Message::new(moved));
     let judged = Message::new("cli-reach-judged").count("placements", figures.placements.len());
     labelled(&mut text, "cli-label-judged", judged.count("weldable", figures.weldable()));
-    if figures.cut_off {
-        let cut_off = Message::new("cli-reach-cut-off").value("budget", budget, Unit::S);
-        labelled(&mut text, "cli-label-budget", cut_off);
+    match reached.cut_off {
+        Some(CutOff::Budget) => {
+            let cut_off = Message::new("cli-reach-cut-off").value("budget", budget, Unit::S);
+            labelled(&mut text, "cli-label-budget", cut_off);
+        }
+        Some(CutOff::Cancelled) => labelled(&mut text, "cli-label-budget", Message::new("cli-reach-interrupted")),
+        None => {}
     }
     if let Some(present) = figures.placements.first() {
         labelled(&mut text, "cli-label-present", described(present));
@@ -172,10 +222,13 @@ fn summary(figures: &ReachFigures, reached: &Reached, budget: f64) -> String {
                 let clearance = Message::new("quantity").quantity("value", clearance, Unit::Mm, 1);
                 labelled(&mut text, "cli-label-clearance", clearance);
             }
-            let [x, y, z] = best.move_mm.map(|v| format!("{v}"));
-            let entry =
-                Message::new("cli-reach-entry").key("key", &best.key).text("vector", format!("[{x}, {y}, {z}]"));
-            labelled(&mut text, "cli-label-entry", entry.quantity("angle", best.angle_deg, Unit::Deg, 3));
+            // That of a machine file comes with the name of the file.
+            if figures.moved == Moved::Work {
+                let [x, y, z] = best.move_mm.map(|v| format!("{v}"));
+                let entry =
+                    Message::new("cli-reach-entry").key("key", &best.key).text("vector", format!("[{x}, {y}, {z}]"));
+                labelled(&mut text, "cli-label-entry", entry.quantity("angle", best.angle_deg, Unit::Deg, 3));
+            }
         }
         None => labelled(&mut text, "cli-label-best", Message::new("cli-reach-none")),
     }

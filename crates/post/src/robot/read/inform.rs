@@ -20,7 +20,7 @@ pub(super) fn read(text: &str) -> Read<RobotProgram> {
     if reader.part != Part::Ended {
         return Err(scan.missing("END"));
     }
-    if reader.points != Some([reader.positions.len(), reader.stations.len()]) {
+    if reader.points != Some([reader.positions.len(), reader.bases.len(), reader.stations.len()]) {
         return Err(scan.missing("NPOS"));
     }
     Ok(RobotProgram { title: String::new(), frames: None, steps: reader.steps })
@@ -40,13 +40,16 @@ enum Part {
 #[derive(Default)]
 struct Reader<'a> {
     part: Part,
-    /// Numbers of positions of the arm and of the station.
-    points: Option<[usize; 2]>,
-    /// Form of the positions that follow: all must be in the user frame, in rectangular form.
-    in_user_frame: bool,
+    /// Numbers of positions of the arm, of the base axes and of the station.
+    points: Option<[usize; 3]>,
+    /// Form of the positions that follow: those of the arm must be in the user frame, those of the base axes in the base
+    /// frame, both in rectangular form.
+    frame: &'a str,
     rectangular: bool,
     configuration: Vec<i32>,
     positions: BTreeMap<&'a str, TcpMove>,
+    /// Positions of the base axes, mm.
+    bases: BTreeMap<&'a str, Vec<f64>>,
     /// Angles of the station, degrees.
     stations: BTreeMap<&'a str, Vec<f64>>,
     steps: Vec<RobotStep>,
@@ -96,9 +99,9 @@ impl<'a> Reader<'a> {
             self.part = Part::Settings;
         } else if line.take("///NPOS") {
             let counts = line.numbers::<6>(",")?;
-            self.points = Some([counts[0], counts[2]].map(|count| count.max(0.0) as usize));
+            self.points = Some([counts[0], counts[1], counts[2]].map(|count| count.max(0.0) as usize));
         } else if line.take("///POSTYPE") {
-            self.in_user_frame = line.name()? == "USER";
+            self.frame = line.name()?;
         } else if line.take("///RECTAN") {
             self.rectangular = true;
         } else if line.take("///ANGLE") {
@@ -111,10 +114,16 @@ impl<'a> Reader<'a> {
             let from = line.at;
             let name = line.name()?;
             if name.starts_with("EC") && !self.rectangular {
-                self.station(name, line)?;
+                let angles = numbers(line)?;
+                self.stations.insert(name, angles);
                 return line.end_of_line("\r");
             }
-            if !(self.in_user_frame && self.rectangular) || self.configuration.is_empty() {
+            if name.starts_with("BC") && self.frame == "BASE" && self.rectangular {
+                let distances = numbers(line)?;
+                self.bases.insert(name, distances);
+                return line.end_of_line("\r");
+            }
+            if !(self.frame == "USER" && self.rectangular) || self.configuration.is_empty() {
                 return Err(line.unknown(from, name));
             }
             line.expect("=")?;
@@ -126,17 +135,6 @@ impl<'a> Reader<'a> {
             self.positions.insert(name, line);
         }
         line.end_of_line("\r")
-    }
-
-    /// `EC00000=12.5,30`
-    fn station(&mut self, name: &'a str, line: &mut Scan<'a>) -> Read {
-        line.expect("=")?;
-        let mut angles = vec![line.number()?];
-        while line.take(",") {
-            angles.push(line.number()?);
-        }
-        self.stations.insert(name, angles);
-        Ok(())
     }
 
     fn instruction(&mut self, line: &mut Scan<'a>) -> Read {
@@ -153,7 +151,7 @@ impl<'a> Reader<'a> {
             "MOVJ" => {
                 let mut to = self.point(line)?;
                 if !line.take("VJ=") {
-                    to.externals = self.angles(line)?;
+                    to.externals.extend(Self::named(&self.stations, line)?);
                     line.expect("VJ=")?;
                 }
                 positive(line.number()?, line.since(from))?;
@@ -193,7 +191,7 @@ impl<'a> Reader<'a> {
         let zone = if line.take("PL=") { Some(line.number()?) } else { None };
         if is_coordinated {
             line.expect("+MOVJ")?;
-            to.externals = self.angles(line)?;
+            to.externals.extend(Self::named(&self.stations, line)?);
         }
         self.arc = match (is_arc, std::mem::take(&mut self.arc)) {
             (false, ArcPoints::None | ArcPoints::Ended) => ArcPoints::None,
@@ -219,23 +217,34 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// The station's position that a move names.
-    fn angles(&self, line: &mut Scan<'a>) -> Read<Vec<f64>> {
+    /// The position of `all` that a move names.
+    fn named<T: Clone>(all: &BTreeMap<&'a str, T>, line: &mut Scan<'a>) -> Read<T> {
         line.blanks();
         let from = line.at;
         let name = line.name()?;
         let undeclared = || Fault::new(line.since(from), Message::new("post-robot-undeclared").text("name", name));
-        self.stations.get(name).cloned().ok_or_else(undeclared)
+        all.get(name).cloned().ok_or_else(undeclared)
     }
 
-    /// The position that a move names.
+    /// The position that a move names, with that of the base axes: `C00000 BC00000`
     fn point(&self, line: &mut Scan<'a>) -> Read<TcpMove> {
+        let mut to = Self::named(&self.positions, line)?;
         line.blanks();
-        let from = line.at;
-        let name = line.name()?;
-        let undeclared = || Fault::new(line.since(from), Message::new("post-robot-undeclared").text("name", name));
-        self.positions.get(name).cloned().ok_or_else(undeclared)
+        if line.rest().starts_with("BC") {
+            to.externals = Self::named(&self.bases, line)?;
+        }
+        Ok(to)
     }
+}
+
+/// `=12.5,30`
+fn numbers(line: &mut Scan) -> Read<Vec<f64>> {
+    line.expect("=")?;
+    let mut all = vec![line.number()?];
+    while line.take(",") {
+        all.push(line.number()?);
+    }
+    Ok(all)
 }
 
 fn values(line: &mut Scan) -> Read<WeldValues> {

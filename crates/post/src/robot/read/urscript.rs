@@ -7,6 +7,7 @@ use crate::robot::pose::RobotPose;
 use crate::robot::program::{
     ArcEnd, ArcStart, JointTarget, RobotFrames, RobotProgram, RobotStep, TcpMove, ThroughPoint,
 };
+use crate::robot::stream::{ServoStream, SetPoints};
 use crate::robot::weld_values::WeldValues;
 use glam::{DQuat, DVec3};
 use seamwright_message::Message;
@@ -111,6 +112,7 @@ impl<'a> Reader<'a> {
                 let line = TcpMove { via, to, externals: Vec::new(), configuration: Vec::new(), speed_mm_s, zone_mm };
                 self.steps.push(RobotStep::Move(line));
             }
+            "servoj" => self.servo(from, line)?,
             "arc_on" => {
                 let [preflow_s, delay_s, current_a, voltage_v, wire_feed_m_min] = line.numbers(",")?;
                 let values = WeldValues { current_a, voltage_v, wire_feed_m_min };
@@ -129,6 +131,22 @@ impl<'a> Reader<'a> {
         }
         line.expect(")")?;
         line.end_of_line("#")
+    }
+
+    /// `[q1, q2, q3, q4, q5, q6], a, v, t, lookahead_time, gain`
+    fn servo(&mut self, from: usize, line: &mut Scan<'a>) -> Read {
+        line.expect("[")?;
+        let positions = line.numbers::<6>(",")?.map(f64::to_degrees);
+        line.expect("]")?;
+        line.expect(",")?;
+        let [_, _, period_s, lookahead_s, gain] = line.numbers(",")?;
+        let period_s = positive(period_s, line.since(from))?;
+        let stream = ServoStream { period_s, lookahead_s, gain };
+        match self.steps.last_mut() {
+            Some(RobotStep::SetPoints(points)) if points.stream == stream => points.positions.push(positions),
+            _ => self.steps.push(RobotStep::SetPoints(SetPoints { stream, positions: vec![positions] })),
+        }
+        Ok(())
     }
 
     /// `p[x, y, z, rx, ry, rz]` in m and rad.

@@ -94,6 +94,8 @@ impl Ls {
                     let values = values(&self.values);
                     self.line(&format!("  Weld End[1,{values},{}s] ;", fixed(off.crater_s, 2)));
                 }
+                // Only URScript has set-points.
+                RobotStep::SetPoints(_) => {}
                 RobotStep::Wait(seconds) => self.line(&format!("  WAIT {}(sec) ;", fixed(*seconds, 2))),
             }
         }

@@ -1,8 +1,8 @@
 //! Yaskawa INFORM jobs (JBI) with arc instructions.
 //!
-//! Source: Yaskawa, INFORM Language manual for YRC1000 (RE-CKI-A467): job header, MOVJ, MOVL and MOVC with V and PL, SMOVL and SMOVC with +MOVJ of a
-//! station, ARCON, ARCSET,
-//! ARCOF, TIMER.
+//! Source: Yaskawa, INFORM Language manual for YRC1000 (RE-CKI-A467): job header, MOVJ, MOVL and MOVC with V and PL, SMOVL
+//! and SMOVC with +MOVJ of a station, ARCON, ARCSET, ARCOF, TIMER. Yaskawa, DX100, data transmission (156191-1CD), job data
+//! format: numbers of positions, base axis positions BC in rectangular form, RCONF, groups.
 
 use super::RobotText;
 use super::text::{head, joined, plain};
@@ -17,7 +17,8 @@ use crate::write::fixed;
 const LONGEST_REMARK: usize = 32;
 
 pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
-    let mut job = Job { has_station: options.arm.has_positioner(), ..Job::default() };
+    let (carriers, has_station) = (options.arm.carriers(), options.arm.has_positioner());
+    let mut job = Job { carriers, has_station, ..Job::default() };
     for line in head(RobotLanguage::Inform, program, options) {
         job.remark(&line);
     }
@@ -26,17 +27,21 @@ pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
     job.remark(&format!("TOOL 1 {}", numbers(&frames.tool)));
     job.steps(&program.steps);
     let mut text = String::from("/JOB\n//NAME SEAMWRIGHT\n//POS\n");
-    let stations = if job.has_station { job.points } else { 0 };
+    let [bases, stations] = [carriers > 0, has_station].map(|has| if has { job.points } else { 0 });
     text.push_str(&format!(
-        "///NPOS {},0,{stations},0,0,0\n///USER 1\n///TOOL 1\n///POSTYPE USER\n///RECTAN\n",
+        "///NPOS {},{bases},{stations},0,0,0\n///USER 1\n///TOOL 1\n///POSTYPE USER\n///RECTAN\n",
         job.points
     ));
     text.push_str(&job.positions);
-    if job.has_station {
+    if carriers > 0 {
+        text.push_str(&format!("///POSTYPE BASE\n///RECTAN\n{}", job.bases));
+    }
+    if has_station {
         text.push_str(&format!("///POSTYPE ANGLE\n///ANGLE\n{}", job.stations));
     }
-    let station = if job.has_station { "///GROUP2 ST1\n" } else { "" };
-    text.push_str(&format!("//INST\n///ATTR SC,RW,RJ\n////FRAME USER 1\n///GROUP1 RB1\n{station}NOP\n"));
+    let base = if carriers > 0 { ",BS1" } else { "" };
+    let station = if has_station { "///GROUP2 ST1\n" } else { "" };
+    text.push_str(&format!("//INST\n///ATTR SC,RW,RJ\n////FRAME USER 1\n///GROUP1 RB1{base}\n{station}NOP\n"));
     text.push_str(&job.program);
     text.push_str("END\n");
     text
@@ -46,8 +51,12 @@ pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
 struct Job {
     program: String,
     positions: String,
+    /// Positions of the base axes.
+    bases: String,
     /// Positions of the station.
     stations: String,
+    /// Number of base axes: those that carry the arm.
+    carriers: usize,
     has_station: bool,
     points: usize,
     configuration: Vec<i32>,
@@ -78,8 +87,9 @@ impl Job {
                 RobotStep::Joints(_) => {}
                 RobotStep::JointsTo(line) => {
                     let point = self.position(&line.to, &line.configuration, &line.externals);
+                    let base = self.base(&point);
                     let station = if self.has_station { format!(" E{point}") } else { String::new() };
-                    self.line(&format!("MOVJ {point}{station} VJ=20.00 PL=0"));
+                    self.line(&format!("MOVJ {point}{base}{station} VJ=20.00 PL=0"));
                 }
                 RobotStep::Move(line) => self.motion(line, leads_to_arc(&steps[i + 1..])),
                 RobotStep::ArcOn(on) => {
@@ -87,6 +97,8 @@ impl Job {
                 }
                 RobotStep::Values(now) => self.line(&format!("ARCSET {}", values(now))),
                 RobotStep::ArcOff(off) => self.line(&format!("ARCOF T={}", fixed(off.crater_s, 2))),
+                // Only URScript has set-points.
+                RobotStep::SetPoints(_) => {}
                 RobotStep::Wait(seconds) => self.line(&format!("TIMER T={seconds:.2}")),
             }
         }
@@ -104,11 +116,17 @@ impl Job {
         self.tcp_move(word, &point, &format!("V={speed:.1} PL={level}"));
     }
 
+    /// The position of the base axes at `point`, behind it.
+    fn base(&self, point: &str) -> String {
+        if self.carriers > 0 { format!(" B{point}") } else { String::new() }
+    }
+
     /// With a station the move is coordinated: S, and the station's own move.
     fn tcp_move(&mut self, word: &str, point: &str, rest: &str) {
+        let base = self.base(point);
         self.line(&match self.has_station {
-            true => format!("S{word} {point} {rest} +MOVJ E{point}"),
-            false => format!("{word} {point} {rest}"),
+            true => format!("S{word} {point}{base} {rest} +MOVJ E{point}"),
+            false => format!("{word} {point}{base} {rest}"),
         });
     }
 
@@ -121,8 +139,12 @@ impl Job {
         }
         let name = format!("C{:05}", self.points);
         self.points += 1;
+        let (base, station) = externals.split_at(self.carriers.min(externals.len()));
+        if self.carriers > 0 {
+            self.bases.push_str(&format!("B{name}={}\n", joined(base.iter().copied(), 3, ",")));
+        }
         if self.has_station {
-            self.stations.push_str(&format!("E{name}={}\n", joined(externals.iter().copied(), 4, ",")));
+            self.stations.push_str(&format!("E{name}={}\n", joined(station.iter().copied(), 4, ",")));
         }
         self.positions.push_str(&format!("{name}={}\n", numbers(to)));
         name

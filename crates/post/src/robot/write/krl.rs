@@ -80,6 +80,8 @@ impl Krl {
                 RobotStep::ArcOff(off) => {
                     self.line(&format!("ARC_OFF({})", joined([off.crater_s, off.postflow_s], 3, ",")));
                 }
+                // Only URScript has set-points.
+                RobotStep::SetPoints(_) => {}
                 RobotStep::Wait(seconds) => self.line(&format!("WAIT SEC {}", fixed(*seconds, 3))),
             }
         }

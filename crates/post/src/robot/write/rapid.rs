@@ -99,6 +99,8 @@ impl Rapid {
                 }
                 RobotStep::Values(now) => values = Some(*now),
                 RobotStep::ArcOff(_) => values = None,
+                // Only URScript has set-points.
+                RobotStep::SetPoints(_) => {}
                 RobotStep::Wait(seconds) => self.statement(&format!("WaitTime {}", fixed(*seconds, 3))),
                 RobotStep::ArcOn(_) => {}
             }

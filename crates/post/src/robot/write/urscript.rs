@@ -1,6 +1,6 @@
 //! Universal Robots URScript.
 //!
-//! Source: Universal Robots, The URScript Programming Language (5.12), `movep`, `movec`, `movel`, `movej`, `pose_trans`.
+//! Source: Universal Robots, The URScript Programming Language (5.12), `movep`, `movec`, `movel`, `movej`, `pose_trans`, `servoj`.
 
 use super::RobotText;
 use super::text::{head, joined, plain};
@@ -8,11 +8,14 @@ use crate::robot::angles::rotation_vector;
 use crate::robot::language::RobotLanguage;
 use crate::robot::pose::RobotPose;
 use crate::robot::program::{ArcEnd, ArcStart, RobotProgram, RobotStep, TcpMove};
+use crate::robot::stream::{ServoStream, SetPoints};
 use crate::robot::weld_values::WeldValues;
 use crate::write::fixed;
 use std::fmt::Write as _;
 
 const M_PER_MM: f64 = 1e-3;
+/// Decimals of set-points, rad: at 2 ms fewer would show in the speed.
+const SET_POINT_DECIMALS: usize = 9;
 
 pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
     let mut text = String::new();
@@ -41,6 +44,7 @@ pub(super) fn write(program: &RobotProgram, options: &RobotText) -> String {
                 arc_off(end)
             }
             RobotStep::Values(values) => format!("weld_values({})", numbers(values)),
+            RobotStep::SetPoints(points) => servo(points),
             RobotStep::Wait(seconds) => format!("sleep({})", fixed(*seconds, 3)),
         };
         text.push_str(&format!("  {statement}\n"));
@@ -98,6 +102,17 @@ fn motion(line: &TcpMove, burning: bool) -> String {
         true => format!("movep({pose}, a=1.2, v={speed}, r={})", fixed(line.zone_mm * M_PER_MM, 8)),
         false => format!("movel({pose}, a=0.5, v={speed})"),
     }
+}
+
+/// A statement for each set-point: positions in rad, acceleration and speed (which `servoj` ignores), time, look-ahead time,
+/// gain.
+fn servo(points: &SetPoints) -> String {
+    let ServoStream { period_s, lookahead_s, gain } = points.stream;
+    let settings = format!("0, 0, {}, {}, {}", fixed(period_s, 6), fixed(lookahead_s, 6), fixed(gain, 3));
+    let statement = |deg: &[f64; 6]| {
+        format!("servoj([{}], {settings})", joined(deg.map(f64::to_radians), SET_POINT_DECIMALS, ", "))
+    };
+    points.positions.iter().map(statement).collect::<Vec<_>>().join("\n  ")
 }
 
 fn numbers(values: &WeldValues) -> String {
