@@ -99,7 +99,7 @@ mod tests {
         assert!((at(0.0, 180.0).max_pool_mm2(true) - 32.1).abs() < 0.1);
     }
 
-    /// What a pool needs of the surface tension, the inverse of the limit, has no jump: at most 1 % of the strictest limit
+    /// The surface tension that a pool needs, the inverse of the limit, has no jump: at most 1 % of the strictest limit
     /// by 0.1 degrees.
     #[test]
     fn limits_change_evenly_with_the_position() {

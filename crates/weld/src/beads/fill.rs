@@ -138,7 +138,7 @@ struct LayerAt<'a> {
     high: &'a Level,
 }
 
-/// What the beads of a layer have in common.
+/// The common values of the beads of a layer.
 struct LaidLayer<'a> {
     section: &'a Section,
     at: LayerAt<'a>,
