@@ -11,7 +11,7 @@ pub(crate) mod licences;
 pub(crate) mod machine;
 pub(crate) mod move_to;
 pub(crate) mod part;
-mod planning;
+pub(crate) mod planning;
 pub(crate) mod post;
 mod pulses;
 pub(crate) mod reach;
@@ -25,6 +25,7 @@ pub(crate) mod serve;
 pub(crate) mod shell;
 mod simulate;
 pub(crate) mod stripe;
+pub(crate) mod study;
 pub(crate) mod teach;
 
 use clap::error::{ContextKind, ErrorKind};
@@ -110,6 +111,8 @@ pub(crate) enum Verb {
     Check(CheckArgs),
     /// Plan many seams from one table: results, part programs, load of the machines, report
     Schedule(schedule::ScheduleArgs),
+    /// Study tolerances of a job: probabilities, distributions and causes from many drawn plans
+    Study(study::StudyArgs),
     /// Weld in simulation: drives, friction, encoders; trace and report
     Simulate(SimulateArgs),
     /// Run a job on a cell in real time, under orders from standard input
@@ -462,6 +465,7 @@ pub(crate) enum Format {
     Operation,
     Procedure,
     Program,
+    Study,
     /// OpenAPI 3.1 of the panel's server
     Rest,
     /// Types of the panel's server

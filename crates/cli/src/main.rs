@@ -76,6 +76,7 @@ fn dispatch(verb: Verb) -> Result<(), Failure> {
         Verb::Plan(a) => verbs::plan::run(&a),
         Verb::Check(a) => verbs::check::run(&a),
         Verb::Schedule(a) => verbs::schedule::run(&a),
+        Verb::Study(a) => verbs::study::run(&a),
         Verb::Simulate(a) => verbs::simulate::run(&a),
         Verb::Run(a) => verbs::run::run(&a),
         Verb::Serve(a) => verbs::serve::run(&a),

@@ -17,9 +17,18 @@ const STRIDE: u64 = 4096;
 impl Progress {
     /// For `total` steps of the work that the words of `code` name.
     pub(crate) fn new(code: &'static str, total: u64) -> Self {
+        Self::with_template(code, total, "{msg} {wide_bar} {percent}% {eta}")
+    }
+
+    /// The same, also with the number of steps done and their rate.
+    pub(crate) fn with_rate(code: &'static str, total: u64) -> Self {
+        Self::with_template(code, total, "{msg} {wide_bar} {pos}/{len} {per_sec} {eta}")
+    }
+
+    fn with_template(code: &'static str, total: u64, template: &str) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr_with_hz(10));
-        // The template is fixed; were it wrong, the plain bar would do.
-        let style = ProgressStyle::with_template("{msg} {wide_bar} {percent}% {eta}");
+        // Templates are fixed; were one wrong, the plain bar would do.
+        let style = ProgressStyle::with_template(template);
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         bar.set_message(Message::new(code).to_string());
         bar.enable_steady_tick(Duration::from_millis(500));

@@ -48,6 +48,7 @@ areas![
     "post",
     "report",
     "schedule",
+    "study",
     "project",
     "server",
     "panel",

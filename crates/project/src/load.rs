@@ -91,6 +91,36 @@ fn load_within(name: &str, text: &str, within: &FileScope<'_>, own: Own) -> Resu
             return Err(error.into());
         }
     };
+    finished(welding, MachineFound { machine, file: machine_file }, within, stl)
+}
+
+/// A machine that is read already, with its file if it does not ship.
+#[derive(Debug, Clone)]
+pub struct MachineFound {
+    /// The machine.
+    pub machine: Machine,
+    /// Its file.
+    pub file: Option<PathBuf>,
+}
+
+/// The job of a text on a machine that is read already: that of the job, perhaps with errors. Files are looked for from
+/// `folder`.
+///
+/// # Errors
+/// Faults of the job.
+pub fn load_text_on(name: &str, text: &str, folder: &Path, machine: MachineFound) -> Result<Loaded, Failure> {
+    let within = FileScope::open(folder);
+    let welding = Welding::read_with(name, text, &Beside::new(within.clone()))?;
+    finished(welding, machine, &within, StlFiles::default())
+}
+
+/// Checks a job against its machine, and reads what is clamped.
+fn finished(
+    welding: Welding,
+    MachineFound { machine, file: machine_file }: MachineFound,
+    within: &FileScope<'_>,
+    stl: StlFiles,
+) -> Result<Loaded, Failure> {
     let process = welding.program.value.passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys());
     if let Some(clash) = process.into_iter().find(|name| machine.axis(name).is_some()) {
         let message = Message::new("project-process-value-is-axis").axis("name", clash);

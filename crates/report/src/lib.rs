@@ -8,6 +8,7 @@
 //! - [`Chart`] plots series over one axis, against limits; [`ChartGrid`] sets several on one x axis.
 //! - [`Bode`] plots a frequency response with its margins.
 //! - [`ThreeViews`] draws a curve in space in first-angle projection.
+//! - [`Tornado`] shows the effect of several quantities on one figure.
 //! - [`WeldMap`] unrolls a weld: its passes with starts, stops and tacks along the seam.
 //! - [`Page`] combines figures, tables, findings and listings in one HTML file.
 //!
@@ -63,6 +64,7 @@ mod text;
 mod thinning;
 mod three_views;
 mod ticks;
+mod tornado;
 mod value_names;
 mod weld;
 mod weld_map;
@@ -86,6 +88,7 @@ pub use series::{Series, Style};
 pub use sheet::sheet;
 pub use svg::Drawing;
 pub use three_views::{Mark, ThreeViews};
+pub use tornado::{Tornado, TornadoRow};
 pub use weld::{CertificateFigures, Extent, PassFigures, Plots, PostFigures, SimulationCurves, WeldReport, sections};
 pub use weld_map::{MapPiece, MapRow, WeldMap};
 pub(crate) use words::Words;

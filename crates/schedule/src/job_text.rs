@@ -3,6 +3,7 @@
 use crate::table::{Row, Table};
 use seamwright_document::{Change, DocumentError, TomlText};
 use seamwright_project::failure::Failure;
+use seamwright_project::files;
 use seamwright_record::sha256;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -13,6 +14,22 @@ use std::path::{Path, PathBuf};
 pub(crate) struct JobText {
     pub(crate) text: String,
     pub(crate) folder: PathBuf,
+}
+
+/// Reads a job: a file relative to `folder`, or an example.
+pub(crate) fn template(folder: &Path, name: &str) -> Result<JobText, Failure> {
+    let path = folder.join(name);
+    if let Some(example) = seamwright_project::examples::example(name).filter(|_| !path.is_file()) {
+        return Ok(JobText { text: example.text.to_owned(), folder: PathBuf::from(".") });
+    }
+    let text = files::read(&path)?;
+    TomlText::parse(&path.display().to_string(), &text)?;
+    Ok(JobText { text, folder: folder_of(&path).to_owned() })
+}
+
+/// The folder of a file.
+pub(crate) fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// Templates read so far, and the hashes of files that jobs name.

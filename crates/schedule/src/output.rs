@@ -1,31 +1,23 @@
 //! Result files of a schedule: CSV and Parquet with a line for each row, the load of the machines, and the report.
 
+use crate::columns::{Column, Kind, ResultFiles, Value};
 use crate::job_text::Templates;
 use crate::machine_load::{MachineLoad, Task, machine_load};
 use crate::plan_row::{RowResult, Status};
 use crate::run::{Schedule, Summary};
 use crate::table::Row;
-use parquet::basic::{Compression, ConvertedType, Repetition, Type as PhysicalType};
-use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
-use parquet::errors::ParquetError;
-use parquet::file::properties::WriterProperties;
-use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::types::Type;
 use seamwright_message::{Catalogue, Language, Message, Unit};
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
-use seamwright_record::WholeFile;
 use seamwright_report::{Block, Drawing as _, Gantt, GanttBar, GanttRow, Page, Table, Tile, Verdict, format_number};
 use std::collections::BTreeMap;
-use std::io::{BufWriter, Write};
-use std::sync::Arc;
 
 /// Rows in the report; all are in the other files.
 const MAX_ROWS: usize = 2000;
+/// Decimals of numbers in the CSV file.
+const DECIMALS: usize = 3;
 /// Parts in the picture of the machines' load.
 const MAX_PARTS: usize = 2000;
-/// Rows of a group in the Parquet file.
-const GROUP: usize = 10_000;
 
 /// The result of a row.
 pub(crate) type ResultOf<'a> = dyn Fn(&Row, &mut Templates) -> Result<RowResult, Failure> + 'a;
@@ -44,13 +36,6 @@ struct Totals {
     findings: BTreeMap<String, usize>,
 }
 
-/// Value of a column in a row.
-enum Value {
-    Text(String),
-    Whole(i64),
-    Number(Option<f64>),
-}
-
 /// Writes all files.
 pub(crate) fn write(schedule: &Schedule, result_of: &ResultOf) -> Result<Summary, Failure> {
     let (mut summary, mut totals, mut tasks, mut shown) =
@@ -58,19 +43,13 @@ pub(crate) fn write(schedule: &Schedule, result_of: &ResultOf) -> Result<Summary
     let csv_path = schedule.output.join("schedule.csv");
     let parquet_path = schedule.output.join("schedule.parquet");
     let mut templates = Templates::default();
-    let failed = |e: std::io::Error| files::not_writable(&parquet_path, &e);
-    let of_parquet = |e: ParquetError| Failure::environment(e.to_string());
-    let mut parquet = WholeFile::create(&parquet_path).map_err(failed)?;
-    let mut groups = Groups::new(BufWriter::new(&mut parquet)).map_err(of_parquet)?;
-    files::write_with(&csv_path, |csv| {
-        let names: Vec<&str> = COLUMNS.iter().map(|c| c.0).collect();
-        writeln!(csv, "{}", names.join(","))?;
+    let columns: Vec<Column> = COLUMNS.iter().map(|(name, kind)| Column::new(*name, *kind)).collect();
+    let files = ResultFiles { name: "schedule", csv: &csv_path, parquet: &parquet_path, decimals: Some(DECIMALS) };
+    files.write(columns, &mut |rows| {
         schedule.table.each(&mut |row| {
             let result = result_of(&row, &mut templates)?;
             let program = schedule.program(&row).filter(|_| result.status == Status::Weldable);
-            let values = values(&row, &result, program);
-            writeln!(csv, "{}", csv_line(&values))?;
-            groups.push(values).map_err(of_parquet)?;
+            rows.push(values(&row, &result, program))?;
             summary.rows += 1;
             summary.weldable += u64::from(result.status == Status::Weldable);
             totals.add(&row, &result);
@@ -85,8 +64,6 @@ pub(crate) fn write(schedule: &Schedule, result_of: &ResultOf) -> Result<Summary
             Ok(true)
         })
     })?;
-    groups.finish().map_err(of_parquet)?;
-    parquet.finish().map_err(failed)?;
     let loads = machine_load(tasks);
     let load_path = schedule.output.join("machines.csv");
     files::write(&load_path, &load_table(&loads))?;
@@ -114,15 +91,6 @@ impl Totals {
         self.energy_kj += count * result.energy_kj.unwrap_or(0.0);
         self.cost += count * result.cost.unwrap_or(0.0);
     }
-}
-
-/// Kind of the values of a column.
-#[derive(Clone, Copy)]
-enum Kind {
-    Text,
-    Whole,
-    /// A number that may be missing.
-    Number,
 }
 
 /// Columns of the result files.
@@ -176,19 +144,8 @@ fn values(row: &Row, result: &RowResult, program: Option<String>) -> Vec<Value> 
     ]
 }
 
-fn findings_text(findings: &BTreeMap<String, usize>) -> String {
+pub(crate) fn findings_text(findings: &BTreeMap<String, usize>) -> String {
     findings.iter().map(|(code, n)| format!("{code} {n}")).collect::<Vec<_>>().join("; ")
-}
-
-/// Numbers to a thousandth.
-fn csv_line(values: &[Value]) -> String {
-    let cell = |value: &Value| match value {
-        Value::Text(text) if text.contains([',', '"', '\n', '\r']) => format!("\"{}\"", text.replace('"', "\"\"")),
-        Value::Text(text) => text.clone(),
-        Value::Whole(number) => number.to_string(),
-        Value::Number(number) => number.map_or(String::new(), |v| format!("{v:.3}")),
-    };
-    values.iter().map(cell).collect::<Vec<_>>().join(",")
 }
 
 fn load_table(loads: &[MachineLoad]) -> String {
@@ -201,78 +158,8 @@ fn load_table(loads: &[MachineLoad]) -> String {
     text
 }
 
-/// Rows of the Parquet file, written in groups.
-struct Groups<W: Write + Send> {
-    writer: SerializedFileWriter<W>,
-    rows: Vec<Vec<Value>>,
-}
-
-impl<W: Write + Send> Groups<W> {
-    fn new(out: W) -> Result<Self, ParquetError> {
-        let field = |(name, kind): &(&str, Kind)| {
-            let (physical, repetition) = match kind {
-                Kind::Text => (PhysicalType::BYTE_ARRAY, Repetition::REQUIRED),
-                Kind::Whole => (PhysicalType::INT64, Repetition::REQUIRED),
-                Kind::Number => (PhysicalType::DOUBLE, Repetition::OPTIONAL),
-            };
-            let field = Type::primitive_type_builder(name, physical).with_repetition(repetition);
-            let field = if matches!(kind, Kind::Text) { field.with_converted_type(ConvertedType::UTF8) } else { field };
-            field.build().map(Arc::new)
-        };
-        let fields = COLUMNS.iter().map(field).collect::<Result<Vec<_>, _>>()?;
-        let schema = Arc::new(Type::group_type_builder("schedule").with_fields(fields).build()?);
-        let properties = WriterProperties::builder().set_compression(Compression::SNAPPY).build();
-        Ok(Self { writer: SerializedFileWriter::new(out, schema, Arc::new(properties))?, rows: Vec::new() })
-    }
-
-    fn push(&mut self, row: Vec<Value>) -> Result<(), ParquetError> {
-        self.rows.push(row);
-        if self.rows.len() == GROUP { self.write_group() } else { Ok(()) }
-    }
-
-    fn write_group(&mut self) -> Result<(), ParquetError> {
-        let mut group = self.writer.next_row_group()?;
-        for i in 0..COLUMNS.len() {
-            let Some(mut out) = group.next_column()? else { continue };
-            let column = self.rows.iter().map(|row| &row[i]);
-            match COLUMNS[i].1 {
-                Kind::Text => {
-                    let text = |value: &Value| match value {
-                        Value::Text(text) => ByteArray::from(text.as_str()),
-                        _ => ByteArray::from(""),
-                    };
-                    let texts: Vec<ByteArray> = column.map(text).collect();
-                    out.typed::<ByteArrayType>().write_batch(&texts, None, None)?;
-                }
-                Kind::Whole => {
-                    let whole = |value: &Value| if let Value::Whole(number) = value { *number } else { 0 };
-                    out.typed::<Int64Type>().write_batch(&column.map(whole).collect::<Vec<_>>(), None, None)?;
-                }
-                Kind::Number => {
-                    let number = |value: &Value| if let Value::Number(number) = value { *number } else { None };
-                    let numbers: Vec<Option<f64>> = column.map(number).collect();
-                    let levels: Vec<i16> = numbers.iter().map(|v| i16::from(v.is_some())).collect();
-                    let present: Vec<f64> = numbers.into_iter().flatten().collect();
-                    out.typed::<DoubleType>().write_batch(&present, Some(&levels), None)?;
-                }
-            }
-            out.close()?;
-        }
-        group.close()?;
-        self.rows.clear();
-        Ok(())
-    }
-
-    fn finish(mut self) -> Result<(), ParquetError> {
-        if !self.rows.is_empty() {
-            self.write_group()?;
-        }
-        self.writer.into_inner()?.flush().map_err(|e| ParquetError::External(Box::new(e)))
-    }
-}
-
 /// Words of a code in the language of the process.
-fn words(code: &'static str) -> String {
+pub(crate) fn words(code: &'static str) -> String {
     Message::new(code).in_language(Language::of_process())
 }
 
@@ -423,7 +310,7 @@ fn table_of_rows(shown: &[(Row, RowResult)]) -> Table {
     }
 }
 
-fn status_words(status: Status) -> String {
+pub(crate) fn status_words(status: Status) -> String {
     words(match status {
         Status::Weldable => "schedule-status-weldable",
         Status::NotWeldable => "schedule-status-not-weldable",

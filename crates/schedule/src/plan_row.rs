@@ -166,9 +166,7 @@ impl RowResult {
     }
 
     fn blocked(machine: String, findings: &[Finding]) -> Self {
-        let is_search = findings.iter().any(|f| f.kind == "search" && !f.allowed);
-        let status = if is_search { Status::OutOfTime } else { Status::NotWeldable };
-        let mut result = Self { machine, ..Self::without_plan(status, String::new()) };
+        let mut result = Self { machine, ..Self::without_plan(status_of(findings), String::new()) };
         result.count(findings);
         result
     }
@@ -199,9 +197,21 @@ impl RowResult {
     }
 
     fn count(&mut self, findings: &[Finding]) {
-        self.blocking = findings.iter().filter(|finding| !finding.allowed).count();
-        for finding in findings {
-            *self.findings.entry(finding.message.code.to_string()).or_default() += 1;
-        }
+        (self.blocking, self.findings) = counted(findings);
     }
+}
+
+/// Number of findings that prevent a weld, and the number of all by code.
+pub(crate) fn counted(findings: &[Finding]) -> (usize, BTreeMap<String, usize>) {
+    let mut by_code = BTreeMap::new();
+    for finding in findings {
+        *by_code.entry(finding.message.code.to_string()).or_default() += 1;
+    }
+    (findings.iter().filter(|finding| !finding.allowed).count(), by_code)
+}
+
+/// Whether findings that prevent a plan say that it was out of time.
+pub(crate) fn status_of(findings: &[Finding]) -> Status {
+    let is_search = findings.iter().any(|f| f.kind == "search" && !f.allowed);
+    if is_search { Status::OutOfTime } else { Status::NotWeldable }
 }

@@ -5,6 +5,7 @@ use crate::journal::Journal;
 use crate::output;
 use crate::plan_row::{RowResult, RowTerms, Status, plan_row};
 use crate::table::{Row, Table};
+use crate::threads::{in_threads, locked};
 use seamwright_message::Message;
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
@@ -12,12 +13,8 @@ use seamwright_project::posting::PostTarget;
 use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, sync_channel};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::Mutex;
 use std::time::Duration;
-
-/// Rows that wait for a thread, for each thread.
-const WAITING: usize = 4;
 
 /// A table to be planned.
 #[derive(Debug)]
@@ -56,6 +53,9 @@ pub struct Summary {
     pub files: Vec<PathBuf>,
 }
 
+/// Results of rows.
+type Rows = Journal<String, RowResult>;
+
 /// A row to be planned.
 struct Work {
     row: Row,
@@ -70,7 +70,7 @@ impl Schedule<'_> {
     /// Faults of the table, failures to write. A row that fails is a result.
     pub fn run(&self, progress: &(dyn Fn(Progress) + Sync)) -> Result<Summary, Failure> {
         std::fs::create_dir_all(self.programs()).map_err(|e| files::not_writable(self.output, &e))?;
-        let journal = Journal::open(&self.output.join("rows.jsonl"))?;
+        let journal = Rows::open(&self.output.join("rows.jsonl"))?;
         let kept = self.plan(&journal, progress)?;
         let mut summary = output::write(self, &|row, templates| self.result(row, templates, &journal))?;
         summary.kept = kept;
@@ -93,7 +93,7 @@ impl Schedule<'_> {
     }
 
     /// Plans the rows without a result. Returns the number of those that had one.
-    fn plan(&self, journal: &Journal, progress: &(dyn Fn(Progress) + Sync)) -> Result<u64, Failure> {
+    fn plan(&self, journal: &Rows, progress: &(dyn Fn(Progress) + Sync)) -> Result<u64, Failure> {
         let counts = Mutex::new(Progress { done: 0, kept: 0 });
         let count = |kept: bool| {
             let mut counts = locked(&counts);
@@ -101,37 +101,17 @@ impl Schedule<'_> {
             counts.kept += u64::from(kept);
             progress(*counts);
         };
-        let threads = self.threads.max(1);
-        let (send, receive) = sync_channel::<Work>(WAITING * threads);
-        let receive = Mutex::new(receive);
-        let fault: Mutex<Option<Failure>> = Mutex::new(None);
-        std::thread::scope(|scope| {
-            for _ in 0..threads {
-                scope.spawn(|| {
-                    // After a fault the rows that wait are thrown away, so that the reader of the table does not block.
-                    while let Some(work) = next(&receive) {
-                        if locked(&fault).is_some() {
-                            continue;
-                        }
-                        match self.plan_one(&work, journal) {
-                            Ok(()) => count(false),
-                            Err(failure) => drop(locked(&fault).get_or_insert(failure)),
-                        }
-                    }
-                });
-            }
+        let work = |work: Work| self.plan_one(&work, journal).map(|()| count(false));
+        in_threads(self.threads, &work, |send| {
             let (mut templates, mut begun) = (Templates::default(), HashSet::new());
-            let read = self.table.each(&mut |row| {
-                if locked(&fault).is_some() {
-                    return Ok(false);
-                }
+            self.table.each(&mut |row| {
                 match templates.jobs(self.table, &row) {
                     Ok(jobs) => {
                         let hash = self.hash(&row, &jobs, &mut templates);
                         if journal.has(&hash) && self.has_program(&row, journal, &hash) {
                             count(true);
                         } else if begun.insert(hash.clone()) {
-                            return Ok(send.send(Work { row, jobs, hash }).is_ok());
+                            return Ok(send(Work { row, jobs, hash }));
                         } else {
                             // An equal row above is planned.
                             count(true);
@@ -141,12 +121,10 @@ impl Schedule<'_> {
                     Err(_) => count(false),
                 }
                 Ok(true)
-            });
-            drop(send);
-            read
+            })
         })?;
-        let fault = locked(&fault).take();
-        fault.map_or_else(|| Ok(locked(&counts).kept), Err)
+        let kept = locked(&counts).kept;
+        Ok(kept)
     }
 
     /// The name is part of it where a part program is written, whose file has that name.
@@ -156,13 +134,13 @@ impl Schedule<'_> {
     }
 
     /// False if the part program of a row that can be welded is not there.
-    fn has_program(&self, row: &Row, journal: &Journal, hash: &str) -> bool {
+    fn has_program(&self, row: &Row, journal: &Rows, hash: &String) -> bool {
         let Some(file) = self.program(row) else { return true };
         let is_weldable = journal.get(hash).ok().flatten().is_some_and(|r| r.status == Status::Weldable);
         !is_weldable || self.programs().join(file).is_file()
     }
 
-    fn plan_one(&self, work: &Work, journal: &Journal) -> Result<(), Failure> {
+    fn plan_one(&self, work: &Work, journal: &Rows) -> Result<(), Failure> {
         let terms = RowTerms { limit: self.limit, post: self.post };
         let planned = catch_unwind(AssertUnwindSafe(|| plan_row(self.table, &work.row, &work.jobs, terms)));
         let (result, program) = planned.unwrap_or_else(|_| {
@@ -177,7 +155,7 @@ impl Schedule<'_> {
     }
 
     /// The result of a row that was planned; of one without a job, why.
-    fn result(&self, row: &Row, templates: &mut Templates, journal: &Journal) -> Result<RowResult, Failure> {
+    fn result(&self, row: &Row, templates: &mut Templates, journal: &Rows) -> Result<RowResult, Failure> {
         match templates.jobs(self.table, row) {
             Ok(jobs) => {
                 let hash = self.hash(row, &jobs, templates);
@@ -188,14 +166,4 @@ impl Schedule<'_> {
             Err(failure) => Ok(RowResult::without_plan(Status::Invalid, failure.text())),
         }
     }
-}
-
-/// The next row, or none when there are no more.
-fn next(receive: &Mutex<Receiver<Work>>) -> Option<Work> {
-    locked(receive).recv().ok()
-}
-
-/// The value of a lock. A thread that panicked with it has left a whole value.
-fn locked<T>(lock: &Mutex<T>) -> MutexGuard<'_, T> {
-    lock.lock().unwrap_or_else(PoisonError::into_inner)
 }

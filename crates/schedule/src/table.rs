@@ -7,8 +7,10 @@
 //! **TOML.** `[defaults]`, and a `[[seams]]` table for each row with the same names; keys of the job are written as in
 //! the job.
 
+use crate::job_text::{folder_of, template};
+use crate::keys::Keys;
 use schemars::schema_for;
-use seamwright_document::{TomlText, closest};
+use seamwright_document::TomlText;
 use seamwright_message::Message;
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
@@ -84,7 +86,7 @@ impl Table {
     /// # Errors
     /// With file, line and column: unknown columns, wrong values, names twice, missing templates.
     pub fn open(path: &Path) -> Result<(Self, u64), Failure> {
-        let table = Self { path: path.to_owned(), keys: Keys::of_jobs() };
+        let table = Self { path: path.to_owned(), keys: Keys::of(&schema_for!(Job)) };
         let mut count = 0;
         // Hashes of the names: a million names take 16 MB.
         let (mut names, hashes) = (HashSet::new(), RandomState::new());
@@ -117,7 +119,7 @@ impl Table {
 
     /// Folder that templates are relative to.
     pub fn folder(&self) -> &Path {
-        self.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+        folder_of(&self.path)
     }
 
     /// Calls `row` with every row, until it returns false.
@@ -133,13 +135,7 @@ impl Table {
 
     /// Text of a template, and the folder that its files are relative to.
     pub(crate) fn template(&self, name: &str) -> Result<(String, PathBuf), Failure> {
-        let path = self.folder().join(name);
-        if let Some(example) = seamwright_project::examples::example(name).filter(|_| !path.is_file()) {
-            return Ok((example.text.to_owned(), PathBuf::from(".")));
-        }
-        let text = files::read(&path)?;
-        TomlText::parse(&path.display().to_string(), &text)?;
-        Ok((text, path.parent().unwrap_or(Path::new(".")).to_owned()))
+        template(self.folder(), name).map(|job| (job.text, job.folder))
     }
 
     fn each_of_csv(&self, row: &mut dyn FnMut(Row) -> Result<bool, Failure>) -> Result<(), Failure> {
@@ -350,64 +346,6 @@ fn is_file_name(name: &str) -> bool {
         && name.chars().all(is_fit)
         && !name.starts_with(['.', ' '])
         && !name.ends_with(['.', ' '])
-}
-
-/// Names of the keys of jobs.
-#[derive(Debug, Clone)]
-struct Keys {
-    top: Vec<String>,
-    all: HashSet<String>,
-}
-
-impl Keys {
-    fn of_jobs() -> Self {
-        let schema = schema_for!(Job).to_value();
-        let mut all = HashSet::new();
-        collect(&schema, &mut all);
-        let top = schema.get("properties").and_then(Value::as_object);
-        Self { top: top.map_or(Vec::new(), |keys| keys.keys().cloned().collect()), all }
-    }
-
-    /// True if every step of the path is a key of the format. Names under `process` and `offsets` are the file's own.
-    fn knows(&self, path: &str) -> bool {
-        let mut steps = path.split('.').map(|step| step.split('[').next().unwrap_or(step));
-        let Some(first) = steps.next() else { return false };
-        let mut own = first == "offsets";
-        self.top.iter().any(|key| key == first)
-            && steps.all(|step| {
-                let known = own || self.all.contains(step);
-                own = step == "process";
-                known
-            })
-    }
-
-    /// The path with the step that is unknown replaced by the key that was probably meant.
-    fn closest_path(&self, path: &str) -> Option<String> {
-        let mut steps: Vec<String> = path.split('.').map(str::to_owned).collect();
-        let top: Vec<&str> = self.top.iter().map(String::as_str).collect();
-        let all: Vec<&str> = self.all.iter().map(String::as_str).collect();
-        for (i, step) in steps.iter_mut().enumerate() {
-            let known = if i == 0 { &top } else { &all };
-            if !known.contains(&step.as_str()) {
-                *step = closest(step, known)?.to_owned();
-            }
-        }
-        Some(steps.join(".")).filter(|meant| meant != path && self.knows(meant))
-    }
-}
-
-/// Adds the names of all properties of a schema.
-fn collect(schema: &Value, names: &mut HashSet<String>) {
-    match schema {
-        Value::Object(object) => {
-            if let Some(Value::Object(properties)) = object.get("properties") {
-                names.extend(properties.keys().cloned());
-            }
-            object.values().for_each(|value| collect(value, names));
-        }
-        Value::Array(list) => list.iter().for_each(|value| collect(value, names)),
-        _ => {}
-    }
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ pub(crate) mod follow;
 pub(crate) mod head_columns;
 pub(crate) mod interpolate;
 pub(crate) mod io;
+mod job_limits;
 pub(crate) mod kinematics;
 pub(crate) mod latency;
 pub(crate) mod licences;
@@ -37,6 +38,7 @@ pub(crate) mod shell;
 pub(crate) mod simulate;
 mod simulated_part;
 pub(crate) mod stripe;
+pub(crate) mod study;
 pub(crate) mod teach;
 mod weld_summary;
 

@@ -1,38 +1,15 @@
-use super::positive;
+use super::job_limits::{threads, time_limit};
 use crate::args::schedule::ScheduleArgs;
 use crate::progress::Progress;
-use crate::refusals::{at_most, between, not_allowed};
 use crate::rows::print_text;
-use seamwright_message::{Message, Unit};
+use seamwright_message::Message;
 use seamwright_project::failure::Failure;
 use seamwright_schedule::{Schedule, Table};
-use std::time::Duration;
-
-/// Maximum number of threads.
-const MAX_THREADS: usize = 256;
-/// Maximum time limit of a row, s.
-const MAX_LIMIT_S: f64 = 1e6;
 
 pub(crate) fn run(args: &ScheduleArgs) -> Result<(), Failure> {
-    let limit = positive("--time-limit", args.planning.time_limit)?;
-    if limit > MAX_LIMIT_S {
-        return Err(not_allowed("--time-limit", limit, at_most(MAX_LIMIT_S, Unit::S)));
-    }
-    let threads = match args.jobs {
-        Some(jobs) if !(1..=MAX_THREADS).contains(&jobs) => {
-            return Err(not_allowed("--jobs", jobs, between(1.0, MAX_THREADS as f64)));
-        }
-        Some(jobs) => jobs,
-        None => std::thread::available_parallelism().map_or(1, usize::from),
-    };
+    let (limit, threads) = (time_limit(&args.planning)?, threads(args.jobs)?);
     let (table, rows) = Table::open(&args.table)?;
-    let schedule = Schedule {
-        table: &table,
-        output: &args.output,
-        threads,
-        limit: Duration::from_secs_f64(limit),
-        post: args.post.map(Into::into),
-    };
+    let schedule = Schedule { table: &table, output: &args.output, threads, limit, post: args.post.map(Into::into) };
     let bar = Progress::new("cli-progress-rows", rows);
     let summary = schedule.run(&|progress| bar.at(progress.done))?;
     drop(bar);

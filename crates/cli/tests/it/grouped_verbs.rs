@@ -19,8 +19,8 @@ fn verbs(help: &str) -> Vec<String> {
 fn the_verbs_are_grouped() {
     let top = verbs(&good(&["--help"]));
     let expected = [
-        "plan", "check", "schedule", "simulate", "run", "serve", "stop", "post", "import", "edit", "teach", "records",
-        "machine", "vision", "tools", "examples", "schema", "licences", "help",
+        "plan", "check", "schedule", "study", "simulate", "run", "serve", "stop", "post", "import", "edit", "teach",
+        "records", "machine", "vision", "tools", "examples", "schema", "licences", "help",
     ];
     assert_eq!(top, expected);
     let machine = verbs(&good(&["machine", "--help"]));

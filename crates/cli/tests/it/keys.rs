@@ -8,11 +8,12 @@ use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Item, TableLike};
 
 /// File formats: name of the schema, title of the page, folder of files that show its keys.
-const FORMATS: [(&str, &str, &str); 5] = [
+const FORMATS: [(&str, &str, &str); 6] = [
     ("job", "All keys of job files", "examples"),
     ("machine", "All keys of machine files", "machines"),
     ("procedure", "All keys of procedure files", "examples/procedures"),
     ("program", "All keys of program files", "examples"),
+    ("study", "All keys of study files", "examples/studies"),
     ("operation", "All edits of programs", ""),
 ];
 

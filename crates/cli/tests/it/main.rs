@@ -45,6 +45,7 @@ mod serve;
 mod speed_mistakes;
 mod stopped;
 mod stripe;
+mod study;
 mod surroundings_campaign;
 mod taught;
 mod teach;

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// Areas whose messages people search for, with their titles. Labels of pages and of the panel are not among them.
-const AREAS: [(&str, &str); 17] = [
+const AREAS: [(&str, &str); 18] = [
     ("document", "Files in general"),
     ("program", "Programs, procedures and edits"),
     ("weld", "Jobs: seams, joints, beads, parts"),
@@ -21,6 +21,7 @@ const AREAS: [(&str, &str); 17] = [
     ("record", "Records"),
     ("project", "Files, folders, planning"),
     ("schedule", "Schedules of many seams"),
+    ("study", "Studies of tolerances"),
     ("server", "The panel's server"),
     ("cli", "The command line"),
 ];

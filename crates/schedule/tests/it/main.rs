@@ -1,6 +1,8 @@
-//! Schedules against single runs, interrupted ones, and wrong tables.
+//! Schedules against single runs, interrupted ones, and wrong tables; studies.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
+
+mod study;
 
 use seamwright_project::load::load_text;
 use seamwright_report::{Language, WeldReport};
