@@ -268,6 +268,9 @@ fn quantities(study: &Study, columns: &Columns) -> Result<Vec<QuantitySummary>, 
     study.quantities.iter().enumerate().map(summary).collect()
 }
 
+/// Figures of plans that differ by less than this part are the same: clearances are found to about 1e-8.
+const ROUNDING: f64 = 1e-7;
+
 /// Figures that at least one draw has.
 fn figures(study: &Study, columns: &Columns, nominals: &Nominals) -> Result<Vec<FigureSummary>, Failure> {
     let mut all = Vec::new();
@@ -278,6 +281,8 @@ fn figures(study: &Study, columns: &Columns, nominals: &Nominals) -> Result<Vec<
             continue;
         }
         let moments: Moments = sorted.iter().copied().collect();
+        let size = moments.min().abs().max(moments.max().abs());
+        let deviation = if moments.deviation() > ROUNDING * size { moments.deviation() } else { 0.0 };
         let of = |result: &DrawResult| result.figures.get(i).copied().flatten();
         let swing = |(quantity, ends): (&super::open::Quantity, &[DrawResult])| Swing {
             quantity: quantity.name.clone(),
@@ -290,8 +295,8 @@ fn figures(study: &Study, columns: &Columns, nominals: &Nominals) -> Result<Vec<
             nominal: of(&nominals.nominal),
             draws: moments.count(),
             mean: moments.mean(),
-            standard_error: moments.deviation() / (moments.count() as f64).sqrt(),
-            deviation: moments.deviation(),
+            standard_error: deviation / (moments.count() as f64).sqrt(),
+            deviation,
             min: moments.min(),
             max: moments.max(),
             quantiles: quantiles(&sorted),
