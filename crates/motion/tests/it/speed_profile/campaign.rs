@@ -38,12 +38,12 @@ fn run(first: u32, count: u32, most_axes: usize, most_pieces: usize) {
 
 #[test]
 fn smallest_paths() {
-    run(0, 2_000, 2, 1);
+    run(0, 800, 2, 1);
 }
 
 #[test]
 fn small_paths() {
-    run(100_000_000, 1_000, 3, 2);
+    run(100_000_000, 400, 3, 2);
 }
 
 #[test]
