@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 fn every_sequence_of_edits_gives_programs_and_goes_back() {
     let (mut accepted, mut refused) = (0, 0);
     let mut kinds: BTreeMap<String, [usize; 2]> = BTreeMap::new();
-    for seed in 0..cases(150) {
+    for seed in 0..cases(300) {
         let mut random = Random::of_case(seed);
         let (text, _) = program(&mut random);
         let mut editor = Editor::new("p.toml", &text).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
@@ -50,7 +50,7 @@ fn every_sequence_of_edits_gives_programs_and_goes_back() {
     }
     println!("{accepted} accepted, {refused} refused: {kinds:?}");
     assert!(accepted > 2 * refused && kinds.len() == 24, "{kinds:?}");
-    assert!(kinds.values().all(|[accepted, _]| *accepted > 5), "{kinds:?}");
+    assert!(kinds.values().all(|[accepted, _]| *accepted > 3), "{kinds:?}");
 }
 
 /// Undoes and redoes all, also with the history from its file.
