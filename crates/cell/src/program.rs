@@ -75,7 +75,7 @@ mod bytes {
 }
 
 /// Maximum size of an encoded plan, bytes: with its job it must fit into a request.
-const MAX_MOTION: usize = MAX_REQUEST - (16 << 20);
+const MAX_PLAN: usize = MAX_REQUEST - (16 << 20);
 
 /// The plan of a job as it crosses to another process: what its text does not say.
 #[derive(Debug, Serialize, Deserialize)]
@@ -93,12 +93,12 @@ pub struct CrossingPlan<M = WeldMotion> {
 pub fn encode_plan(loaded: &Loaded, motion: &WeldMotion) -> Result<Vec<u8>, Message> {
     let plan = CrossingPlan { torches: loaded.searched_torches().to_vec(), motion };
     let bytes = rmp_serde::to_vec_named(&plan).map_err(|e| Message::verbatim(e.to_string()))?;
-    if bytes.len() <= MAX_MOTION {
+    if bytes.len() <= MAX_PLAN {
         return Ok(bytes);
     }
     let mib = |bytes: usize| bytes as f64 / f64::from(1 << 20);
     let message = Message::new("cell-program-too-large").value("size", mib(bytes.len()).ceil(), Unit::MiB);
-    Err(message.value("max", mib(MAX_MOTION), Unit::MiB))
+    Err(message.value("max", mib(MAX_PLAN), Unit::MiB))
 }
 
 /// Decodes the plan of [`encode_plan`] and checks that `loaded` can be run by its motion: [`WeldMotion::verify`]. The

@@ -6,7 +6,6 @@ use seamwright_program::TorchPath;
 use seamwright_project::examples::EXAMPLES;
 use seamwright_project::load::{Loaded, load_text};
 use seamwright_project::planning::Planning;
-use seamwright_project::torch_angles::SearchedTorch;
 use seamwright_testkit::Random;
 use std::path::Path;
 
@@ -88,8 +87,8 @@ fn searched_angles_cross_with_the_motion() {
     let read = || load_text("hillside.toml", &text, folder).unwrap();
     let searched = read().with_torch_angles(&Planning::default()).unwrap();
     assert!(!searched.searched_torches().is_empty());
-    let bytes = rmp_serde::to_vec_named(searched.searched_torches()).unwrap();
-    let torches: Vec<SearchedTorch> = rmp_serde::from_slice(&bytes).unwrap();
+    let bytes = encode_plan(&searched, &searched.plan().unwrap()).unwrap();
+    let torches = decode_plan(&bytes, &read()).unwrap().torches;
     let mut one_less = torches.clone();
     one_less.pop();
     assert!(read().with_searched_torches(one_less).is_err());

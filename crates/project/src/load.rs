@@ -466,9 +466,9 @@ impl Loaded {
             if let Some(procedure) = &program.procedure {
                 motion.hold_to(procedure, machine, &passes);
             }
-            let in_position = motion.procedure.iter().enumerate();
+            let in_position = motion.procedure.iter().zip(self.welding.bead_numbers()).enumerate();
             let toes: Vec<Finding> = in_position
-                .filter_map(|(i, held)| self.welding.toe_finding_in_position(i, &held.inclinations))
+                .filter_map(|(i, (held, beads))| self.welding.toe_finding_in_position(i, beads, &held.inclinations))
                 .collect();
             motion.findings.extend(toes);
             let seam = self.welding.seam.as_ref();

@@ -1,3 +1,6 @@
+/// Numbers with a deviation below this part of their mean are the same: clearances of equal plans differ by 1e-8.
+const NOISE: f64 = 1e-6;
+
 /// Mean, variance, minimum and maximum of numbers that come one after the other.
 ///
 /// Method: Welford, Technometrics 4 (1962) 419; stable where the mean is large against the deviation.
@@ -45,6 +48,11 @@ impl Moments {
     /// Standard deviation.
     pub fn deviation(&self) -> f64 {
         self.variance().sqrt()
+    }
+
+    /// True if the numbers are the same but for rounding.
+    pub fn is_constant(&self) -> bool {
+        self.deviation() <= NOISE * self.mean.abs()
     }
 
     /// Minimum; infinite without numbers.

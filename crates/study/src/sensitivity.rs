@@ -17,9 +17,6 @@ const MAX_LEVELS: usize = 64;
 /// Draws for a value of a sweep, at least on average.
 const LEVEL_DRAWS: usize = 4;
 
-/// Results that differ by less than this part of their size are constant: the rest is rounding.
-const NOISE: f64 = 1e-6;
-
 /// A first-order Sobol index with its 95 % confidence interval.
 pub type Index = Interval;
 
@@ -42,8 +39,7 @@ pub type Index = Interval;
 pub fn first_order(sampling: Sampling, x: &[f64], y: &[f64]) -> Option<Index> {
     assert_eq!(x.len(), y.len(), "a value of y for each x");
     let moments: Moments = y.iter().copied().collect();
-    let is_constant = moments.deviation() <= NOISE * moments.mean().abs();
-    if x.len() < MIN_DRAWS || is_constant {
+    if x.len() < MIN_DRAWS || moments.is_constant() {
         return None;
     }
     let classes = classes(x, y, moments.mean());

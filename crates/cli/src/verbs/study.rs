@@ -55,34 +55,20 @@ fn text(summary: &StudySummary, files: &[PathBuf]) -> String {
     lines.join("\n") + "\n"
 }
 
-fn words<const N: usize>(codes: [&'static str; N]) -> Vec<String> {
-    codes.map(|code| Message::new(code).to_string()).to_vec()
+fn words(codes: &[&'static str]) -> Vec<String> {
+    codes.iter().map(|code| Message::new(code).to_string()).collect()
 }
 
 fn figures(summary: &StudySummary) -> Vec<String> {
-    let head = [
-        "study-figure",
-        "study-nominal",
-        "study-mean",
-        "study-deviation",
-        "study-min",
-        "study-p05",
-        "study-p50",
-        "study-p95",
-        "study-max",
-        "study-cause",
-    ];
+    let head = [&["study-figure", "study-nominal"], &FigureSummary::STATISTICS[..], &["study-cause"]].concat();
     let number = |value: f64| format_number(value, DIGITS);
     let row = |figure: &FigureSummary| {
-        let FigureSummary { quantiles, .. } = figure;
         let mut cells = vec![figure.name.clone(), figure.nominal.map_or(String::new(), number)];
-        let values =
-            [figure.mean, figure.deviation, figure.min, quantiles.p05, quantiles.p50, quantiles.p95, figure.max];
-        cells.extend(values.map(number));
+        cells.extend(figure.statistics().map(number));
         cells.push(main_cause(figure));
         cells
     };
-    table(std::iter::once(words(head)).chain(summary.figures.iter().map(row)).collect())
+    table(std::iter::once(words(&head)).chain(summary.figures.iter().map(row)).collect())
 }
 
 /// The quantity that explains the most of the variance.
@@ -99,7 +85,7 @@ fn findings(summary: &StudySummary) -> Vec<String> {
         let interval = format!("{} – {}", percent(probability.low), percent(probability.high));
         vec![finding.code.clone(), finding.draws.to_string(), percent(probability.estimate), interval]
     };
-    let head = words(["study-code", "study-draws", "study-probability", "study-interval"]);
+    let head = words(&["study-code", "study-draws", "study-probability", "study-interval"]);
     table(std::iter::once(head).chain(summary.findings.iter().map(row)).collect())
 }
 

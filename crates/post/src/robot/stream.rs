@@ -96,8 +96,8 @@ pub(super) fn set_points(pass: &Pass, course: &Course, breaks: &[f64], stream: S
         if pass.has_arc() && now != values {
             values = now;
             if !points.positions.is_empty() {
-                steps.push(RobotStep::SetPoints(points.clone()));
-                points.positions.clear();
+                let positions = std::mem::take(&mut points.positions);
+                steps.push(RobotStep::SetPoints(SetPoints { stream, positions }));
             }
             steps.push(RobotStep::Values(now));
         }

@@ -122,7 +122,7 @@ fn stations(loaded: &Loaded) -> Vec<Station> {
     (0..=COMPARED).map(station).collect()
 }
 
-/// Figures of a planned draw, or of one that cannot be planned for these findings.
+/// Figures of a draw: of its plan, or of the findings that prevent one.
 pub(crate) fn measure(
     figures: &[Figure],
     nominal: &Nominal,

@@ -142,11 +142,6 @@ impl Study {
             values
         })
     }
-
-    /// The study file.
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
 }
 
 /// Files that give the nominal values.

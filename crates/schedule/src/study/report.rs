@@ -16,7 +16,7 @@ use std::path::Path;
 const DIGITS: usize = 4;
 /// Classes of a histogram.
 const BINS: usize = 24;
-/// Figures that differ by less than this part of their size have no charts.
+/// Means that differ by less than this part of their size along a sweep have no curve.
 const NOISE: f64 = 1e-6;
 
 pub(crate) fn page(study: &Study, summary: &StudySummary, parquet: &Path) -> Result<Page, Failure> {
@@ -33,7 +33,7 @@ pub(crate) fn page(study: &Study, summary: &StudySummary, parquet: &Path) -> Res
     blocks.extend([Block::Heading(words("study-quantities")), Block::Table(quantities(summary))]);
     for (i, figure) in study.figures.iter().enumerate() {
         let Some(found) = summary.figures.iter().find(|found| found.name == figure.name) else { continue };
-        if found.max - found.min > NOISE * found.mean.abs() {
+        if found.deviation > 0.0 {
             blocks.push(Block::Heading(label(study, figure)));
             blocks.push(histogram(study, figure, &columns.figure(i)?));
             blocks.extend(tornado(study, figure, found));
@@ -103,27 +103,15 @@ fn figures(study: &Study, summary: &StudySummary) -> Table {
         let figure = study.figures.iter().find(|figure| figure.name == found.name);
         let name = figure.map_or_else(|| found.name.clone(), |figure| label(study, figure));
         let unit = figure.map_or(String::new(), |f| Catalogue::of(Language::of_process()).symbol(f.unit));
-        let q = found.quantiles;
         let mut cells = vec![name, unit, found.draws.to_string(), found.nominal.map_or(String::new(), number)];
-        cells.extend([found.mean, found.deviation, found.min, q.p05, q.p50, q.p95, found.max].map(number));
+        cells.extend(found.statistics().map(number));
         cells
     };
-    let head = [
-        "study-figure",
-        "study-unit",
-        "study-draws",
-        "study-nominal",
-        "study-mean",
-        "study-deviation",
-        "study-min",
-        "study-p05",
-        "study-p50",
-        "study-p95",
-        "study-max",
-    ];
+    let head =
+        [&["study-figure", "study-unit", "study-draws", "study-nominal"], &FigureSummary::STATISTICS[..]].concat();
     Table {
         caption: words("study-figures-caption"),
-        head: head.map(words).to_vec(),
+        head: head.iter().copied().map(words).collect(),
         rows: summary.figures.iter().map(row).collect(),
         numeric: (0..head.len()).map(|i| i > 1).collect(),
         sortable: false,

@@ -133,6 +133,18 @@ pub struct FigureSummary {
     pub swings: Vec<Swing>,
 }
 
+impl FigureSummary {
+    /// Codes of the names of [`FigureSummary::statistics`].
+    pub const STATISTICS: [&str; 7] =
+        ["study-mean", "study-deviation", "study-min", "study-p05", "study-p50", "study-p95", "study-max"];
+
+    /// The statistics of a table.
+    pub fn statistics(&self) -> [f64; 7] {
+        let Quantiles { p05, p50, p95, .. } = self.quantiles;
+        [self.mean, self.deviation, self.min, p05, p50, p95, self.max]
+    }
+}
+
 /// Quantiles of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Quantiles {
@@ -166,7 +178,7 @@ pub struct IndexSummary {
 pub struct Swing {
     /// Name of the quantity.
     pub quantity: String,
-    /// The figure at the low value; none if that cannot be planned.
+    /// The figure at the low value; none if it has no plan.
     pub at_low: Option<f64>,
     /// The figure at the high value.
     pub at_high: Option<f64>,
@@ -268,9 +280,6 @@ fn quantities(study: &Study, columns: &Columns) -> Result<Vec<QuantitySummary>, 
     study.quantities.iter().enumerate().map(summary).collect()
 }
 
-/// Figures of plans that differ by less than this part are the same: clearances are found to about 1e-8.
-const ROUNDING: f64 = 1e-7;
-
 /// Figures that at least one draw has.
 fn figures(study: &Study, columns: &Columns, nominals: &Nominals) -> Result<Vec<FigureSummary>, Failure> {
     let mut all = Vec::new();
@@ -281,8 +290,7 @@ fn figures(study: &Study, columns: &Columns, nominals: &Nominals) -> Result<Vec<
             continue;
         }
         let moments: Moments = sorted.iter().copied().collect();
-        let size = moments.min().abs().max(moments.max().abs());
-        let deviation = if moments.deviation() > ROUNDING * size { moments.deviation() } else { 0.0 };
+        let deviation = if moments.is_constant() { 0.0 } else { moments.deviation() };
         let of = |result: &DrawResult| result.figures.get(i).copied().flatten();
         let swing = |(quantity, ends): (&super::open::Quantity, &[DrawResult])| Swing {
             quantity: quantity.name.clone(),

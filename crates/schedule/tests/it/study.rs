@@ -205,7 +205,7 @@ fn faults_name_the_key() {
         let Err(error) = study(folder.path(), &text) else { panic!("{text}") };
         assert!(parts.iter().all(|part| error.replace(',', "").contains(part)), "{text}{error}");
     }
-    // A job that is invalid is refused; one that cannot be welded is studied.
+    // An invalid job is refused; a job without a plan is studied.
     let job = example("saddle").unwrap().text;
     std::fs::write(folder.path().join("bad.toml"), job.replace("radius_mm = 250", "radius_mm = 2500")).unwrap();
     std::fs::write(folder.path().join("far.toml"), job.replace("[0, 0, -800]", "[0, 0, 800]")).unwrap();

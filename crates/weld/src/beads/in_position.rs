@@ -69,11 +69,15 @@ impl Welding {
         inclinations.iter().filter_map(|&(s, at)| beads.toe(s, Some(at))).collect()
     }
 
-    /// The finding that a pass, counted from 0, has steeper toes in its positions than the quality level allows, though not
-    /// as it is drawn.
-    pub fn toe_finding_in_position(&self, pass: usize, inclinations: &[(f64, Inclination)]) -> Option<Finding> {
+    /// The finding that a pass, counted from 0, whose beads have `numbers`, has steeper toes in its positions than the
+    /// quality level allows, though not as it is drawn.
+    pub fn toe_finding_in_position(
+        &self,
+        pass: usize,
+        numbers: BeadNumbers,
+        inclinations: &[(f64, Inclination)],
+    ) -> Option<Finding> {
         let plan = self.plan.as_ref()?;
-        let numbers = *self.bead_numbers().get(pass)?;
         let is_known = |f: &Finding| f.pass == pass + 1 && f.message.code == "weld-bead-toe-steep";
         if inclinations.is_empty() || self.findings().iter().any(is_known) {
             return None;
