@@ -15,6 +15,13 @@ pub(crate) trait Convex {
     fn radius(&self) -> f64;
     /// A lower bound of the distance of a point to the core, quick to compute.
     fn at_least(&self, point: DVec3) -> f64;
+    /// A point of the core, not on its surface unless the core is flat.
+    fn inner_point(&self) -> DVec3;
+
+    /// The farthest point in a unit direction, radius included.
+    fn extreme(&self, direction: DVec3) -> DVec3 {
+        self.support(direction) + direction * self.radius()
+    }
 }
 
 impl Convex for [DVec3; 3] {
@@ -35,6 +42,10 @@ impl Convex for [DVec3; 3] {
 
     fn at_least(&self, _: DVec3) -> f64 {
         0.0
+    }
+
+    fn inner_point(&self) -> DVec3 {
+        (self[0] + self[1] + self[2]) / 3.0
     }
 }
 

@@ -4,10 +4,11 @@
 //! GJK, finds a direction; a plane across it proves the distance). Meshes search their tree of boxes (`mesh`).
 
 use crate::boxes::Bounds;
-use crate::convex::{self, Gap};
+use crate::convex::{self, Convex, Gap};
 use crate::mesh::{Last, Mesh};
 use crate::placed::Placed;
 use crate::shape::{Shape, Solid};
+use crate::swept::Swept;
 use glam::{DAffine3, DVec3};
 
 /// Nearest points of two solids, in their common frame. This is returned by [`nearest`].
@@ -86,6 +87,53 @@ impl<'a> Posed<'a> {
 /// Bound of the rounding error of a height over a plane, as a share of the coordinates.
 const ROUNDING: f64 = 1e-14;
 
+/// Lower bound of the distance of two shapes while `a` moves to the pose `to`, every point along a straight line; none if
+/// it is `limit` or more. The second shape rests.
+pub(crate) fn of_swept(a: Posed, to: DAffine3, b: Posed, limit: f64, last: &mut Last) -> Option<f64> {
+    if limit <= 0.0 {
+        return None;
+    }
+    let at_end = Posed { pose: to, ..a };
+    let Some(body) = Placed::new(a.shape, a.pose) else {
+        return match b.shape {
+            // A straight line is nearest to a plane at one of its ends.
+            Shape::HalfSpace => {
+                let ends = [a, at_end].map(|body| over_plane(&b.pose, body, limit).map(|gap| gap.distance));
+                ends.into_iter().flatten().reduce(f64::min)
+            }
+            _ => apart_at_ends(a, at_end, b, limit),
+        };
+    };
+    let body = Swept::new(body, to);
+    let gap = match b.shape {
+        Shape::HalfSpace => over(&b.pose, body.extreme(-b.pose.matrix3.z_axis), limit),
+        Shape::Mesh(mesh) => {
+            let from_b = b.pose.inverse();
+            let local = Swept::new(Placed::new(a.shape, from_b * a.pose)?, from_b * to);
+            mesh_and_body(mesh, &local, limit, last)
+        }
+        _ => {
+            let fixed = Placed::new(b.shape, b.pose)?;
+            convex::nearest(&body, &fixed, fixed.inner_point() - body.inner_point(), limit)
+        }
+    };
+    gap.map(|gap| gap.distance)
+}
+
+/// The same for a mesh that moves, by its distances at both ends and the displacement of its box.
+fn apart_at_ends(a: Posed, at_end: Posed, b: Posed, limit: f64) -> Option<f64> {
+    let Shape::Mesh(mesh) = a.shape else { return Some(0.0) };
+    let (low, high) = mesh.bounds();
+    let corner = |i: usize| DVec3::from_array(std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] }));
+    let moved = |p: DVec3| a.pose.transform_point3(p).distance(at_end.pose.transform_point3(p));
+    let travel = (0..8).map(|i| moved(corner(i))).fold(0.0, f64::max);
+    let far = limit + travel;
+    let mut last = Last::MAX;
+    let mut distance = |body: Posed| of_shapes(body, b, far, &mut last).map_or(far, |gap| gap.distance);
+    let bound = ((distance(a) + distance(at_end) - travel) / 2.0).max(0.0);
+    (bound < limit).then_some(bound)
+}
+
 /// Distance of two shapes in a common frame, or none if it is `limit` or more. `last` is the index of the last nearest
 /// triangle of a mesh.
 pub(crate) fn of_shapes(a: Posed, b: Posed, limit: f64, last: &mut Last) -> Option<Gap> {
@@ -135,8 +183,12 @@ fn half_spaces(a: &DAffine3, b: &DAffine3, limit: f64) -> Option<Gap> {
 
 /// Distance of a half-space and a bounded body; `a` is the half-space.
 fn over_plane(plane: &DAffine3, body: Posed, limit: f64) -> Option<Gap> {
+    over(plane, extreme(body, -plane.matrix3.z_axis), limit)
+}
+
+/// Distance of a half-space and a body whose lowest point over it is given; `a` is the half-space.
+fn over(plane: &DAffine3, lowest: DVec3, limit: f64) -> Option<Gap> {
     let n = plane.matrix3.z_axis;
-    let lowest = extreme(body, -n);
     let height = (lowest - plane.translation).dot(n);
     let size = lowest.abs().max_element() + plane.translation.abs().max_element();
     let distance = (height - ROUNDING * size).max(0.0);
@@ -147,17 +199,21 @@ fn over_plane(plane: &DAffine3, body: Posed, limit: f64) -> Option<Gap> {
 /// Distance of a mesh and a convex body; `a` is the convex one.
 fn mesh_and_convex(mesh: &Mesh, pose: &DAffine3, body: Posed, limit: f64, last: &mut Last) -> Option<Gap> {
     let body = Placed::new(body.shape, pose.inverse() * body.pose)?;
+    mesh_and_body(mesh, &body, limit, last).map(|gap| moved(gap, pose))
+}
+
+/// The same in the frame of the mesh.
+fn mesh_and_body(mesh: &Mesh, body: &impl Convex, limit: f64, last: &mut Last) -> Option<Gap> {
     let high = DVec3::AXES.map(|n| body.extreme(n).dot(n));
     let low = DVec3::AXES.map(|n| body.extreme(-n).dot(n));
     let around = Bounds { low: low.into(), high: high.into() };
     let around = padded(around);
-    let surface = mesh.nearest_to(&body, &around, limit, last);
+    let surface = mesh.nearest_to(body, &around, limit, last);
     let inside = || {
         let p = body.inner_point();
         (limit > 0.0 && mesh.contains(p)).then_some(Gap { distance: 0.0, on_a: p, on_b: p })
     };
-    let gap = surface.filter(|g| g.distance <= 0.0).or_else(inside).or(surface)?;
-    Some(moved(gap, pose))
+    surface.filter(|g| g.distance <= 0.0).or_else(inside).or(surface)
 }
 
 /// The box enlarged by the rounding error, so that culling stays safe.

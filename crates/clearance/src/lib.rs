@@ -52,6 +52,7 @@ mod placed;
 mod scene;
 mod shape;
 mod stl;
+mod swept;
 
 pub use along::{Cell, Limits, Motion, Profile, Stretch, Trace};
 pub use cells::Cells;

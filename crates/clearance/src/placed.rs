@@ -20,6 +20,28 @@ enum Core {
     Ellipsoid(DVec3),
 }
 
+impl Core {
+    /// Height of its inner point over its origin, mm.
+    fn middle(&self) -> f64 {
+        match *self {
+            Self::Segment(low, high) => (low + high) / 2.0,
+            Self::Frustum(_, _, length) => length / 2.0,
+            Self::Box(_) | Self::Ellipsoid(_) => 0.0,
+        }
+    }
+
+    /// Greatest distance of its points from its inner point, mm.
+    fn reach(&self) -> f64 {
+        match *self {
+            Self::Segment(low, high) => (high - low) / 2.0,
+            Self::Frustum(bottom, top, length) => bottom.max(top).hypot(length / 2.0),
+            Self::Box(half) => half.length(),
+            Self::Ellipsoid(semi) => semi.max_element(),
+        }
+    }
+}
+
+/// A convex body in a frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed {
     core: Core,
@@ -42,18 +64,16 @@ impl Placed {
         Some(Self { core, radius, pose })
     }
 
-    pub(crate) fn inner_point(&self) -> DVec3 {
-        let height = match self.core {
-            Core::Segment(low, high) => (low + high) / 2.0,
-            Core::Frustum(_, _, length) => length / 2.0,
-            Core::Box(_) | Core::Ellipsoid(_) => 0.0,
-        };
-        self.pose.transform_point3(DVec3::Z * height)
+    /// The same body in another pose.
+    pub(crate) fn at(&self, pose: DAffine3) -> Self {
+        Self { pose, ..*self }
     }
 
-    /// The farthest point in a unit direction, radius included.
-    pub(crate) fn extreme(&self, direction: DVec3) -> DVec3 {
-        self.support(direction) + direction * self.radius
+    /// An upper bound of the distance of any point of the core from where it is in the pose of `other`, mm.
+    pub(crate) fn displacement(&self, other: &Self) -> f64 {
+        let turn = self.pose.matrix3 - other.pose.matrix3;
+        let turn = (turn.x_axis.length_squared() + turn.y_axis.length_squared() + turn.z_axis.length_squared()).sqrt();
+        self.inner_point().distance(other.inner_point()) + turn * self.core.reach()
     }
 }
 
@@ -80,6 +100,10 @@ impl Convex for Placed {
 
     fn radius(&self) -> f64 {
         self.radius
+    }
+
+    fn inner_point(&self) -> DVec3 {
+        self.pose.transform_point3(DVec3::Z * self.core.middle())
     }
 
     fn at_least(&self, point: DVec3) -> f64 {

@@ -1,6 +1,6 @@
 //! Groups of solids and the conditions between them.
 
-use crate::distance::{Posed, is_usable, of_shapes};
+use crate::distance::{Posed, is_usable, of_shapes, of_swept};
 use crate::error::ClearanceError;
 use crate::mesh::Last;
 use crate::permitted_zone::room;
@@ -221,6 +221,41 @@ impl Scene {
             }
         }
         moved(best, &frames[a])
+    }
+
+    /// Lower bound of the distance of two groups while every point of the first moves straight from its place in the pose
+    /// `from` to that in `to`, both in the frame of the second; at most `limit`, mm. None for permitted zones and for
+    /// frames that are not finite.
+    pub(crate) fn swept(
+        &self,
+        watch: usize,
+        from: &DAffine3,
+        to: &DAffine3,
+        limit: f64,
+        memory: &mut Memory,
+    ) -> Option<f64> {
+        let Watch::Apart { a, b, .. } = self.watches[watch] else { return None };
+        if !is_usable(from) || !is_usable(to) {
+            return None;
+        }
+        let (solids_a, solids_b) = (&self.groups[a].solids, &self.groups[b].solids);
+        memory.last.resize(solids_a.len() * solids_b.len(), Last::MAX);
+        let mut least = limit;
+        for (i, s) in solids_a.iter().enumerate() {
+            let (start, end) = (from.transform_point3(s.centre), to.transform_point3(s.centre));
+            let (middle, reach) = ((start + end) / 2.0, start.distance(end) / 2.0 + s.reach);
+            let ends = [*from * *s.pose(), *to * *s.pose()];
+            for (k, t) in solids_b.iter().enumerate() {
+                if middle.distance(t.centre) - reach - t.reach >= least {
+                    continue;
+                }
+                let last = &mut memory.last[k * solids_a.len() + i];
+                if let Some(bound) = of_swept(Posed::new(s, ends[0]), ends[1], Posed::new(t, *t.pose()), least, last) {
+                    least = bound;
+                }
+            }
+        }
+        Some(least)
     }
 
     /// Margin of a group in the zone with the largest margin.

@@ -20,6 +20,10 @@ pub trait Course {
     fn at(&self, s: f64) -> Joints;
     /// For each axis an upper bound of the speed |dq/ds| everywhere in `from..=to`.
     fn greatest_rates(&self, from: f64, to: f64) -> Joints;
+    /// For each axis an upper bound of the difference of its speeds dq/ds at any two places of `from..=to`.
+    fn greatest_rate_changes(&self, from: f64, to: f64) -> Joints {
+        self.greatest_rates(from, to).map(|rate| 2.0 * rate)
+    }
 }
 
 /// Scene of machine, part and fixtures with the clearances between them.
@@ -32,6 +36,14 @@ pub struct Surroundings<'a> {
     kinds: Vec<Kind>,
     /// A sphere around each group's solids: centre in the work frame with all axes at zero, and radius.
     spheres: Vec<(DVec3, f64)>,
+}
+
+/// Bounds of the axes' speeds |dq/ds| on a stretch.
+struct Rates {
+    /// The greatest.
+    greatest: Joints,
+    /// The greatest difference of two.
+    change: Joints,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -215,6 +227,14 @@ impl<'a> Surroundings<'a> {
         self.scene.along(&Follow { surroundings: self, course }, stations, limits)
     }
 
+    /// True if every watch is proven along the whole course: see [`Scene::is_clear_along`].
+    ///
+    /// # Errors
+    /// Limits that are not greater than 0.
+    pub fn is_clear_along(&self, course: &impl Course, limits: &Limits) -> Result<bool, ClearanceError> {
+        self.scene.is_clear_along(&Follow { surroundings: self, course }, limits)
+    }
+
     /// Minimum distance at each edge of a `profile` of the course, mm, at most `cutoff_mm`: see [`Scene::at_edges`].
     pub fn at_edges(&self, course: &impl Course, profile: &Profile, cutoff_mm: f64) -> Vec<f64> {
         self.scene.at_edges(&Follow { surroundings: self, course }, profile, cutoff_mm)
@@ -241,6 +261,33 @@ impl<'a> Surroundings<'a> {
     fn greatest_speed(&self, a: usize, b: usize, q: &Joints, rates: &Joints, length: f64) -> f64 {
         let levers = self.levers(a, b, q);
         if length > 0.0 { travel(&levers, |i| rates[i] * length) / length } else { travel(&levers, |i| rates[i]) }
+    }
+
+    /// An upper bound of the distance (mm) of any point of group `a`, seen from group `b`, from an even straight motion
+    /// between its places at the ends of a stretch of `length`, on which the axes move from `q` at up to `rates`, and
+    /// these change by up to `changes`.
+    ///
+    /// A point whose velocity changes by up to c on the way is at most c / 4 times the length beside it. The velocity
+    /// that an axis gives a point changes with the axis' rate, with the motion of the point by the axes before it, and by
+    /// the turns of the axis itself and of those behind it.
+    fn greatest_bend(&self, groups: (usize, usize), q: &Joints, moves: &Rates, length: f64) -> f64 {
+        let levers = self.levers(groups.0, groups.1, q);
+        let by = |lever: &Lever| moves.greatest[lever.axis] * lever.pitch * length;
+        let turn = |lever: &Lever| if lever.kind == AxisKind::Rotary { by(lever) } else { 0.0 };
+        let mut turned: f64 = levers.iter().map(turn).sum();
+        let (mut moved, mut change) = (0.0, 0.0);
+        for lever in &levers {
+            let rate = moves.greatest[lever.axis] * lever.pitch;
+            let rate_change =
+                moves.change[lever.axis] * lever.pitch + 2.0 * (lever.pitch - 1.0) * moves.greatest[lever.axis];
+            let arm = if lever.kind == AxisKind::Rotary { lever.arm + moved } else { 1.0 };
+            // `turned` is of this axis and those behind it.
+            let arm_change = if lever.kind == AxisKind::Rotary { moved } else { 0.0 } + turned * arm;
+            change += rate_change * arm + rate * arm_change;
+            moved += by(lever) * arm;
+            turned -= turn(lever);
+        }
+        change * length / 4.0
     }
 
     /// Levers of the axes between two groups on the points of the first at positions `q`, in their order from it.
@@ -290,6 +337,11 @@ impl<C: Course> Motion for Follow<'_, C> {
     fn greatest_speed(&self, a: usize, b: usize, from: f64, to: f64) -> f64 {
         let (q, rates) = (self.course.at(from), self.course.greatest_rates(from, to));
         self.surroundings.greatest_speed(a, b, &q, &rates, to - from)
+    }
+
+    fn greatest_bend(&self, a: usize, b: usize, from: f64, to: f64) -> f64 {
+        let (greatest, change) = (self.course.greatest_rates(from, to), self.course.greatest_rate_changes(from, to));
+        self.surroundings.greatest_bend((a, b), &self.course.at(from), &Rates { greatest, change }, to - from)
     }
 }
 

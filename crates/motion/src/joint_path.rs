@@ -211,6 +211,30 @@ impl JointPath {
         low..=high
     }
 
+    /// Bounds of each axis' rate dq/ds in `from..=to`: low and high.
+    fn rates(&self, from: f64, to: f64) -> (Joints, Joints) {
+        let mut bounds: Option<(Joints, Joints)> = None;
+        for i in self.panel(from, false)..=self.panel(to, true) {
+            let panel = self.panels[i];
+            let (a, b) = (from.max(panel.start), to.min(panel.end));
+            let (x, half) = (panel.local(0.5 * (a + b)), (b - a) / (panel.end - panel.start));
+            let scale = 2.0 / (panel.end - panel.start);
+            let (low, high) = bounds.get_or_insert(([f64::INFINITY; MAX_AXES], [f64::NEG_INFINITY; MAX_AXES]));
+            for axis in 0..self.axes {
+                let d1 = self.series(i, axis).derivative();
+                // A Chebyshev polynomial is at most 1: the coefficients' sum bounds the series.
+                let d2: f64 = d1.derivative().c.iter().map(|c| c.abs()).sum();
+                let (middle, beside) = (scale * d1.at(x), scale * half.max(0.0) * d2);
+                low[axis] = low[axis].min(middle - beside);
+                high[axis] = high[axis].max(middle + beside);
+            }
+        }
+        let (mut low, mut high) = bounds.unwrap_or_default();
+        low[self.axes..].fill(0.0);
+        high[self.axes..].fill(0.0);
+        (low, high)
+    }
+
     /// Positions and derivatives at `s`, from the panel after it (or before it, where two panels meet).
     pub fn point(&self, s: f64, before: bool) -> JointPoint {
         let i = self.panel(s, before);
@@ -279,20 +303,13 @@ impl Course for JointPath {
     }
 
     fn greatest_rates(&self, from: f64, to: f64) -> Joints {
-        let mut rates = Joints::default();
-        for i in self.panel(from, false)..=self.panel(to, true) {
-            let panel = self.panels[i];
-            let (a, b) = (from.max(panel.start), to.min(panel.end));
-            let (x, half) = (panel.local(0.5 * (a + b)), (b - a) / (panel.end - panel.start));
-            let scale = 2.0 / (panel.end - panel.start);
-            for (axis, rate) in rates.iter_mut().enumerate().take(self.axes) {
-                let d1 = self.series(i, axis).derivative();
-                // A Chebyshev polynomial is at most 1: the coefficients' sum bounds the series.
-                let d2: f64 = d1.derivative().c.iter().map(|c| c.abs()).sum();
-                *rate = rate.max(scale * (d1.at(x).abs() + half.max(0.0) * d2));
-            }
-        }
-        rates
+        let (low, high) = self.rates(from, to);
+        std::array::from_fn(|axis| high[axis].max(-low[axis]))
+    }
+
+    fn greatest_rate_changes(&self, from: f64, to: f64) -> Joints {
+        let (low, high) = self.rates(from, to);
+        std::array::from_fn(|axis| high[axis] - low[axis])
     }
 }
 

@@ -33,9 +33,13 @@ impl Course for Straight {
     fn greatest_rates(&self, _: f64, _: f64) -> Joints {
         std::array::from_fn(|i| (self.to[i] - self.from[i]).abs())
     }
+    fn greatest_rate_changes(&self, _: f64, _: f64) -> Joints {
+        Joints::default()
+    }
 }
 
-/// Distances along random straight moves, by conservative sampling, are lower bounds of dense sampling.
+/// Distances along random moves, straight and curved in the axes, by conservative sampling, are lower bounds of dense
+/// sampling.
 #[test]
 fn distances_along_a_course_are_never_too_great() {
     for s in SHIPPED {
@@ -49,21 +53,27 @@ fn distances_along_a_course_are_never_too_great() {
         let around = Surroundings::new(&machine, &clamped).unwrap();
         let mut random = Random::new(17);
         for _ in 0..cases(20) {
-            let course =
-                Straight { from: random_joints(&machine, &mut random), to: random_joints(&machine, &mut random) };
-            let limits = Limits { cutoff_mm: 200.0, precision_mm: 2.0, smallest: 1e-4 };
-            let profile = around.along(&course, 50, &limits).unwrap();
-            for i in 0..=1000 {
-                let at = f64::from(i) / 1000.0;
-                let frames = machine.link_frames(&course.at(at));
-                let cell = ((at * 50.0) as usize).min(49);
-                let neighbour = if i % 20 == 0 { cell.saturating_sub(1) } else { cell };
-                for (watch, trace) in profile.traces.iter().enumerate() {
-                    let truth = distance(&machine, &around, watch, &frames);
-                    let bound = trace.cells[cell].at_least_mm.min(trace.cells[neighbour].at_least_mm);
-                    assert!(bound <= truth + 1e-6, "{} {:?}: {bound} > {truth} at {at}", s.name, around.bodies(watch));
-                }
-            }
+            let (from, to) = (random_joints(&machine, &mut random), random_joints(&machine, &mut random));
+            bounds_hold(s.name, &around, &Straight { from, to });
+            let by: Joints = std::array::from_fn(|i| 0.3 * (to[i] - from[i]));
+            bounds_hold(s.name, &around, &Bend { from, by, rates: by.map(|by| 1.9 * by.abs()) });
+        }
+    }
+}
+
+fn bounds_hold(name: &str, around: &Surroundings, course: &impl Course) {
+    let machine = shipped_machine(name);
+    let limits = Limits { cutoff_mm: 200.0, precision_mm: 2.0, smallest: 1e-4 };
+    let profile = around.along(course, 50, &limits).unwrap();
+    for i in 0..=1000 {
+        let at = f64::from(i) / 1000.0;
+        let frames = machine.link_frames(&course.at(at));
+        let cell = ((at * 50.0) as usize).min(49);
+        let neighbour = if i % 20 == 0 { cell.saturating_sub(1) } else { cell };
+        for (watch, trace) in profile.traces.iter().enumerate() {
+            let truth = distance(&machine, around, watch, &frames);
+            let bound = trace.cells[cell].at_least_mm.min(trace.cells[neighbour].at_least_mm);
+            assert!(bound <= truth + 1e-6, "{name} {:?}: {bound} > {truth} at {at}", around.bodies(watch));
         }
     }
 }
@@ -196,6 +206,10 @@ impl Course for Bend {
     }
     fn greatest_rates(&self, _from: f64, _to: f64) -> Joints {
         self.rates
+    }
+    fn greatest_rate_changes(&self, from: f64, to: f64) -> Joints {
+        // The second derivative is at most 0.3 times the square of 3.
+        std::array::from_fn(|i| self.by[i].abs() * (2.7 * (to - from)).min(1.8))
     }
 }
 

@@ -106,6 +106,10 @@ impl Course for Leg {
     fn greatest_rates(&self, _from: f64, _to: f64) -> Joints {
         std::array::from_fn(|i| (self.to[i] - self.from[i]).abs())
     }
+
+    fn greatest_rate_changes(&self, _from: f64, _to: f64) -> Joints {
+        Joints::default()
+    }
 }
 
 /// Transfer move: consecutive legs, at rest between them.

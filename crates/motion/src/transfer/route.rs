@@ -52,19 +52,32 @@ pub(crate) fn route_within(
         }
     }
     let search = Search { effort, machine, around, held, turns: turns(machine, from, to) };
-    let Some(obstacle) = search.obstacle(from, to) else { return Ok(vec![*from, *to]) };
-    let way =
-        search.grow(from, to).ok_or_else(|| Message::new("motion-transfer-none").message("obstacle", obstacle))?;
+    if search.is_clear(from, to) {
+        return Ok(vec![*from, *to]);
+    }
+    let none = || {
+        let obstacle = obstacle(around, &Leg::new(machine, from, to)).unwrap_or_default();
+        Message::new("motion-transfer-none").message("obstacle", obstacle)
+    };
+    let way = search.grow(from, to).ok_or_else(none)?;
     Ok(search.cut_short(&way))
 }
 
 /// Describes the first obstacle of a leg, if any.
 pub(crate) fn obstacle(around: &Surroundings, leg: &Leg) -> Option<Message> {
+    if is_clear(around, leg) {
+        return None;
+    }
     match around.along(leg, 1, &LIMITS) {
         Ok(profile) => profile.stretches.first().map(|stretch| too_near(around, stretch.watch, &stretch.nearest, None)),
         // An unchecked leg counts as not clear.
         Err(e) => Some(e.message()),
     }
+}
+
+fn is_clear(around: &Surroundings, leg: &Leg) -> bool {
+    // An unchecked leg counts as not clear.
+    around.is_clear_along(leg, &LIMITS).unwrap_or(false)
 }
 
 struct Search<'a> {
@@ -103,14 +116,11 @@ fn turns(machine: &Machine, from: &Joints, to: &Joints) -> Joints {
 }
 
 impl Search<'_> {
-    /// Describes the obstacle on the straight move, if any.
-    fn obstacle(&self, from: &Joints, to: &Joints) -> Option<Message> {
+    /// True if the straight move is clear.
+    fn is_clear(&self, from: &Joints, to: &Joints) -> bool {
         let part = self.effort.progress().part;
         // A leg costs as much as many poses; a stopped search tries no more legs.
-        if !self.effort.spend(LEG_WORK, part) {
-            return Some(Message::default());
-        }
-        obstacle(self.around, &Leg::new(self.machine, from, to))
+        self.effort.spend(LEG_WORK, part) && is_clear(self.around, &Leg::new(self.machine, from, to))
     }
 
     /// Distance of two positions: Euclidean norm of the axes' moves, each as a fraction of its range.
@@ -177,7 +187,7 @@ impl Search<'_> {
         }
         let part = (STEP / distance).min(1.0);
         let to = if part < 1.0 { std::array::from_fn(|i| from[i] + part * (target[i] - from[i])) } else { *target };
-        if self.obstacle(&from, &to).is_some() {
+        if !self.is_clear(&from, &to) {
             return None;
         }
         tree.places.push((to, nearest));
@@ -189,7 +199,7 @@ impl Search<'_> {
         let mut short = vec![way[0]];
         let mut at = 0;
         while at + 1 < way.len() {
-            let last = (at + 1..way.len()).rev().find(|&j| j == at + 1 || self.obstacle(&way[at], &way[j]).is_none());
+            let last = (at + 1..way.len()).rev().find(|&j| j == at + 1 || self.is_clear(&way[at], &way[j]));
             at = last.unwrap_or(at + 1);
             short.push(way[at]);
         }
@@ -206,7 +216,7 @@ impl Search<'_> {
         let middle: Joints = std::array::from_fn(|k| 0.5 * (way[i - 1][k] + way[i + 1][k]));
         for part in [0.8, 0.4, 0.2] {
             let to: Joints = std::array::from_fn(|k| way[i][k] + part * (middle[k] - way[i][k]));
-            if self.obstacle(&way[i - 1], &to).is_none() && self.obstacle(&to, &way[i + 1]).is_none() {
+            if self.is_clear(&way[i - 1], &to) && self.is_clear(&to, &way[i + 1]) {
                 way[i] = to;
                 return;
             }
