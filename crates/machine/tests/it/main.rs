@@ -11,6 +11,7 @@ mod import;
 mod kinematics;
 mod linuxcnc;
 mod pitch_error;
+mod random_arms;
 mod random_chains;
 mod round_trip;
 mod seven_axes;
