@@ -14,6 +14,7 @@ use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 /// A table to be planned.
@@ -29,6 +30,8 @@ pub struct Schedule<'a> {
     pub limit: Duration,
     /// Control to write part programs for.
     pub post: Option<PostTarget>,
+    /// Set to end it: what is done is kept.
+    pub cancel: Option<&'a AtomicBool>,
 }
 
 /// How far it has come.
@@ -101,7 +104,12 @@ impl Schedule<'_> {
             counts.kept += u64::from(kept);
             progress(*counts);
         };
-        let work = |work: Work| self.plan_one(&work, journal).map(|()| count(false));
+        let work = |work: Work| {
+            if self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
+                return Err(Failure::Cancelled);
+            }
+            self.plan_one(&work, journal).map(|()| count(false))
+        };
         in_threads(self.threads, &work, |send| {
             let (mut templates, mut begun) = (Templates::default(), HashSet::new());
             self.table.each(&mut |row| {
@@ -141,12 +149,12 @@ impl Schedule<'_> {
     }
 
     fn plan_one(&self, work: &Work, journal: &Rows) -> Result<(), Failure> {
-        let terms = RowTerms { limit: self.limit, post: self.post };
+        let terms = RowTerms { limit: self.limit, post: self.post, cancel: self.cancel };
         let planned = catch_unwind(AssertUnwindSafe(|| plan_row(self.table, &work.row, &work.jobs, terms)));
         let (result, program) = planned.unwrap_or_else(|_| {
             let error = Message::new("schedule-planner-failed").to_string();
-            (RowResult::without_plan(Status::Failed, error), None)
-        });
+            Ok((RowResult::without_plan(Status::Failed, error), None))
+        })?;
         // The program first: a result in the journal has one.
         if let (Some(text), Some(file)) = (program, self.program(&work.row)) {
             files::write(&self.programs().join(file), &text)?;

@@ -9,7 +9,8 @@ use seamwright_schedule::{Schedule, Table};
 pub(crate) fn run(args: &ScheduleArgs) -> Result<(), Failure> {
     let (limit, threads) = (time_limit(&args.planning)?, threads(args.jobs)?);
     let (table, rows) = Table::open(&args.table)?;
-    let schedule = Schedule { table: &table, output: &args.output, threads, limit, post: args.post.map(Into::into) };
+    let schedule =
+        Schedule { table: &table, output: &args.output, threads, limit, post: args.post.map(Into::into), cancel: None };
     let bar = Progress::new("cli-progress-rows", rows);
     let summary = schedule.run(&|progress| bar.at(progress.done))?;
     drop(bar);

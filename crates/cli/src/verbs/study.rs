@@ -20,7 +20,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<(), Failure> {
         return Err(not_allowed("--draws", draws, between(1.0, MAX_DRAWS as f64)));
     }
     let study = Study::open(&args.study, Overrides { draws: args.draws, seed: args.seed })?;
-    let run = StudyRun { study: &study, output: &args.output, threads, limit };
+    let run = StudyRun { study: &study, output: &args.output, threads, limit, cancel: None };
     let bar = Progress::with_rate("cli-progress-draws", run.plans());
     let (summary, files) = run.run(&|progress| bar.at(progress.done))?;
     drop(bar);

@@ -18,6 +18,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 /// Result of a draw.
@@ -66,19 +67,27 @@ impl Study {
     }
 
     /// Plans the draw with these values.
-    pub(crate) fn plan(&self, values: &[f64], limit: Duration) -> DrawResult {
-        let planned = catch_unwind(AssertUnwindSafe(|| self.try_plan(values, limit)));
-        match planned {
-            Ok(Ok(result)) => result,
-            Ok(Err(failure)) => DrawResult::without_plan(Status::Invalid, failure.text()),
-            Err(_) => DrawResult::failed(),
+    ///
+    /// # Errors
+    /// [`Failure::Cancelled`] only: a fault of the draw is a result.
+    pub(crate) fn plan(
+        &self,
+        values: &[f64],
+        limit: Duration,
+        cancel: Option<&AtomicBool>,
+    ) -> Result<DrawResult, Failure> {
+        let planning = Planning { limit: Some(limit), cancel, progress: None };
+        match catch_unwind(AssertUnwindSafe(|| self.try_plan(values, &planning))) {
+            Ok(Ok(result)) => Ok(result),
+            Ok(Err(Failure::Cancelled)) => Err(Failure::Cancelled),
+            Ok(Err(failure)) => Ok(DrawResult::without_plan(Status::Invalid, failure.text())),
+            Err(_) => Ok(DrawResult::failed()),
         }
     }
 
-    fn try_plan(&self, values: &[f64], limit: Duration) -> Result<DrawResult, Failure> {
-        let planning = Planning { limit: Some(limit), ..Planning::default() };
-        let loaded = self.loaded(values)?.with_torch_angles(&planning)?;
-        let motion = loaded.try_plan_under(&loaded.machine, &planning)?;
+    fn try_plan(&self, values: &[f64], planning: &Planning) -> Result<DrawResult, Failure> {
+        let loaded = self.loaded(values)?.with_torch_angles(planning)?;
+        let motion = loaded.try_plan_under(&loaded.machine, planning)?;
         let figures = measure(&self.figures, &self.nominal, &loaded, motion.as_ref());
         let (findings, planned) = match &motion {
             Ok(motion) => (&motion.findings, Status::Weldable),

@@ -9,6 +9,7 @@ use seamwright_project::failure::Failure;
 use seamwright_project::files;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 /// Results of draws.
@@ -24,6 +25,8 @@ pub struct StudyRun<'a> {
     pub threads: usize,
     /// Time limit of the searches of a draw.
     pub limit: Duration,
+    /// Set to end it: what is done is kept.
+    pub cancel: Option<&'a AtomicBool>,
 }
 
 /// How far it has come.
@@ -76,7 +79,10 @@ impl StudyRun<'_> {
             progress(*counts);
         };
         let work = |work: Work| {
-            journal.add(&work.hash, &self.study.plan(&work.values, self.limit))?;
+            if self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
+                return Err(Failure::Cancelled);
+            }
+            journal.add(&work.hash, &self.study.plan(&work.values, self.limit, self.cancel)?)?;
             count(false);
             Ok(())
         };
