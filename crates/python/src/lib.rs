@@ -46,7 +46,7 @@ mod _native {
     #[pymodule_export]
     use crate::machine::{Axis, Machine, Pose, Solution, machine_names};
     #[pymodule_export]
-    use crate::many::{ScheduleSummary, schedule, study};
+    use crate::many::{ScheduleSummary, Worker, schedule, study};
     #[pymodule_export]
     use crate::plan::{Plan, PlannedPass, post_names};
     #[pymodule_export]

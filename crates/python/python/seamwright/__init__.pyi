@@ -195,6 +195,7 @@ def schedule(
     jobs: int | None = None,
     time_limit_s: float = 60.0,
     post: str | None = None,
+    spark: str | None = None,
 ) -> ScheduleSummary: ...
 def study(
     study: str | PathLike[str],
@@ -204,4 +205,5 @@ def study(
     seed: int | None = None,
     jobs: int | None = None,
     time_limit_s: float = 60.0,
+    spark: str | None = None,
 ) -> dict[str, Any]: ...
