@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use seamwright::message::{Language, Message};
 use seamwright::project::Failure;
 
-/// What an exception says: a code, an address and words. `seamwright._errors` has the exceptions.
+/// Content of an exception: a code, an address and words. `seamwright._errors` has the exceptions.
 #[pyclass(frozen, module = "seamwright._native")]
 pub(crate) struct Fault {
     class: &'static str,

@@ -156,7 +156,7 @@ impl Schedule<'_> {
         })
     }
 
-    /// What workers of a cluster need for the rows without a result; none if all have one.
+    /// Task of the workers of a cluster for the rows without a result; none if all have one.
     pub(crate) fn task(&self, journal: &Rows) -> Result<Option<Task>, Failure> {
         let (files, templates) = (RefCell::new(BTreeMap::new()), RefCell::new(Templates::default()));
         let open = Cell::new(0u64);

@@ -41,7 +41,7 @@ pub(crate) struct Run<'a> {
     pub(crate) done: &'a (dyn Fn(&str) -> Result<(), Failure> + Sync),
 }
 
-/// What the program says.
+/// An answer of the program.
 #[derive(Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum Answer {
@@ -197,7 +197,7 @@ struct Pipes {
     errors: ChildStderr,
 }
 
-/// What the threads of a run share.
+/// State that the threads of a run share.
 struct Bridge {
     /// None when no more is sent.
     input: Mutex<Option<BufWriter<ChildStdin>>>,

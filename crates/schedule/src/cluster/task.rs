@@ -27,7 +27,7 @@ pub(crate) struct Task {
     files: BTreeMap<PathBuf, Vec<u8>>,
 }
 
-/// What pieces are.
+/// Kind of the pieces.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) enum Work {
     /// Rows of this table, posted for the control of this name.
@@ -96,10 +96,16 @@ pub struct Worker {
     opened: Opened,
 }
 
-/// What is read once.
+/// Data read once.
 enum Opened {
-    Table { table: Table, templates: Mutex<Templates>, post: Option<PostTarget> },
+    Table(Box<OpenedTable>),
     Study(Box<Study>),
+}
+
+struct OpenedTable {
+    table: Table,
+    templates: Mutex<Templates>,
+    post: Option<PostTarget>,
 }
 
 impl Worker {
@@ -118,11 +124,11 @@ impl Worker {
         let task: Task = rmp_serde::from_slice(task).map_err(damaged)?;
         let store = FileStore::carrying(task.files);
         let opened = match task.work {
-            Work::Table { path, post } => Opened::Table {
+            Work::Table { path, post } => Opened::Table(Box::new(OpenedTable {
                 table: Table::carried(path, store),
                 templates: Mutex::default(),
                 post: post.as_deref().and_then(PostTarget::named),
-            },
+            })),
             Work::Study { path, draws, seed } => {
                 Opened::Study(Box::new(Study::open_from(&path, Overrides { draws, seed }, store)?))
             }
@@ -136,7 +142,8 @@ impl Worker {
     /// A piece that is damaged. A weld that is impossible is a result.
     pub fn plan(&self, piece: &str) -> Result<String, Failure> {
         match &self.opened {
-            Opened::Table { table, templates, post } => {
+            Opened::Table(opened) => {
+                let OpenedTable { table, templates, post } = &**opened;
                 let RowPiece { hash, row } = parsed(piece)?;
                 let jobs = locked(templates).jobs(table, &row)?;
                 let terms = RowTerms { limit: self.limit, post: *post, cancel: None, language: self.language };

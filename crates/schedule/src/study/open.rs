@@ -118,7 +118,7 @@ impl Study {
         })
     }
 
-    /// What workers of a cluster need for its draws.
+    /// Task of the workers of a cluster for its draws.
     ///
     /// # Errors
     /// A file that has become unreadable.
