@@ -16,7 +16,7 @@ pub(crate) struct Fault {
     findings: Vec<seamwright::program::Finding>,
 }
 
-/// Where the fault is in a file.
+/// Address of the fault in a file.
 struct Address {
     file: String,
     line: usize,

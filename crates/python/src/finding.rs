@@ -60,7 +60,7 @@ impl Finding {
         Ok(self.0.message.in_language(spoken(language)?))
     }
 
-    /// What to do, in a language; None if nothing is needed.
+    /// The cure, in a language; None if nothing is needed.
     #[pyo3(signature = (language = "en"))]
     fn cure(&self, language: &str) -> PyResult<Option<String>> {
         let language = spoken(language)?;

@@ -24,7 +24,7 @@ pub(crate) struct Job {
     source: Source,
 }
 
-/// Where a job is read again for each plan.
+/// Source from which a job is read again for each plan.
 #[derive(Clone)]
 enum Source {
     Example(String),
@@ -143,7 +143,7 @@ impl Job {
     }
 }
 
-/// A job with searched torch angles, and its motion or the reasons why there is none.
+/// A job with searched torch angles, and its motion or the findings that prevent it.
 type Planned = (Loaded, Result<WeldMotion, Vec<seamwright::program::Finding>>);
 
 impl Job {

@@ -1,4 +1,4 @@
-//! What workers get: a task once, and pieces of work.
+//! The task that workers get once, and its pieces of work.
 
 use crate::job_text::Templates;
 use crate::plan_row::{RowResult, RowTerms, plan_contained};
@@ -162,7 +162,7 @@ impl Worker {
 /// A piece or result of JSON.
 ///
 /// # Errors
-/// Text that is none.
+/// Invalid text.
 pub(crate) fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, Failure> {
     serde_json::from_str(text).map_err(|_| Failure::environment(Message::new("schedule-task-damaged")))
 }
