@@ -44,6 +44,7 @@ impl Finding {
 
     /// Path length where it begins, mm.
     #[getter]
+    #[expect(clippy::wrong_self_convention, reason = "the name of the key in JSON")]
     fn from_mm(&self) -> f64 {
         self.0.from_mm
     }

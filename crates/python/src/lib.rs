@@ -20,6 +20,8 @@
 //! Tests are in `tests/`, run by `scripts/python`.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+// Arguments of Python arrive as values.
+#![allow(clippy::needless_pass_by_value)]
 
 mod arrays;
 mod fault;

@@ -17,6 +17,12 @@ const SIGNALS_EVERY: Duration = Duration::from_millis(50);
 /// Maximum time limit of a plan, s.
 const MAX_LIMIT_S: f64 = 1e6;
 
+/// Calls the handlers of signals that have arrived; those of Python raise exceptions.
+#[expect(clippy::redundant_closure_for_method_calls, reason = "the method is not general in its lifetime")]
+fn handle_signals() -> PyResult<()> {
+    Python::attach(|py| py.check_signals())
+}
+
 /// A time limit given in seconds.
 ///
 /// # Errors
@@ -43,7 +49,7 @@ pub(crate) fn plan<T: Send>(
                 return;
             }
             last.set(Instant::now());
-            if let Err(error) = Python::attach(|py| py.check_signals()) {
+            if let Err(error) = handle_signals() {
                 *raised.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
                 cancel.store(true, Ordering::Relaxed);
             }
@@ -72,7 +78,7 @@ pub(crate) fn run<T: Send>(py: Python<'_>, work: impl FnOnce(&AtomicBool) -> Res
             let mut raised = None;
             while ended.recv_timeout(SIGNALS_EVERY) == Err(RecvTimeoutError::Timeout) {
                 if raised.is_none()
-                    && let Err(error) = Python::attach(|py| py.check_signals())
+                    && let Err(error) = handle_signals()
                 {
                     raised = Some(error);
                     cancel.store(true, Ordering::Relaxed);
