@@ -1,11 +1,13 @@
 # One place for every command. `make` alone lists them.
 
-.PHONY: help run generate test bench peers soak book dist sbom fmt lint
+.PHONY: help run generate test python wheel bench peers soak book dist sbom fmt lint
 
 help:
 	@echo "make run      a simulated cell with its panel: open the address that it prints"
 	@echo "make generate what the panel's type check, its tests and editors need, and the build does not: web/generated/"
 	@echo "make test     format, lints, all tests; prints how many passed"
+	@echo "make python   the tests of the Python package; part of make test"
+	@echo "make wheel    the Python package for pip: target/wheels; its tests run against the installed wheel"
 	@echo "make bench    speed and memory of this build on this machine"
 	@echo "make peers    compare with other programs (LinuxCNC); installs what is missing, needs root"
 	@echo "make soak     the property tests with a hundred times the cases; ten minutes of many who watch the panel; every reader is fuzzed, SEAMWRIGHT_FUZZ_S seconds each (60)"
@@ -23,6 +25,12 @@ generate:
 
 test:
 	scripts/test
+
+python:
+	scripts/python
+
+wheel:
+	scripts/python wheel
 
 bench:
 	scripts/bench

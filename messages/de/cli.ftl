@@ -657,3 +657,4 @@ cli-reach-job-file = eine Auftrags- oder Programmdatei; `seamwright examples NAM
 cli-reach-changed = { $file } wurde während der Suche geändert: nichts wurde geschrieben
 cli-label-planned = geplant
 cli-reach-planned = Achse { $axis } behält im Plan { $margin } ihres Bereichs frei
+cli-allowed-spark = eine Adresse von Spark Connect, etwa sc://host:15002

@@ -1012,3 +1012,4 @@ cli-reach-changed = { $file } has changed during the search: nothing was written
     .cure = Run the command again.
 cli-label-planned = planned
 cli-reach-planned = axis { $axis } keeps { $margin } of its range free in the plan
+cli-allowed-spark = an address of Spark Connect, as sc://host:15002

@@ -687,3 +687,4 @@ cli-reach-job-file = файл задания или программы; его �
 cli-reach-changed = { $file } изменён во время поиска: ничего не записано
 cli-label-planned = план
 cli-reach-planned = в плане у оси { $axis } остаётся { $margin } диапазона
+cli-allowed-spark = адрес Spark Connect, например sc://host:15002

@@ -687,3 +687,4 @@ cli-reach-job-file = файл завдання або програми; його
 cli-reach-changed = { $file } змінено під час пошуку: нічого не записано
 cli-label-planned = план
 cli-reach-planned = у плані в осі { $axis } лишається { $margin } діапазону
+cli-allowed-spark = адреса Spark Connect, наприклад sc://host:15002

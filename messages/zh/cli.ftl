@@ -567,3 +567,4 @@ cli-reach-job-file = 作业或程序文件；`seamwright examples NAME > job.tom
 cli-reach-changed = { $file } 在搜索期间被修改：未写入任何内容
 cli-label-planned = 已规划
 cli-reach-planned = 在规划中，轴 { $axis } 保留其行程的 { $margin }
+cli-allowed-spark = Spark Connect 的地址，例如 sc://host:15002

@@ -2,6 +2,7 @@
 
 pub(crate) mod arm;
 pub(crate) mod bench;
+pub(crate) mod cluster;
 pub(crate) mod edit;
 pub(crate) mod find_joint;
 pub(crate) mod follow;

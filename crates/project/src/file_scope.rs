@@ -1,3 +1,4 @@
+use crate::file_store::FileStore;
 use seamwright_message::{Message, Unit, display_by_message};
 use std::borrow::Cow;
 use std::io;
@@ -41,27 +42,46 @@ pub(crate) struct FileScope<'a> {
     folder: Cow<'a, Path>,
     /// Files outside this folder are refused; `None`: the author of the text may read all files anyway.
     fence: Option<&'a Path>,
+    store: FileStore,
 }
 
 impl<'a> FileScope<'a> {
     /// Names lead anywhere.
     pub(crate) fn open(folder: &'a Path) -> Self {
-        Self { folder: Cow::Borrowed(folder), fence: None }
+        Self::of(folder, FileStore::Disk)
+    }
+
+    /// Names lead anywhere in `store`.
+    pub(crate) fn of(folder: &'a Path, store: FileStore) -> Self {
+        Self { folder: Cow::Borrowed(folder), fence: None, store }
     }
 
     /// Names lead to plain files in `folder` and below.
     pub(crate) fn fenced(folder: &'a Path) -> Self {
-        Self { folder: Cow::Borrowed(folder), fence: Some(folder) }
+        Self { folder: Cow::Borrowed(folder), fence: Some(folder), store: FileStore::Disk }
     }
 
     /// The same for names in the file at `path`.
     pub(crate) fn beside(&self, path: &Path) -> Self {
         let folder = path.parent().unwrap_or(Path::new(".")).to_owned();
-        Self { folder: Cow::Owned(folder), fence: self.fence }
+        Self { folder: Cow::Owned(folder), fence: self.fence, store: self.store.clone() }
     }
 
     pub(crate) fn folder(&self) -> &Path {
         &self.folder
+    }
+
+    /// Source of its files.
+    pub(crate) fn store(&self) -> &FileStore {
+        &self.store
+    }
+
+    /// The bytes of the file called `name`.
+    ///
+    /// # Errors
+    /// As [`FileScope::file`]; a missing or unreadable file.
+    pub(crate) fn bytes(&self, name: &str) -> io::Result<Vec<u8>> {
+        self.store.bytes(&self.file(name)?)
     }
 
     /// The file called `name`.

@@ -35,7 +35,7 @@ pub fn read_up_to(path: &Path, max: u64) -> Result<String, Failure> {
 }
 
 /// Failure of reading the file called `source`.
-fn unreadable(source: &str, e: &std::io::Error) -> Failure {
+pub(crate) fn unreadable(source: &str, e: &std::io::Error) -> Failure {
     Failure::Input(Message::new("project-unreadable").text("file", source).message("why", io_error(e)))
 }
 

@@ -26,6 +26,7 @@ pub mod devices;
 pub mod examples;
 pub mod failure;
 mod file_scope;
+mod file_store;
 pub mod files;
 pub mod load;
 mod outside_data;
@@ -45,3 +46,4 @@ pub mod weld_events;
 pub mod work_offset;
 
 pub use failure::Failure;
+pub use file_store::FileStore;

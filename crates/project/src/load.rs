@@ -3,6 +3,7 @@
 use crate::examples::{EXAMPLES, example};
 use crate::failure::{Failure, with_hint};
 use crate::file_scope::FileScope;
+use crate::file_store::FileStore;
 use crate::files::{self, io_error};
 use crate::outside_data::Beside;
 use crate::planning::{Clocked, Planning};
@@ -37,6 +38,8 @@ pub struct Loaded {
     pub(crate) searching: Duration,
     /// STL files that job and machine file name: the name, and where the file is.
     pub stl_files: Vec<(String, PathBuf)>,
+    /// Source of its files.
+    pub(crate) store: FileStore,
 }
 
 /// Reads a job or program file and its machine; without such a file the name may be that of an example. A folder is no
@@ -70,6 +73,14 @@ fn no_such_job(path: &Path) -> Failure {
 /// The same from text; machine files are looked for from `folder`.
 pub fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
     load_within(name, text, &FileScope::open(folder), Own::First)
+}
+
+/// The same with files of `store`.
+///
+/// # Errors
+/// As [`load_text`].
+pub fn load_text_from(name: &str, text: &str, folder: &Path, store: &FileStore) -> Result<Loaded, Failure> {
+    load_within(name, text, &FileScope::of(folder, store.clone()), Own::First)
 }
 
 /// The same for a text whose author may not read all files: only plain files in `folder` and below are read.
@@ -109,7 +120,21 @@ pub struct MachineFound {
 /// # Errors
 /// Faults of the job.
 pub fn load_text_on(name: &str, text: &str, folder: &Path, machine: MachineFound) -> Result<Loaded, Failure> {
-    let within = FileScope::open(folder);
+    load_text_on_from(name, text, folder, machine, &FileStore::Disk)
+}
+
+/// The same with files of `store`.
+///
+/// # Errors
+/// As [`load_text_on`].
+pub fn load_text_on_from(
+    name: &str,
+    text: &str,
+    folder: &Path,
+    machine: MachineFound,
+    store: &FileStore,
+) -> Result<Loaded, Failure> {
+    let within = FileScope::of(folder, store.clone());
     let welding = Welding::read_with(name, text, &Beside::new(within.clone()))?;
     finished(welding, machine, &within, StlFiles::default())
 }
@@ -138,6 +163,7 @@ fn finished(
         searched_torches: Vec::new(),
         searching: Duration::ZERO,
         stl_files: stl.0.into_inner(),
+        store: within.store().clone(),
     })
 }
 
@@ -183,7 +209,7 @@ struct StlFiles(RefCell<Vec<(String, PathBuf)>>);
 impl StlFiles {
     fn read(&self, within: &FileScope<'_>, name: &str) -> std::io::Result<Vec<u8>> {
         let path = within.file(name)?;
-        let bytes = std::fs::read(&path)?;
+        let bytes = within.store().bytes(&path)?;
         self.0.borrow_mut().push((name.to_owned(), path));
         Ok(bytes)
     }
@@ -239,21 +265,22 @@ fn described(name: &str, within: &FileScope<'_>, stl: &StlFiles, own: Own) -> Re
     let mut wanted = name.to_owned();
     if let Some(shipped) = shipped(name) {
         wanted = own_copy(shipped.name);
-        if own == Own::Never || !within.folder().join(&wanted).is_file() {
+        if own == Own::Never || !within.store().has(&within.folder().join(&wanted)) {
             let (machine, document) = checked(shipped.name, shipped.text, within, stl)?;
             return Ok(Some(Described { machine, document, file: None }));
         }
     }
     let name = wanted.as_str();
     let path = match within.file(name) {
-        Ok(path) if path.is_file() => path,
+        Ok(path) if within.store().has(&path) => path,
         Err(e) if e.kind() == std::io::ErrorKind::PermissionDenied => {
             let message = Message::new("project-machine-refused").text("name", name).message("why", io_error(&e));
             return Err(Failure::refused(message, Message::new("project-machine-among-jobs")));
         }
         _ => return Ok(None),
     };
-    let (machine, document) = checked(&path.display().to_string(), &files::read(&path)?, &within.beside(&path), stl)?;
+    let (machine, document) =
+        checked(&path.display().to_string(), &within.store().text(&path)?, &within.beside(&path), stl)?;
     Ok(Some(Described { machine, document, file: Some(path) }))
 }
 
@@ -271,6 +298,14 @@ pub fn machine_foreign(name: &str, text: &str, folder: &Path) -> Result<Machine,
 /// Any fault of the text.
 pub fn machine_text(name: &str, text: &str, folder: &Path) -> Result<Machine, Failure> {
     checked(name, text, &FileScope::open(folder), &StlFiles::default()).map(|(machine, _)| machine)
+}
+
+/// The same with files of `store`.
+///
+/// # Errors
+/// Any fault of the text.
+pub fn machine_text_from(name: &str, text: &str, folder: &Path, store: &FileStore) -> Result<Machine, Failure> {
+    checked(name, text, &FileScope::of(folder, store.clone()), &StlFiles::default()).map(|(machine, _)| machine)
 }
 
 /// A machine file with its drives checked too, so that no later step is the first to stumble over them.
@@ -322,7 +357,7 @@ impl Loaded {
     /// A machine file that has become unreadable.
     pub fn machine_text(&self) -> Result<String, Failure> {
         match &self.machine_file {
-            Some(path) => files::read(path),
+            Some(path) => self.store.text(path),
             None => Ok(shipped(&self.welding.program.value.machine).map_or_else(String::new, |s| s.text.to_owned())),
         }
     }

@@ -13,8 +13,7 @@ use seamwright_message::Message;
 use seamwright_program::AxisPositions;
 use seamwright_weld::{MachineAxes, MachineAxis, Outside, Wrong};
 use std::cell::RefCell;
-use std::fs::File;
-use std::io::BufReader;
+use std::io::Cursor;
 use std::sync::Arc;
 
 const POINTS: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
@@ -37,11 +36,11 @@ impl<'a> Beside<'a> {
     }
 
     fn rows(&self, name: &str) -> Result<Vec<Vec<f64>>, Failure> {
-        let file = self.within.file(name).and_then(File::open).map_err(|e| {
+        let bytes = self.within.bytes(name).map_err(|e| {
             let message = Message::new("project-unreadable").text("file", name).message("why", io_error(&e));
             Failure::refused(message, Message::new("project-file-from-job"))
         })?;
-        let (mut reader, _) = CsvReader::open(name, BufReader::new(file), &[&NORMALS, &ONE_NORMAL, &POINTS])?;
+        let (mut reader, _) = CsvReader::open(name, Cursor::new(bytes), &[&NORMALS, &ONE_NORMAL, &POINTS])?;
         let mut rows = Vec::new();
         while let Some(row) = reader.row() {
             if rows.len() == MAX_ROWS {
@@ -61,7 +60,7 @@ fn wrong(failure: &Failure) -> Wrong {
 
 impl Outside for Beside<'_> {
     fn bytes(&self, file: &str) -> std::io::Result<Vec<u8>> {
-        self.within.file(file).and_then(std::fs::read)
+        self.within.bytes(file)
     }
 
     fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong> {

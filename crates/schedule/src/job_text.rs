@@ -2,11 +2,12 @@
 
 use crate::table::{Row, Table};
 use seamwright_document::{Change, DocumentError, TomlText};
+use seamwright_project::FileStore;
 use seamwright_project::failure::Failure;
-use seamwright_project::files;
+use seamwright_project::files::read_bytes;
 use seamwright_record::sha256;
 use serde_json::Value;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 
 /// A job as text, with the folder that its files are relative to.
@@ -17,12 +18,12 @@ pub(crate) struct JobText {
 }
 
 /// Reads a job: a file relative to `folder`, or an example.
-pub(crate) fn template(folder: &Path, name: &str) -> Result<JobText, Failure> {
+pub(crate) fn template(folder: &Path, name: &str, store: &FileStore) -> Result<JobText, Failure> {
     let path = folder.join(name);
-    if let Some(example) = seamwright_project::examples::example(name).filter(|_| !path.is_file()) {
+    if let Some(example) = seamwright_project::examples::example(name).filter(|_| !store.has(&path)) {
         return Ok(JobText { text: example.text.to_owned(), folder: PathBuf::from(".") });
     }
-    let text = files::read(&path)?;
+    let text = store.text(&path)?;
     TomlText::parse(&path.display().to_string(), &text)?;
     Ok(JobText { text, folder: folder_of(&path).to_owned() })
 }
@@ -70,13 +71,29 @@ impl Templates {
         let mut all = format!("{}\n{options}\n", env!("CARGO_PKG_VERSION"));
         for job in jobs {
             all += &job.text;
-            self.add_files(&job.text, &job.folder, 0, &mut all);
+            self.each_file(&job.text, &job.folder, 0, &mut |_, hash| all.push_str(hash));
         }
         sha256(all.as_bytes())
     }
 
-    /// Adds the hashes of all files that the texts of a file name, and of those that TOML files among them name.
-    fn add_files(&mut self, text: &str, folder: &Path, depth: u32, all: &mut String) {
+    /// Adds the files of jobs that [`Templates::hash`] regards.
+    ///
+    /// # Errors
+    /// A file that has become unreadable.
+    pub(crate) fn carry(&mut self, jobs: &[JobText], files: &mut BTreeMap<PathBuf, Vec<u8>>) -> Result<(), Failure> {
+        let mut paths = Vec::new();
+        for job in jobs {
+            self.each_file(&job.text, &job.folder, 0, &mut |path, _| paths.push(path.to_owned()));
+        }
+        for path in paths {
+            carry(&path, files)?;
+        }
+        Ok(())
+    }
+
+    /// Calls `found` with path and hash of all files that the texts of a file name, and of those that TOML files among them
+    /// name.
+    fn each_file(&mut self, text: &str, folder: &Path, depth: u32, found: &mut dyn FnMut(&Path, &str)) {
         let Ok(root) = toml::from_str::<toml::Table>(text) else { return };
         let mut names = Vec::new();
         texts(&toml::Value::Table(root), &mut names);
@@ -87,11 +104,11 @@ impl Templates {
                 folder.join("machines").join(format!("{name}.toml")),
             ] {
                 if let Some(hash) = self.hash_of(&path) {
-                    all.push_str(&hash);
+                    found(&path, &hash);
                     let is_toml = path.extension().is_some_and(|e| e == "toml");
                     if is_toml && depth < 3 {
                         let text = std::fs::read_to_string(&path).unwrap_or_default();
-                        self.add_files(&text, path.parent().unwrap_or(folder), depth + 1, all);
+                        self.each_file(&text, path.parent().unwrap_or(folder), depth + 1, found);
                     }
                 }
             }
@@ -105,6 +122,17 @@ impl Templates {
         }
         self.hashes[path].clone()
     }
+}
+
+/// Adds a file, unless it is there.
+///
+/// # Errors
+/// An unreadable file.
+pub(crate) fn carry(path: &Path, files: &mut BTreeMap<PathBuf, Vec<u8>>) -> Result<(), Failure> {
+    if !files.contains_key(path) {
+        files.insert(path.to_owned(), read_bytes(path, &path.display().to_string())?);
+    }
+    Ok(())
 }
 
 /// All texts in a value that may be names of files.

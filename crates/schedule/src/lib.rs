@@ -13,6 +13,7 @@
 //! - `threads`: work by several threads.
 //! - `columns`: result files with a line for each row.
 //! - `keys`: names of keys of a format.
+//! - `cluster`: rows and draws planned by workers of a Spark cluster.
 //! - `run`: all rows by several threads.
 //! - `machine_load`: parts distributed over the machines.
 //! - `output`: result files and report.
@@ -20,6 +21,7 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
+mod cluster;
 mod columns;
 mod job_text;
 mod journal;
@@ -32,6 +34,7 @@ mod study;
 mod table;
 mod threads;
 
+pub use cluster::{Spark, Worker};
 pub use machine_load::{MachineLoad, Occupation, Task, machine_load};
 pub use plan_row::{RowResult, Status};
 pub use run::{Progress, Schedule, Summary};

@@ -48,7 +48,7 @@ pub(crate) fn write(schedule: &Schedule, result_of: &ResultOf) -> Result<Summary
     files.write(columns, &mut |rows| {
         schedule.table.each(&mut |row| {
             let result = result_of(&row, &mut templates)?;
-            let program = schedule.program(&row).filter(|_| result.status == Status::Weldable);
+            let program = schedule.program(&row.name).filter(|_| result.status == Status::Weldable);
             rows.push(values(&row, &result, program))?;
             summary.rows += 1;
             summary.weldable += u64::from(result.status == Status::Weldable);

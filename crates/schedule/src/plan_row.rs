@@ -2,16 +2,18 @@
 
 use crate::job_text::{JobText, in_row};
 use crate::table::{Row, Table};
-use seamwright_message::Language;
+use seamwright_message::{Language, Message};
 use seamwright_motion::WeldMotion;
 use seamwright_program::Finding;
 use seamwright_project::failure::Failure;
-use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::load::{Loaded, load_text_from};
 use seamwright_project::planning::Planning;
 use seamwright_project::posting::PostTarget;
 use seamwright_report::WeldReport;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 /// Outcome of a row.
@@ -79,20 +81,39 @@ pub struct RowResult {
 }
 
 /// Limits of a row and what is written of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct RowTerms {
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RowTerms<'a> {
     /// Time limit of the searches of each plan.
     pub(crate) limit: Duration,
     /// Control to write part programs for.
     pub(crate) post: Option<PostTarget>,
+    /// Set to cancel it.
+    pub(crate) cancel: Option<&'a AtomicBool>,
+    /// Language of faults.
+    pub(crate) language: Language,
+}
+
+/// A result, and the part program if there is one.
+pub(crate) type Planned = (RowResult, Option<String>);
+
+/// Plans a row as [`plan_row`] does; a panic costs only this row.
+///
+/// # Errors
+/// [`Failure::Cancelled`] only.
+pub(crate) fn plan_contained(table: &Table, row: &Row, jobs: &[JobText], terms: RowTerms) -> Result<Planned, Failure> {
+    let planned = catch_unwind(AssertUnwindSafe(|| plan_row(table, row, jobs, terms)));
+    planned.unwrap_or_else(|_| Ok((RowResult::failed(terms.language), None)))
 }
 
 /// Plans a row on all of its machines. Returns the result, and the proven part program of the machine chosen.
-pub(crate) fn plan_row(table: &Table, row: &Row, jobs: &[JobText], terms: RowTerms) -> (RowResult, Option<String>) {
-    let mut best: Option<(RowResult, Option<String>)> = None;
+///
+/// # Errors
+/// [`Failure::Cancelled`] only: a fault of the row is a result.
+fn plan_row(table: &Table, row: &Row, jobs: &[JobText], terms: RowTerms) -> Result<Planned, Failure> {
+    let mut best: Option<Planned> = None;
     let mut times = BTreeMap::new();
     for job in jobs {
-        let (result, program) = plan_job(table, row, job, terms);
+        let (result, program) = plan_job(table, row, job, terms)?;
         if result.status == Status::Weldable {
             times.insert(result.machine.clone(), result.total_s);
         }
@@ -106,20 +127,22 @@ pub(crate) fn plan_row(table: &Table, row: &Row, jobs: &[JobText], terms: RowTer
     }
     let (mut result, program) = best.unwrap_or_else(|| (RowResult::without_plan(Status::Invalid, String::new()), None));
     result.times = times;
-    (result, program)
+    Ok((result, program))
 }
 
-fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> (RowResult, Option<String>) {
+fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> Result<Planned, Failure> {
     let refused = |failure: Failure| {
         let failure = match failure {
+            Failure::Cancelled => return Err(Failure::Cancelled),
             Failure::Document(error) => in_row(table, row, *error),
             other => other,
         };
-        (RowResult::without_plan(Status::Invalid, failure.text()), None)
+        Ok((RowResult::without_plan(Status::Invalid, failure.text_in(terms.language)), None))
     };
     let name = format!("{}: {}", row.name, row.template);
-    let planning = Planning { limit: Some(terms.limit), ..Planning::default() };
-    let loaded = load_text(&name, &job.text, &job.folder).and_then(|loaded| loaded.with_torch_angles(&planning));
+    let planning = Planning { limit: Some(terms.limit), cancel: terms.cancel, progress: None };
+    let loaded = load_text_from(&name, &job.text, &job.folder, table.store())
+        .and_then(|loaded| loaded.with_torch_angles(&planning));
     let loaded = match loaded {
         Ok(loaded) => loaded,
         Err(failure) => return refused(failure),
@@ -127,16 +150,16 @@ fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> (RowRes
     let machine = loaded.welding.program.value.machine.clone();
     match loaded.try_plan_under(&loaded.machine, &planning) {
         Err(failure) => refused(failure),
-        Ok(Err(findings)) => (RowResult::blocked(machine, &findings), None),
+        Ok(Err(findings)) => Ok((RowResult::blocked(machine, &findings), None)),
         Ok(Ok(motion)) => {
             let mut result = RowResult::of(machine, &loaded, &motion);
             let target = terms.post.filter(|_| result.status == Status::Weldable);
             match target.map(|target| target.proven(&loaded, &motion)).transpose() {
-                Ok(program) => (result, program.map(|(text, _)| text)),
+                Ok(program) => Ok((result, program.map(|(text, _)| text))),
                 Err(why) => {
                     result.status = Status::Failed;
-                    result.error = Some(why.message().to_string());
-                    (result, None)
+                    result.error = Some(why.message().in_language(terms.language));
+                    Ok((result, None))
                 }
             }
         }
@@ -163,6 +186,11 @@ impl RowResult {
             blocking: 0,
             error: Some(error).filter(|text| !text.is_empty()),
         }
+    }
+
+    /// A row whose planner failed.
+    pub(crate) fn failed(language: Language) -> Self {
+        Self::without_plan(Status::Failed, Message::new("schedule-planner-failed").in_language(language))
     }
 
     fn blocked(machine: String, findings: &[Finding]) -> Self {

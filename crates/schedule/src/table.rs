@@ -12,9 +12,11 @@ use crate::keys::Keys;
 use schemars::schema_for;
 use seamwright_document::TomlText;
 use seamwright_message::Message;
+use seamwright_project::FileStore;
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
 use seamwright_weld::Job;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::{BTreeMap, HashSet};
 use std::fs::File;
@@ -33,7 +35,7 @@ const MAX_SETUP_MIN: f64 = 10_080.0;
 const MAX_NAME: usize = 80;
 
 /// A value that replaces one of the template.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Setting {
     /// Path of the key in the job, as in `seam.nozzle.radius_mm`.
     pub path: String,
@@ -44,7 +46,7 @@ pub struct Setting {
 }
 
 /// One seam of a table.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Number, from 1.
     pub number: u64,
@@ -69,6 +71,8 @@ pub struct Row {
 pub struct Table {
     path: PathBuf,
     keys: Keys,
+    /// Source of its templates, and of the files that they name.
+    store: FileStore,
 }
 
 /// Cells of a row by column.
@@ -86,7 +90,7 @@ impl Table {
     /// # Errors
     /// With file, line and column: unknown columns, wrong values, names twice, missing templates.
     pub fn open(path: &Path) -> Result<(Self, u64), Failure> {
-        let table = Self { path: path.to_owned(), keys: Keys::of(&schema_for!(Job)) };
+        let table = Self { path: path.to_owned(), keys: Keys::of(&schema_for!(Job)), store: FileStore::Disk };
         let mut count = 0;
         // Hashes of the names: a million names take 16 MB.
         let (mut names, hashes) = (HashSet::new(), RandomState::new());
@@ -112,6 +116,16 @@ impl Table {
         Ok((table, count))
     }
 
+    /// A table whose rows come from elsewhere, with templates of `store`.
+    pub(crate) fn carried(path: PathBuf, store: FileStore) -> Self {
+        Self { path, keys: Keys::of(&schema_for!(Job)), store }
+    }
+
+    /// Source of the files of its jobs.
+    pub(crate) fn store(&self) -> &FileStore {
+        &self.store
+    }
+
     /// Its file.
     pub fn path(&self) -> &Path {
         &self.path
@@ -135,7 +149,7 @@ impl Table {
 
     /// Text of a template, and the folder that its files are relative to.
     pub(crate) fn template(&self, name: &str) -> Result<(String, PathBuf), Failure> {
-        template(self.folder(), name).map(|job| (job.text, job.folder))
+        template(self.folder(), name, &self.store).map(|job| (job.text, job.folder))
     }
 
     fn each_of_csv(&self, row: &mut dyn FnMut(Row) -> Result<bool, Failure>) -> Result<(), Failure> {

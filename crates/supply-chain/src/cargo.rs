@@ -70,6 +70,11 @@ impl Cargo {
         Ok(Self::new(workspace, host(&rustc_version()?)?))
     }
 
+    /// The platform, a target triple of Rust.
+    pub fn platform(&self) -> &str {
+        &self.platform
+    }
+
     /// Returns the output of `cargo tree` for [`Tree::parse`](crate::Tree::parse): depth, name and version, licence,
     /// repository.
     ///

@@ -1,12 +1,13 @@
-//! Checks the third-party packages of this repository by the rules of `deny.toml`.
+//! Checks the third-party packages of this repository by the rules of `deny.toml`, and prints the notices of one program.
 //!
 //! Exit codes: 0 no violation; 1 violations; 2 wrong usage, or an unreadable file.
 
-use seamwright_supply_chain::{Cargo, CargoLock, Error, NpmLock, Rules, Tree, Violation};
+use seamwright_supply_chain::{Cargo, CargoLock, Error, NpmLock, Rules, Toolchain, Tree, Violation, notices};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 const USAGE: &str = "usage: seamwright-supply-chain [--tree FILE] [--cargo-lock FILE] [--npm-lock FILE] [--rules FILE]
+       seamwright-supply-chain --notices PACKAGE
 
 Checks third-party packages by the rules of deny.toml. Without options: those of the repository in this folder.
 
@@ -15,6 +16,7 @@ Checks third-party packages by the rules of deny.toml. Without options: those of
   --cargo-lock FILE  instead of Cargo.lock
   --npm-lock FILE    instead of web/package-lock.json and web/e2e/package-lock.json
   --rules FILE       instead of deny.toml
+  --notices PACKAGE  prints what the licences require to go with the library or program of this package
 
 Exit codes: 0 no violation; 1 violations; 2 wrong usage, or an unreadable file.
 ";
@@ -34,6 +36,20 @@ fn main() -> ExitCode {
         print!("{USAGE}");
         return ExitCode::SUCCESS;
     }
+    if let [option, package] = &arguments[..]
+        && option == "--notices"
+    {
+        return match notices_of(package) {
+            Ok(text) => {
+                print!("{text}");
+                ExitCode::SUCCESS
+            }
+            Err(error) => {
+                eprintln!("error: {error}");
+                ExitCode::from(2)
+            }
+        };
+    }
     let Some(options) = options(&arguments) else {
         eprint!("{USAGE}");
         return ExitCode::from(2);
@@ -52,6 +68,24 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// Notices of a package of this workspace: its third-party packages, then the texts of their licences.
+fn notices_of(package: &str) -> Result<String, Error> {
+    let folder = Path::new(".");
+    let cargo = Cargo::on_this_platform(folder)?;
+    let tree = Tree::of_program(&cargo, package)?;
+    let (sources, rules) = (cargo.sources(&tree)?, Rules::read(Path::new("deny.toml"))?);
+    let notices = notices(&sources, &tree, &rules, &Toolchain::for_platform(cargo.platform())?)?;
+    let mut text = String::from("Software of others in this package, or that it was built with.\n\n");
+    for noticed in &notices.packages {
+        text += &format!("{} {}  {}  {}\n", noticed.name, noticed.version, noticed.licence, noticed.source);
+    }
+    let rule = "=".repeat(100);
+    for notice in &notices.texts {
+        text += &format!("\n{rule}\n{}\n{rule}\n{}\n", notice.packages.join(", "), notice.text.trim_end());
+    }
+    Ok(text)
 }
 
 /// Parses the options; none if they are wrong.

@@ -1,5 +1,6 @@
 //! Arguments of `seamwright schedule`.
 
+use super::cluster::ClusterArgs;
 use super::planning::PlanningArgs;
 use super::post::PostTargetArg;
 use clap::Args;
@@ -10,6 +11,7 @@ use std::path::PathBuf;
 A table is CSV with a row a seam: name, template (a job beside the table, or an example), and as needed machine (several
 with | between them), procedure, count, setup_min, and keys of the job such as seam.nozzle.radius_mm. Empty cells keep the
 template's values; a row with the name * gives those of the rows below it. Tables in TOML have [defaults] and [[seams]].
+With --spark the workers of a cluster plan; the results are the same.
 A schedule that was interrupted goes on where it was: call it again. Rows that have not changed are not planned again.
 Exit code 1 if a row cannot be welded as requested.")]
 pub(crate) struct ScheduleArgs {
@@ -26,6 +28,8 @@ pub(crate) struct ScheduleArgs {
     /// Write a part program for each row that can be welded, proven by reading it back
     #[arg(long, value_name = "DIALECT")]
     pub(crate) post: Option<PostTargetArg>,
+    #[command(flatten)]
+    pub(crate) cluster: ClusterArgs,
     #[command(flatten)]
     pub(crate) planning: PlanningArgs,
 }

@@ -1,5 +1,6 @@
 //! Arguments of `seamwright study`.
 
+use super::cluster::ClusterArgs;
 use super::planning::PlanningArgs;
 use clap::Args;
 use std::path::PathBuf;
@@ -10,6 +11,7 @@ A study file names a job, the quantities that are uncertain (keys of the job or 
 and of axes) with their distributions, the number of draws and the seed. Every draw is planned anew. The results are the
 probability that the weld can be made, that of each finding, distributions of margins, clearance, speed, heat input and
 other figures, and which quantity causes how much of their variance.
+With --spark the workers of a cluster plan; the results are the same.
 A study that was interrupted goes on where it was: call it again. The same seed gives the same draws with any --jobs.
 Exit code 1 if no draw can be welded as requested.")]
 pub(crate) struct StudyArgs {
@@ -31,6 +33,8 @@ pub(crate) struct StudyArgs {
     /// The summary as JSON instead of text
     #[arg(long)]
     pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) cluster: ClusterArgs,
     #[command(flatten)]
     pub(crate) planning: PlanningArgs,
 }

@@ -1,10 +1,12 @@
 //! Limits of verbs that make many plans at the same time.
 
 use super::positive;
+use crate::args::cluster::ClusterArgs;
 use crate::args::planning::PlanningArgs;
 use crate::refusals::{at_most, between, not_allowed};
-use seamwright_message::Unit;
+use seamwright_message::{Message, Unit};
 use seamwright_project::failure::Failure;
+use seamwright_schedule::Spark;
 use std::time::Duration;
 
 /// Maximum number of threads.
@@ -30,4 +32,13 @@ pub(super) fn threads(jobs: Option<usize>) -> Result<usize, Failure> {
         Some(jobs) => Ok(jobs),
         None => Ok(std::thread::available_parallelism().map_or(1, usize::from)),
     }
+}
+
+/// The cluster that plans, if one is asked for.
+pub(super) fn spark(cluster: &ClusterArgs) -> Result<Option<Spark>, Failure> {
+    let Some(address) = &cluster.spark else { return Ok(None) };
+    if address.strip_prefix("sc://").is_none_or(str::is_empty) {
+        return Err(not_allowed("--spark", address, Message::new("cli-allowed-spark")));
+    }
+    Ok(Some(Spark { address: address.clone(), python: cluster.python.clone() }))
 }

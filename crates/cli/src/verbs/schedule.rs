@@ -1,4 +1,4 @@
-use super::job_limits::{threads, time_limit};
+use super::job_limits::{spark, threads, time_limit};
 use crate::args::schedule::ScheduleArgs;
 use crate::progress::Progress;
 use crate::rows::print_text;
@@ -8,8 +8,17 @@ use seamwright_schedule::{Schedule, Table};
 
 pub(crate) fn run(args: &ScheduleArgs) -> Result<(), Failure> {
     let (limit, threads) = (time_limit(&args.planning)?, threads(args.jobs)?);
+    let spark = spark(&args.cluster)?;
     let (table, rows) = Table::open(&args.table)?;
-    let schedule = Schedule { table: &table, output: &args.output, threads, limit, post: args.post.map(Into::into) };
+    let schedule = Schedule {
+        table: &table,
+        output: &args.output,
+        threads,
+        spark: spark.as_ref(),
+        limit,
+        post: args.post.map(Into::into),
+        cancel: None,
+    };
     let bar = Progress::new("cli-progress-rows", rows);
     let summary = schedule.run(&|progress| bar.at(progress.done))?;
     drop(bar);

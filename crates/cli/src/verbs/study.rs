@@ -1,4 +1,4 @@
-use super::job_limits::{threads, time_limit};
+use super::job_limits::{spark, threads, time_limit};
 use crate::args::study::StudyArgs;
 use crate::labels::{columns, padded};
 use crate::progress::Progress;
@@ -19,8 +19,9 @@ pub(crate) fn run(args: &StudyArgs) -> Result<(), Failure> {
     if let Some(draws) = args.draws.filter(|draws| !(1..=MAX_DRAWS).contains(draws)) {
         return Err(not_allowed("--draws", draws, between(1.0, MAX_DRAWS as f64)));
     }
+    let spark = spark(&args.cluster)?;
     let study = Study::open(&args.study, Overrides { draws: args.draws, seed: args.seed })?;
-    let run = StudyRun { study: &study, output: &args.output, threads, limit };
+    let run = StudyRun { study: &study, output: &args.output, threads, spark: spark.as_ref(), limit, cancel: None };
     let bar = Progress::with_rate("cli-progress-draws", run.plans());
     let (summary, files) = run.run(&|progress| bar.at(progress.done))?;
     drop(bar);

@@ -5,9 +5,9 @@ use super::open::{Quantity, Study, step_of};
 use crate::plan_row::{Status, counted, status_of};
 use glam::{DAffine3, DQuat, DVec3, EulerRot};
 use seamwright_document::{Change, TomlText};
-use seamwright_message::Message;
+use seamwright_message::{Language, Message};
 use seamwright_project::failure::Failure;
-use seamwright_project::load::{Loaded, MachineFound, load_text_on, machine_text};
+use seamwright_project::load::{Loaded, MachineFound, load_text_on_from, machine_text_from};
 use seamwright_project::placing::placed;
 use seamwright_project::planning::Planning;
 use seamwright_record::sha256;
@@ -18,6 +18,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 /// Result of a draw.
@@ -35,14 +36,25 @@ pub struct DrawResult {
     pub error: Option<String>,
 }
 
+/// Limits of a draw.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct DrawTerms<'a> {
+    /// Time limit of its searches.
+    pub(crate) limit: Duration,
+    /// Set to cancel it.
+    pub(crate) cancel: Option<&'a AtomicBool>,
+    /// Language of faults.
+    pub(crate) language: Language,
+}
+
 impl DrawResult {
     fn without_plan(status: Status, error: String) -> Self {
         Self { status, figures: Vec::new(), findings: BTreeMap::new(), blocking: 0, error: Some(error) }
     }
 
     /// A draw whose planner failed.
-    pub(crate) fn failed() -> Self {
-        Self::without_plan(Status::Failed, Message::new("study-planner-failed").to_string())
+    pub(crate) fn failed(language: Language) -> Self {
+        Self::without_plan(Status::Failed, Message::new("study-planner-failed").in_language(language))
     }
 }
 
@@ -66,19 +78,22 @@ impl Study {
     }
 
     /// Plans the draw with these values.
-    pub(crate) fn plan(&self, values: &[f64], limit: Duration) -> DrawResult {
-        let planned = catch_unwind(AssertUnwindSafe(|| self.try_plan(values, limit)));
-        match planned {
-            Ok(Ok(result)) => result,
-            Ok(Err(failure)) => DrawResult::without_plan(Status::Invalid, failure.text()),
-            Err(_) => DrawResult::failed(),
+    ///
+    /// # Errors
+    /// [`Failure::Cancelled`] only: a fault of the draw is a result.
+    pub(crate) fn plan(&self, values: &[f64], terms: DrawTerms) -> Result<DrawResult, Failure> {
+        let planning = Planning { limit: Some(terms.limit), cancel: terms.cancel, progress: None };
+        match catch_unwind(AssertUnwindSafe(|| self.try_plan(values, &planning))) {
+            Ok(Ok(result)) => Ok(result),
+            Ok(Err(Failure::Cancelled)) => Err(Failure::Cancelled),
+            Ok(Err(failure)) => Ok(DrawResult::without_plan(Status::Invalid, failure.text_in(terms.language))),
+            Err(_) => Ok(DrawResult::failed(terms.language)),
         }
     }
 
-    fn try_plan(&self, values: &[f64], limit: Duration) -> Result<DrawResult, Failure> {
-        let planning = Planning { limit: Some(limit), ..Planning::default() };
-        let loaded = self.loaded(values)?.with_torch_angles(&planning)?;
-        let motion = loaded.try_plan_under(&loaded.machine, &planning)?;
+    fn try_plan(&self, values: &[f64], planning: &Planning) -> Result<DrawResult, Failure> {
+        let loaded = self.loaded(values)?.with_torch_angles(planning)?;
+        let motion = loaded.try_plan_under(&loaded.machine, planning)?;
         let figures = measure(&self.figures, &self.nominal, &loaded, motion.as_ref());
         let (findings, planned) = match &motion {
             Ok(motion) => (&motion.findings, Status::Weldable),
@@ -93,7 +108,7 @@ impl Study {
     pub(crate) fn loaded(&self, values: &[f64]) -> Result<Loaded, Failure> {
         let machine = self.machine(values)?;
         let text = self.job_text(values)?;
-        load_text_on(&self.file.value.job, &text, &self.job.folder, machine)
+        load_text_on_from(&self.file.value.job, &text, &self.job.folder, machine, &self.store)
     }
 
     /// Values of the quantities that are of a kind, each with what it varies.
@@ -136,7 +151,7 @@ impl Study {
         let name = file.as_ref().map_or_else(|| self.loaded.machine.name.clone(), |path| path.display().to_string());
         let text = TomlText::parse(&name, &self.machine_text)?.changed(&name, &changes)?;
         let folder = self.loaded.folder();
-        Ok(MachineFound { machine: machine_text(&name, text.text(), Path::new(folder))?, file })
+        Ok(MachineFound { machine: machine_text_from(&name, text.text(), Path::new(folder), &self.store)?, file })
     }
 }
 

@@ -16,6 +16,7 @@ mod run;
 mod summary;
 
 pub use draw::DrawResult;
+pub(crate) use draw::DrawTerms;
 pub use open::{Overrides, Study};
 pub use run::{StudyProgress, StudyRun};
 pub use summary::{

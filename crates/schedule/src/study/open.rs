@@ -1,16 +1,19 @@
 use super::figures::{Figure, Nominal};
-use crate::job_text::{JobText, Templates, folder_of, template};
+use crate::cluster::{Task, Work};
+use crate::job_text::{JobText, Templates, carry, folder_of, template};
 use crate::keys::Keys;
 use schemars::schema_for;
 use seamwright_document::{Document, DocumentError, Step, steps};
 use seamwright_machine::MachineFile;
 use seamwright_message::Message;
+use seamwright_project::FileStore;
 use seamwright_project::failure::Failure;
-use seamwright_project::files;
-use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::load::{Loaded, load_text_from};
 use seamwright_study::{MAX_DRAWS, Resolved, Sampler, StudyFile, Target};
 use seamwright_weld::Job;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Probabilities of the low and the high value of a quantity for the tornado chart.
 pub(crate) const SWING: [f64; 2] = [0.05, 0.95];
@@ -28,6 +31,9 @@ pub struct Study {
     pub(crate) nominal: Nominal,
     /// Hash of everything besides the drawn values that a plan depends on.
     pub(crate) hash: String,
+    /// Source of its files.
+    pub(crate) store: FileStore,
+    pub(crate) overrides: Overrides,
     sampler: Sampler,
     /// Draws for each combination of the sweeps' values.
     draws: u64,
@@ -61,15 +67,23 @@ impl Study {
     /// With file, line and key: those of [`StudyFile::read`]; keys and axes that job or machine do not have; an invalid
     /// job or machine; too many draws.
     pub fn open(path: &Path, overrides: Overrides) -> Result<Self, Failure> {
+        Self::open_from(path, overrides, FileStore::Disk)
+    }
+
+    /// The same with files of `store`.
+    ///
+    /// # Errors
+    /// As [`Study::open`].
+    pub(crate) fn open_from(path: &Path, overrides: Overrides, store: FileStore) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        let mut file = StudyFile::read(&name, &files::read(path)?)?;
+        let mut file = StudyFile::read(&name, &store.text(path)?)?;
         file.value.draws = overrides.draws.unwrap_or(file.value.draws);
         file.value.seed = overrides.seed.unwrap_or(file.value.seed);
-        let job = template(folder_of(path), &file.value.job).map_err(|why| {
+        let job = template(folder_of(path), &file.value.job, &store).map_err(|why| {
             let message = Message::new("study-job-unreadable").message("why", why.message());
             Failure::from(file.error_at("job", message, Message::new("study-job-or-example")))
         })?;
-        let loaded = load_text(&file.value.job, &job.text, &job.folder)?;
+        let loaded = load_text_from(&file.value.job, &job.text, &job.folder, &store)?;
         let machine_text = loaded.machine_text()?;
         let quantities = Sources::new(&job.text, &machine_text, &loaded).quantities(&file)?;
         let figures = Figure::all(&loaded.machine);
@@ -96,10 +110,27 @@ impl Study {
             figures,
             nominal,
             hash,
+            store,
+            overrides,
             sampler,
             draws,
             cells,
         })
+    }
+
+    /// Task of the workers of a cluster for its draws.
+    ///
+    /// # Errors
+    /// A file that has become unreadable.
+    pub(crate) fn task(&self, limit: Duration) -> Result<Task, Failure> {
+        let mut files = BTreeMap::new();
+        let job = folder_of(&self.path).join(&self.file.value.job);
+        for path in [Some(&self.path), Some(&job).filter(|job| job.is_file())].into_iter().flatten() {
+            carry(path, &mut files)?;
+        }
+        Templates::default().carry(std::slice::from_ref(&self.job), &mut files)?;
+        let Overrides { draws, seed } = self.overrides;
+        Ok(Task::new(Work::Study { path: self.path.clone(), draws, seed }, limit, files))
     }
 
     /// Number of draws, for all combinations of the sweeps' values together.

@@ -1,14 +1,18 @@
 use super::columns::write_rows;
-use super::draw::DrawResult;
+use super::draw::{DrawResult, DrawTerms};
 use super::open::Study;
 use super::report::page;
 use super::summary::{Nominals, StudySummary};
+use crate::cluster::{DrawPiece, DrawPlanned, Run, Spark, parsed, text};
 use crate::journal::Journal;
 use crate::threads::{in_threads, locked};
+use seamwright_message::Language;
 use seamwright_project::failure::Failure;
 use seamwright_project::files;
+use std::cell::Cell;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 /// Results of draws.
@@ -20,10 +24,14 @@ pub struct StudyRun<'a> {
     pub study: &'a Study,
     /// Folder for results.
     pub output: &'a Path,
-    /// Number of threads.
+    /// Number of threads, without a cluster.
     pub threads: usize,
+    /// Cluster whose workers plan the draws.
+    pub spark: Option<&'a Spark>,
     /// Time limit of the searches of a draw.
     pub limit: Duration,
+    /// Set to end it: what is done is kept.
+    pub cancel: Option<&'a AtomicBool>,
 }
 
 /// How far it has come.
@@ -75,25 +83,63 @@ impl StudyRun<'_> {
             counts.kept += u64::from(kept);
             progress(*counts);
         };
-        let work = |work: Work| {
-            journal.add(&work.hash, &self.study.plan(&work.values, self.limit))?;
-            count(false);
-            Ok(())
-        };
-        in_threads(self.threads, &work, |send| {
-            let special = self.special().into_iter();
-            for values in special.chain((0..self.study.rows()).map(|row| self.study.values(row))) {
-                let hash = self.study.hash_of(&values, self.limit);
-                if journal.has(&hash) {
-                    count(true);
-                } else if !send(Work { values, hash }) {
-                    break;
-                }
+        let terms = DrawTerms { limit: self.limit, cancel: self.cancel, language: Language::of_process() };
+        match self.spark {
+            None => {
+                let work = |Work { values, hash }: Work| {
+                    if self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
+                        return Err(Failure::Cancelled);
+                    }
+                    journal.add(&hash, &self.study.plan(&values, terms)?)?;
+                    count(false);
+                    Ok(())
+                };
+                in_threads(self.threads, &work, |send| self.each_open(journal, &count, &|work| Ok(send(work))))?;
             }
-            Ok(())
-        })?;
+            Some(spark) => {
+                let open = Cell::new(false);
+                self.each_open(journal, &|_| {}, &|_| {
+                    open.set(true);
+                    Ok(false)
+                })?;
+                if !open.get() {
+                    self.each_open(journal, &count, &|_| Ok(true))?;
+                    return Ok(locked(&counts).kept);
+                }
+                let task = self.study.task(self.limit)?;
+                let done = |result: &str| {
+                    let DrawPlanned { hash, result } = parsed(result)?;
+                    journal.add(&hash, &result)?;
+                    count(false);
+                    Ok(())
+                };
+                spark.plan(&Run { task: &task, cancel: self.cancel, done: &done }, |send| {
+                    let send = |Work { values, hash }: Work| Ok(send(text(&DrawPiece { hash, values })?));
+                    self.each_open(journal, &count, &send)
+                })?;
+            }
+        }
         let kept = locked(&counts).kept;
         Ok(kept)
+    }
+
+    /// Calls `send` with every draw that has no result yet, until it returns false. Other draws are counted.
+    fn each_open(
+        &self,
+        journal: &Draws,
+        count: &dyn Fn(bool),
+        send: &dyn Fn(Work) -> Result<bool, Failure>,
+    ) -> Result<(), Failure> {
+        let special = self.special().into_iter();
+        for values in special.chain((0..self.study.rows()).map(|row| self.study.values(row))) {
+            let hash = self.study.hash_of(&values, self.limit);
+            if journal.has(&hash) {
+                count(true);
+            } else if !send(Work { values, hash })? {
+                break;
+            }
+        }
+        Ok(())
     }
 
     /// Values of the nominal plan, and of those with one quantity at an end.
@@ -104,13 +150,13 @@ impl StudyRun<'_> {
 
     fn nominals(&self, journal: &Draws) -> Result<Nominals, Failure> {
         let mut results = self.special().into_iter().map(|values| self.result(journal, &values));
-        let nominal = results.next().unwrap_or_else(|| Ok(DrawResult::failed()))?;
+        let nominal = results.next().unwrap_or_else(|| Ok(DrawResult::failed(Language::of_process())))?;
         let ends = results.collect::<Result<Vec<_>, _>>()?;
         Ok(Nominals { nominal, ends })
     }
 
     fn result(&self, journal: &Draws, values: &[f64]) -> Result<DrawResult, Failure> {
         let found = journal.get(&self.study.hash_of(values, self.limit))?;
-        Ok(found.unwrap_or_else(DrawResult::failed))
+        Ok(found.unwrap_or_else(|| DrawResult::failed(Language::of_process())))
     }
 }

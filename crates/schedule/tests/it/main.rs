@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod cluster;
 mod study;
 
 use seamwright_project::load::load_text;
@@ -32,7 +33,15 @@ fn nozzles(count: usize, seed: u8) -> String {
 fn schedule(table: &Path, output: &Path, threads: usize) -> (Summary, Progress) {
     let (table, _) = Table::open(table).unwrap();
     let last = Mutex::new(Progress { done: 0, kept: 0 });
-    let schedule = Schedule { table: &table, output, threads, limit: Duration::from_secs(60), post: None };
+    let schedule = Schedule {
+        table: &table,
+        output,
+        threads,
+        spark: None,
+        limit: Duration::from_secs(60),
+        post: None,
+        cancel: None,
+    };
     let summary = schedule.run(&|progress| *last.lock().unwrap() = progress).unwrap();
     let progress = *last.lock().unwrap();
     (summary, progress)

@@ -20,7 +20,7 @@ fn study(folder: &Path, text: &str) -> Result<Study, String> {
 
 fn run(study: &Study, output: &Path, threads: usize) -> (StudySummary, StudyProgress) {
     let last = Mutex::new(StudyProgress { done: 0, kept: 0 });
-    let run = StudyRun { study, output, threads, limit: Duration::from_secs(60) };
+    let run = StudyRun { study, output, threads, spark: None, limit: Duration::from_secs(60), cancel: None };
     let (summary, files) = run.run(&|progress| *last.lock().unwrap() = progress).unwrap();
     assert!(files.iter().all(|file| file.is_file()));
     let progress = *last.lock().unwrap();

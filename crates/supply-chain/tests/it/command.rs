@@ -26,6 +26,18 @@ fn packages_of_this_repository_pass() {
 }
 
 #[test]
+fn notices_of_a_library_have_its_packages_and_their_texts() {
+    let (code, text) = run(&["--notices", "seamwright-python"]);
+    assert_eq!(code, Some(0), "{text}");
+    for part in ["\npyo3 ", "\nnumpy ", "\nparquet ", "Permission is hereby granted", "Redistribution and use"] {
+        assert!(text.contains(part), "{part}");
+    }
+    // The panel's server is in the command only.
+    assert!(!text.contains("\naxum "));
+    assert_eq!(run(&["--notices", "seamwright-none"]).0, Some(2));
+}
+
+#[test]
 fn a_package_under_another_licence_fails() {
     let folder = tempfile::tempdir().unwrap();
     let tree = folder.path().join("tree.txt");
