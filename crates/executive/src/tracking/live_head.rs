@@ -163,8 +163,7 @@ impl<'a> LiveHead<'a> {
                 // The reports are those of the last period, unless the torch lags: then it is where it is now.
                 let torch_mm = step.lag.torch_mm;
                 let lags = step.lag != Lag::none(step.s) && self.weaves;
-                let swing =
-                    if lags { swing_at(self.path, torch_mm, &(self.seam.frame)(torch_mm)) } else { self.swing };
+                let swing = if lags { swing_at(self.path, torch_mm, &(self.seam.frame)(torch_mm)) } else { self.swing };
                 let (correction, swing) = (self.off.yz(), swing.yz());
                 leading.cycle(left, step, frame, TorchOffset { correction, swing })
             }

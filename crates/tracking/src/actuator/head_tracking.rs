@@ -4,8 +4,8 @@ use super::preview::softened;
 use super::slide::Slide;
 use crate::lead::{Error, Estimate, Measurement, Moment, OwnCurve, Refusal, Settings, Sight, Tracker, Verdict};
 use glam::DVec2;
-use std::collections::VecDeque;
 use seamwright_message::{Message, named_enum};
+use std::collections::VecDeque;
 
 /// Fraction of a slide's speed and stroke that is used before the torch slows down with a warning.
 const RESERVE: f64 = 0.8;

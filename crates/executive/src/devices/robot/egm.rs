@@ -8,6 +8,9 @@ use super::protobuf::{Field, Fields, Value, put_bytes, put_double, put_varint};
 use super::protocol::{Hindrance, ProtocolError, RobotOrder, RobotProtocol, RobotReport, RobotState};
 use seamwright_machine::MAX_AXES;
 
+/// The program for the control, in RAPID.
+pub const RAPID: &str = include_str!("programs/abb.mod");
+
 /// Joints of a message: a control sends and takes six external ones, used or not.
 const MAX_JOINTS: usize = 16;
 /// Type of a message with set-points.

@@ -23,8 +23,10 @@ const MIN_BATCHES: usize = 4;
 const MIN_SPEED: f64 = 5e-3;
 /// Maximum latency, s.
 pub(super) const MAX_LATENCY_S: f64 = 0.25;
-/// Maximum change of the latency in a batch, s; a larger one restarts the average.
-const MAX_CHANGE_S: f64 = 0.005;
+/// Deviation of a batch from the estimate, s, beyond which the linearisation is poor, or the latency has changed.
+const FAR_S: f64 = 0.005;
+/// Number of batches in a row, far off to the same side, after which the latency has changed.
+const CHANGED: i32 = 3;
 
 /// A measured latency.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -47,6 +49,8 @@ pub(super) struct LatencyEstimate {
     speed_speed: f64,
     samples: u32,
     batches: ArrayVec<f64, BATCHES>,
+    /// Batches in a row that are far off; negative below.
+    far: i32,
     reports: u64,
 }
 
@@ -60,6 +64,7 @@ impl LatencyEstimate {
             speed_speed: 0.0,
             samples: 0,
             batches: ArrayVec::new(),
+            far: 0,
             reports: 0,
         }
     }
@@ -110,11 +115,16 @@ impl LatencyEstimate {
         let found = self.latency_s - self.speed_residual / self.speed_speed;
         let found = found.clamp(0.0, MAX_LATENCY_S);
         (self.speed_residual, self.speed_speed, self.samples) = (0.0, 0.0, 0);
-        if (found - self.latency_s).abs() > MAX_CHANGE_S {
-            // The linearisation was too far off: go there, and measure again.
+        let off_s = found - self.latency_s;
+        self.far = match () {
+            () if off_s > FAR_S => self.far.max(0) + 1,
+            () if off_s < -FAR_S => self.far.min(0) - 1,
+            () => 0,
+        };
+        if self.far.abs() >= CHANGED || (self.far != 0 && self.batches.is_empty()) {
+            // Go there, and measure again.
             self.batches.clear();
-            self.reports = 0;
-            self.latency_s = found;
+            (self.far, self.reports, self.latency_s) = (0, 0, found);
             return;
         }
         if self.batches.is_full() {

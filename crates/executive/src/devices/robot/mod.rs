@@ -35,10 +35,10 @@ mod rtde;
 mod session;
 mod socket;
 
-pub use egm::Egm;
+pub use egm::{Egm, RAPID};
 pub use latency_estimate::MeasuredLatency;
 pub use protocol::{Hindrance, ProtocolError, RobotOrder, RobotProtocol, RobotReport, RobotState};
-pub use rsi::Rsi;
+pub use rsi::{KRL, Rsi};
 pub use rtde::{Rtde, URSCRIPT};
 pub use session::{CycleOrder, RobotShown, Session};
 

@@ -122,27 +122,27 @@ impl Playback {
         }
         // The next set-point is due a period after the last one; later it is not expected any more.
         let head = self.newest as f64 + ((t_s - self.arrived_s) / self.period_s).clamp(-self.level, 1.0);
-        let excess = head - self.place - self.level;
-        self.is_filling &= excess < 0.0;
         let goal = head - self.level;
         let rests_between = |place: f64| self.resting as f64 > self.newest as f64 - place.floor();
+        self.is_filling &= self.place > goal;
         if self.is_filling {
             // The first set-points rest.
         } else if rests_between(self.place.min(goal)) && goal >= self.oldest as f64 {
             // All positions between here and there are equal.
             (self.place, self.rate) = (goal, 1.0);
         } else {
-            let wanted = 1.0 + (GAIN * excess).clamp(-MAX_RATE_CHANGE, MAX_RATE_CHANGE);
+            self.place += self.rate * step_s / self.period_s;
+            let wanted = 1.0 + (GAIN * (goal - self.place)).clamp(-MAX_RATE_CHANGE, MAX_RATE_CHANGE);
             let slew = MAX_RATE_SLEW * step_s;
             self.rate += (wanted - self.rate).clamp(-slew, slew);
-            self.place += self.rate * step_s / self.period_s;
         }
-        let newest = self.newest as f64;
-        if self.place > newest {
-            self.place = newest;
+        let beyond = self.place - self.newest as f64;
+        if beyond > 0.0 {
+            self.place = self.newest as f64;
             if self.resting == 0 {
-                self.brakes_since_s = Some(t_s);
-                return self.brake(0.0);
+                let beyond_s = beyond * self.period_s / self.rate;
+                self.brakes_since_s = Some(t_s - beyond_s);
+                return self.brake(beyond_s);
             }
         }
         Sampled::OnPath(self.at(self.place).map_or([0.0; MAX_AXES], |played| played.positions), self.place)

@@ -10,7 +10,7 @@ use super::protocol::{Hindrance, ProtocolError, RobotOrder, RobotProtocol, Robot
 use seamwright_machine::MAX_AXES;
 
 /// The program for the control, in URScript.
-pub const URSCRIPT: &str = include_str!("seamwright.script");
+pub const URSCRIPT: &str = include_str!("programs/universal_robots.script");
 /// Version of the registers' meaning, which the program confirms.
 const PROGRAM_VERSION: i32 = 1;
 
