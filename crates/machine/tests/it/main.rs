@@ -12,6 +12,7 @@ mod kinematics;
 mod linuxcnc;
 mod pitch_error;
 mod random_chains;
+mod robot;
 mod round_trip;
 mod seven_axes;
 mod steps;

@@ -17,8 +17,9 @@ pub struct Servo {
 
 impl Servo {
     /// `servoj` of a Universal Robots arm with its shortest look-ahead: 34 ms from the set-point to the report, as users
-    /// measured it (Universal_Robots_Client_Library, issue 86), most of it as dead time.
-    pub const UNIVERSAL_ROBOTS: Self = Self { delay_s: 0.024, lag_s: 0.01 };
+    /// measured it (Universal_Robots_Client_Library, number 86 of its discussions). A period of 2 ms until the program
+    /// reads a set-point, and half of one for which it holds, are part of it.
+    pub const UNIVERSAL_ROBOTS: Self = Self { delay_s: 0.021, lag_s: 0.01 };
 }
 
 /// The joints of a simulated arm.

@@ -21,6 +21,7 @@ pub struct RtdeControl {
     ints: [i32; 2],
     doubles: [f64; JOINTS],
     changed_s: f64,
+    watchdog_s: f64,
     program_runs: bool,
     follows: bool,
 }
@@ -41,9 +42,17 @@ impl RtdeControl {
             ints: [0; 2],
             doubles: [0.0; JOINTS],
             changed_s: 0.0,
+            watchdog_s: WATCHDOG_S,
             program_runs: true,
             follows: false,
         }
+    }
+
+    /// Lengthens the watchdog of the program to `watchdog_s`, for a computer without real-time rights.
+    #[must_use]
+    pub fn patient(mut self, watchdog_s: f64) -> Self {
+        self.watchdog_s = watchdog_s;
+        self
     }
 
     /// Starts the program again, as at the pendant.
@@ -171,7 +180,7 @@ impl RtdeControl {
     /// Runs a period of the program.
     fn run_program(&mut self, t_s: f64) {
         let hindered = self.safety_mode() != 1 || self.disturbances.motors_off || self.disturbances.program_stopped;
-        if hindered || t_s - self.changed_s > WATCHDOG_S {
+        if hindered || t_s - self.changed_s > self.watchdog_s {
             self.program_runs &= !hindered && !self.follows;
         }
         if !self.program_runs {

@@ -79,11 +79,13 @@ pub(crate) struct Run<'a> {
     truth: Vec<Joints>,
     pub(crate) worst_error: f64,
     lags: Vec<f64>,
+    /// The cell may come into the mode fault.
+    may_fail: bool,
 }
 
 impl<'a> Run<'a> {
     pub(crate) fn new(lines: Vec<(When<'a>, Ask)>) -> Self {
-        Self { script: Script::new(lines), truth: vec![], worst_error: 0.0, lags: vec![] }
+        Self { script: Script::new(lines), truth: vec![], worst_error: 0.0, lags: vec![], may_fail: false }
     }
 }
 
@@ -95,6 +97,7 @@ impl Port for Run<'_> {
     fn show(&mut self, cycle: &Cycle<'_>) {
         self.script.show(cycle);
         let drives = &cycle.reports.drives;
+        assert!(self.may_fail || cycle.mode != Mode::Fault, "{:?} {drives:?}", self.script.notes);
         self.truth.extend(cycle.reports.truth);
         self.worst_error = drives.following_error.iter().fold(self.worst_error, |worst, e| worst.max(e.abs()));
         self.lags.push(drives.lag_s);
@@ -143,10 +146,11 @@ fn play<'a, C: SimulatedControl>(
     lines: Vec<(When<'a>, Ask)>,
 ) -> (Run<'a>, Option<Place>, Option<MeasuredLatency>) {
     let machine = &planned.machine;
+    let may_fail = !at.is_empty();
     let drives = Disturbed { robot, at, period_s: machine.servo_period_s, cycles: 0 };
     let source = SimulatedSource::new(1, machine.servo_period_s);
     let mut devices = DeviceSet { drives, source, inputs: SimulatedInputs::all_met(machine) };
-    let mut run = Run::new(lines);
+    let mut run = Run { may_fail, ..Run::new(lines) };
     let passes: Vec<&Pass> = planned.welding.program.value.passes.iter().collect();
     let start = Start::at_home(&planned.motion);
     let work = seamwright_executive::Work::new(machine, None, &passes, &planned.motion, start).unwrap();
@@ -185,8 +189,8 @@ fn is_whole(run: &Run<'_>, left: Option<Place>, latency: Option<MeasuredLatency>
     );
     assert!((latency.mean_s - true_s).abs() < slack_s, "{latency:?}");
     assert!(latency.sigma_s < 1e-3, "{latency:?}");
-    // The set-point that a report shows is known to a hundredth of a degree, on the way home at full speed too.
-    assert!(run.worst_error < 0.01, "{}", run.worst_error);
+    // Until the latency is measured, it is that of the machine file; axes move at up to 2 rad/s then.
+    assert!(run.worst_error < 0.03, "{}", run.worst_error);
 }
 
 /// RTDE at 500 and at 125 Hz: the latency is that of the arm, plus half the hold of a set-point.
@@ -196,7 +200,7 @@ fn a_weld_over_rtde() {
         let planned = Planned::new(&job(WEAVE), &format!("{RTDE}{key}"), 0.0);
         let control = RtdeControl::new(rate_hz, Servo::UNIVERSAL_ROBOTS, home(false));
         let (run, left, latency) = play(&planned, planned.robot(control), vec![], whole_weld());
-        is_whole(&run, left, latency, 0.034 + 0.5 / rate_hz, 0.004);
+        is_whole(&run, left, latency, 0.031 + 1.5 / rate_hz, 0.002);
     }
 }
 
@@ -229,8 +233,7 @@ fn a_protective_stop() {
     lines.extend(weld());
     lines.push((Box::new(|c| c.mode == Mode::Fault && c.t > 14.0), Ask::Acknowledge));
     lines.push((in_mode(Mode::Fault), Ask::Reset));
-    lines.extend([(in_mode(Mode::Idle), Ask::SwitchOff), (in_mode(Mode::Off), Ask::Quit)]);
-    let lines = lines.into_iter().map(|(when, ask)| -> (When<'_>, Ask) { (when, ask) }).collect();
+    lines.push((in_mode(Mode::Off), Ask::Quit));
     let (run, _, _) = play(&planned, planned.robot(control), vec![(9.0, stop), (12.0, Disturbances::default())], lines);
     let alarms: Vec<Alarm> =
         run.script.notes.iter().filter_map(|n| if let Note::Alarm(r) = n { Some(r.alarm) } else { None }).collect();
@@ -250,11 +253,16 @@ fn a_protective_stop() {
 #[test]
 fn a_lag_of_34_ms_is_removed_from_tracking() {
     let wander = "schema = 1\n[[displacement]]\nwave = { length_mm = 40, by = { lateral_mm = 0.8 } }\n";
-    let [known, hidden] = [false, true].map(|hides| tracked(wander, hides));
-    println!("99 % of lateral errors with the lag {:.3} mm, without it {:.3} mm", known.p99_mm, hidden.p99_mm);
-    assert!(known.alarms.is_empty(), "{:?}", known.alarms);
-    assert!(known.p99_mm < 0.12, "{}", known.p99_mm);
-    assert!(hidden.p99_mm > 3.0 * known.p99_mm || hidden.stopped, "{} {}", hidden.p99_mm, hidden.stopped);
+    for (name, weave) in [("woven", WEAVE), ("plain", "")] {
+        let [known, hidden] = [false, true].map(|hides| tracked(weave, wander, hides));
+        println!(
+            "{name}: 99 % of lateral errors {:.3} mm with the lag, {:.3} mm without it; {:?}",
+            known.p99_mm, hidden.p99_mm, hidden.alarms
+        );
+        assert!(known.alarms.is_empty() && !known.stopped, "{name}: {:?}", known.alarms);
+        assert!(known.p99_mm < 0.08, "{name}: {}", known.p99_mm);
+        assert!(hidden.stopped || hidden.p99_mm > 2.0 * known.p99_mm, "{name}: {} {}", hidden.p99_mm, known.p99_mm);
+    }
 }
 
 struct TrackedWeld {
@@ -309,8 +317,8 @@ fn with_sensor(job: &str) -> (String, Planned) {
     panic!("no direction leads");
 }
 
-fn tracked(distortion: &str, hides: bool) -> TrackedWeld {
-    let (_, planned) = with_sensor(&job(WEAVE));
+fn tracked(weave: &str, distortion: &str, hides: bool) -> TrackedWeld {
+    let (_, planned) = with_sensor(&job(weave));
     let (machine, motion) = (&planned.machine, &planned.motion);
     let path = planned.welding.path(0);
     let pass = &planned.welding.program.value.passes[0];

@@ -3,8 +3,7 @@
 use crate::robot_looped::{EGM, Planned, RSI, RTDE, Run, arm, home, job, whole_weld};
 use seamwright_executive::devices::robot::{Hindrance, ProtocolError, RobotDrives, RobotFault};
 use seamwright_executive::devices::{DeviceSet, Drives as _, TrafficView};
-use seamwright_executive::realtime::Paced;
-use seamwright_executive::realtime::Pacer;
+use seamwright_executive::realtime::{Paced, Pacer, RealtimeRights};
 use seamwright_executive::{DriveReport, Executive, Mode, Note, Orders, Start, Work};
 use seamwright_machine::Machine;
 use seamwright_program::Pass;
@@ -24,21 +23,47 @@ fn free_port() -> SocketAddr {
     UdpSocket::bind("127.0.0.1:0").unwrap().local_addr().unwrap()
 }
 
-/// Starts a simulated control of `protocol`; returns it with the lines of a machine file that connect it.
-fn control(protocol: &str) -> (ControlServer, String) {
-    if protocol == "rtde" {
-        let server = ControlServer::tcp(RtdeControl::new(500.0, SERVO, home(false)), "127.0.0.1:0").unwrap();
-        let lines = format!("[devices.arm.rtde]\naddress = \"{}\"\nstore = 60\n", server.address());
-        return (server, lines);
+/// A simulated control that is started later, and the lines of a machine file that connect it.
+struct Control {
+    protocol: &'static str,
+    lines: String,
+    address: SocketAddr,
+}
+
+impl Control {
+    fn new(protocol: &'static str) -> Self {
+        // Long enough for a busy computer.
+        const STORE: u32 = 150;
+        let address = if protocol == "rtde" {
+            TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap()
+        } else {
+            free_port()
+        };
+        let lines = if protocol == "rtde" {
+            format!("[devices.arm.rtde]\naddress = \"{address}\"\nstore = {STORE}\n")
+        } else {
+            format!("[devices.arm.{protocol}]\nlisten = \"{address}\"\nfrom = \"127.0.0.1\"\nstore = {STORE}\n")
+        };
+        Self { protocol, lines, address }
     }
-    let to = free_port();
-    let lines = format!("[devices.arm.{protocol}]\nlisten = \"{to}\"\nfrom = \"127.0.0.1\"\nstore = 60\n");
-    let positions = home(true);
-    let server = match protocol {
-        "egm" => ControlServer::udp(EgmControl::new(6, 0, SERVO, positions), to),
-        _ => ControlServer::udp(RsiControl::new(0, 0.004, SERVO, positions), to),
-    };
-    (server.unwrap(), lines)
+
+    fn start(&self) -> ControlServer {
+        let server = match self.protocol {
+            "rtde" => {
+                let control = RtdeControl::new(500.0, SERVO, home(false)).patient(0.5);
+                ControlServer::tcp(control, &self.address.to_string())
+            }
+            "egm" => ControlServer::udp(EgmControl::new(6, 0, SERVO, home(true)), self.address),
+            _ => ControlServer::udp(RsiControl::new(0, 0.004, SERVO, home(true)), self.address),
+        };
+        server.unwrap()
+    }
+}
+
+/// Starts a simulated control of `protocol`; returns it with the lines of a machine file that connect it.
+fn control(protocol: &'static str) -> (ControlServer, String) {
+    let control = Control::new(protocol);
+    (control.start(), control.lines)
 }
 
 /// Drives with orders and reports, cycle by cycle in real time.
@@ -53,6 +78,7 @@ struct Bench {
 
 impl Bench {
     fn new(machine: &Machine) -> Self {
+        RealtimeRights::ask(None);
         let device = machine.devices.robot.as_ref().unwrap();
         let (drives, traffic) = RobotDrives::connect(machine, device).unwrap_or_else(|e| panic!("{e}"));
         let period_s = machine.servo_period_s;
@@ -180,12 +206,9 @@ fn nothing_starts_again_by_itself() {
         if protocol != "rsi" {
             server.disturb(Disturbances { emergency_stop: true, ..Disturbances::default() });
             bench.within(1.0, "stop", |r| !r.powered);
-            let trouble = bench.traffic.get();
-            std::thread::sleep(Duration::from_millis(150));
-            bench.cycle();
             let expected = if protocol == "rtde" { Hindrance::EmergencyStop } else { Hindrance::MotorsOff };
-            std::thread::sleep(Duration::from_millis(150));
-            assert_eq!(bench.traffic.get().trouble, Some(expected.message()), "{protocol}: {trouble:?}");
+            std::thread::sleep(Duration::from_millis(300));
+            assert_eq!(bench.traffic.get().trouble, Some(expected.message()), "{protocol}");
         }
     }
 }
@@ -194,7 +217,7 @@ fn nothing_starts_again_by_itself() {
 #[test]
 fn missing_and_wild_set_points() {
     let (server, lines) = control("rtde");
-    let mut bench = Bench::new(&arm(&lines.replace("store = 60", "store = 20")));
+    let mut bench = Bench::new(&arm(&lines.replace("store = 150", "store = 20")));
     bench.power();
     let from = bench.orders.set[0].position;
     // At speed, then no cycle for longer than the store lasts.
@@ -225,9 +248,12 @@ fn missing_and_wild_set_points() {
 }
 
 /// A weld with a hold and overrides by the executive, paced in real time, over each protocol.
-fn weld_over(protocol: &str) {
-    let (server, lines) = control(protocol);
-    let planned = Planned::new(&job("").replace("[-30, 0, 0], [30, 0, 0]", "[-20, 0, 0], [20, 0, 0]"), &lines, 0.0);
+fn weld_over(protocol: &'static str) {
+    let control = Control::new(protocol);
+    let lines = &control.lines;
+    let planned = Planned::new(&job("").replace("[-30, 0, 0], [30, 0, 0]", "[-20, 0, 0], [20, 0, 0]"), lines, 0.0);
+    let server = control.start();
+    RealtimeRights::ask(None);
     let machine = &planned.machine;
     let device = machine.devices.robot.as_ref().unwrap();
     let (drives, traffic) = RobotDrives::connect(machine, device).unwrap_or_else(|e| panic!("{e}"));

@@ -18,6 +18,8 @@ use triple_buffer::Input;
 const FIRST_S: f64 = 3.0;
 /// Time without a report after which the connection counts as lost, s: the executive has reacted long before.
 const SILENT_S: f64 = 0.5;
+/// Maximum time of a handshake on a new connection, s.
+const HANDSHAKE_S: f64 = 1.0;
 /// Pause between attempts to connect.
 const AGAIN: Duration = Duration::from_millis(500);
 /// Maximum time in which the robot confirms its stop at the end, s.
@@ -180,9 +182,13 @@ impl Client {
         RealtimeRights::ask_below_cycle();
         while !self.ends.ended.load(Ordering::Acquire) {
             let fault = match self.receive() {
-                Ok(()) if !self.is_connected => None,
-                Ok(()) if self.now_s() - self.counts.last_s > SILENT_S => Some(RobotFault::NoReports),
-                Ok(()) => None,
+                Ok(()) => {
+                    // A control that sends by itself is waited for.
+                    let waits = !self.is_connected && !self.socket.is_stream();
+                    let limit_s = if self.is_connected { SILENT_S } else { HANDSHAKE_S };
+                    let is_silent = !waits && self.now_s() - self.counts.last_s > limit_s;
+                    is_silent.then_some(RobotFault::NoReports)
+                }
                 Err(fault) => Some(fault),
             };
             if let Some(fault) = fault {
@@ -192,7 +198,7 @@ impl Client {
         self.end();
     }
 
-    /// Gives the connection up, and tries once to make it anew. A control that sends by itself is waited for.
+    /// Gives the connection up, and tries once to make it anew.
     fn reconnect(&mut self, fault: &RobotFault) {
         if self.is_connected {
             self.is_connected = false;
