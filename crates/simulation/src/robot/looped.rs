@@ -19,7 +19,7 @@ pub struct LoopedRobot<C> {
     /// Time of the next report, s.
     next_s: f64,
     truth: Joints,
-    /// Reports have no lag, as if the latency were unknown.
+    /// Reports are as if the torch were at its set-point.
     hides_lag: bool,
 }
 
@@ -55,7 +55,8 @@ impl<C: SimulatedControl> LoopedRobot<C> {
         robot
     }
 
-    /// Hides the lag of reports, to show what it is worth.
+    /// Reports positions as old as the set-point that they show: the torch then seems to be at its set-point. Shows what
+    /// it is worth to know the lag.
     #[must_use]
     pub fn without_lag(mut self) -> Self {
         self.hides_lag = true;
@@ -108,7 +109,10 @@ impl<C: SimulatedControl> Drives for LoopedRobot<C> {
         shown.report(self.axes, report);
         report.age_s = shown.read_s.map_or(f64::INFINITY, |read_s| (ends_s - read_s).max(0.0));
         let lag_s = shown.place.map_or(0.0, |place| (self.number as f64 - place) * self.cycle_s);
-        report.lag_s = if self.hides_lag { 0.0 } else { lag_s.max(0.0) };
+        report.lag_s = lag_s.max(0.0);
+        if self.hides_lag {
+            report.age_s = report.lag_s;
+        }
         for (joint, (axis, factor)) in self.joints.iter().enumerate() {
             self.truth[*axis] = self.control.arm().positions()[joint] * factor;
         }

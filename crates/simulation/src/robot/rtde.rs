@@ -114,7 +114,9 @@ impl RtdeControl {
 
     fn answer(&mut self, kind: u8, body: &[u8], t_s: f64, out: &mut Vec<Vec<u8>>) {
         let text = |from: usize| String::from_utf8_lossy(body.get(from..).unwrap_or_default()).into_owned();
-        let split = |names: &str| names.split(',').map(str::to_owned).collect::<Vec<_>>();
+        // A comma may follow the last name.
+        let split =
+            |names: &str| names.split(',').filter(|name| !name.is_empty()).map(str::to_owned).collect::<Vec<_>>();
         match kind {
             b'V' => out.push(message(b'V', &[u8::from(body == [0, 2] && !self.disturbances.old_version)])),
             b'v' => out.push(message(b'v', &[0, 0, 0, 5, 0, 0, 0, 12, 0, 0, 0, 0, 0, 0, 0, 0])),

@@ -1,6 +1,7 @@
 use super::{Disturbances, JointPositions, SimulatedControl};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng as _, SeedableRng as _};
+use seamwright_executive::realtime::RealtimeRights;
 use std::io::{ErrorKind, Read as _, Write as _};
 use std::net::{SocketAddr, TcpListener, TcpStream, UdpSocket};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -125,6 +126,8 @@ impl Drop for ControlServer {
 }
 
 fn run(mut line: Line, shared: &Mutex<Shared>, ends: &AtomicBool) {
+    // A control is never late; without the right this one is as late as any program.
+    RealtimeRights::ask(None);
     let begun = Instant::now();
     let mut random = Pcg64Mcg::seed_from_u64(1);
     let mut held: Option<Vec<u8>> = None;

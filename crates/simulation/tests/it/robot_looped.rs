@@ -161,15 +161,16 @@ fn play<'a, C: SimulatedControl>(
     (run, left, devices.drives.robot.latency())
 }
 
-pub(crate) fn whole_weld<'a>() -> Vec<(When<'a>, Ask)> {
+/// From off to off by a weld with overrides and a hold, on a seam of 6 times `part_mm`.
+pub(crate) fn whole_weld<'a>(part_mm: f64) -> Vec<(When<'a>, Ask)> {
     let mut lines = up();
     lines.push((in_mode(Mode::Ready), Ask::Override(1.0)));
     lines.extend(weld());
-    lines.push((at(10.0), Ask::Override(0.6)));
-    lines.push((at(20.0), Ask::Hold));
+    lines.push((at(part_mm), Ask::Override(0.6)));
+    lines.push((at(2.0 * part_mm), Ask::Hold));
     lines.push((held(), Ask::Arm));
     lines.push((held(), Ask::Resume));
-    lines.push((at(30.0), Ask::Override(1.0)));
+    lines.push((at(3.0 * part_mm), Ask::Override(1.0)));
     lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 5.0), Ask::Override(1.0)));
     lines.extend(down());
     lines
@@ -199,7 +200,7 @@ fn a_weld_over_rtde() {
     for (rate_hz, key) in [(500.0, ""), (125.0, "rate_hz = 125\n")] {
         let planned = Planned::new(&job(WEAVE), &format!("{RTDE}{key}"), 0.0);
         let control = RtdeControl::new(rate_hz, Servo::UNIVERSAL_ROBOTS, home(false));
-        let (run, left, latency) = play(&planned, planned.robot(control), vec![], whole_weld());
+        let (run, left, latency) = play(&planned, planned.robot(control), vec![], whole_weld(10.0));
         is_whole(&run, left, latency, 0.031 + 1.5 / rate_hz, 0.002);
     }
 }
@@ -208,7 +209,7 @@ fn a_weld_over_rtde() {
 fn a_weld_over_egm() {
     let planned = Planned::new(&job(WEAVE), EGM, 0.0);
     let control = EgmControl::new(6, 0, Servo { delay_s: 0.008, lag_s: 0.012 }, home(true));
-    let (run, left, latency) = play(&planned, planned.robot(control), vec![], whole_weld());
+    let (run, left, latency) = play(&planned, planned.robot(control), vec![], whole_weld(10.0));
     is_whole(&run, left, latency, 0.022, 0.004);
 }
 
@@ -217,7 +218,7 @@ fn a_weld_over_rsi() {
     for (period_s, key) in [(0.004, ""), (0.012, "cycle_ms = 12\n")] {
         let planned = Planned::new(&job(WEAVE), &format!("{RSI}{key}"), 0.0);
         let control = RsiControl::new(0, period_s, Servo { delay_s: 0.0, lag_s: 0.01 }, home(true));
-        let (run, left, latency) = play(&planned, planned.robot(control), vec![], whole_weld());
+        let (run, left, latency) = play(&planned, planned.robot(control), vec![], whole_weld(10.0));
         is_whole(&run, left, latency, 0.01 + 0.5 * period_s, 0.004);
     }
 }
@@ -248,20 +249,28 @@ fn a_protective_stop() {
     assert!(stands.iter().all(|q| *q == stands[0]), "the arm stands");
 }
 
-/// Tracked welds, woven, with an arm that lags by 34 ms: the torch is in the joint if the lag is known, and is not if
-/// it is hidden. The joint wanders by 1.5 mm.
+/// Tracked welds with an arm that lags by 34 ms, and a store of 10 ms: the torch is in the joint if the lag is known. If
+/// the torch counts as being at its set-point, the weave gets into the measurements.
 #[test]
 fn a_lag_of_34_ms_is_removed_from_tracking() {
-    let wander = "schema = 1\n[[displacement]]\nwave = { length_mm = 40, by = { lateral_mm = 0.8 } }\n";
-    for (name, weave) in [("woven", WEAVE), ("plain", "")] {
-        let [known, hidden] = [false, true].map(|hides| tracked(weave, wander, hides));
+    let wander = "wave = { length_mm = 40, by = { lateral_mm = 0.8 } }";
+    let drift = "ramp = { from_mm = 10, to_mm = 50, by = { lateral_mm = 1.5 } }";
+    let wave = |s: f64| 0.8 * (std::f64::consts::TAU * s / 40.0).sin();
+    let ramp = |s: f64| 1.5 * ((s - 10.0) / 40.0).clamp(0.0, 1.0);
+    let narrow = WEAVE.replace("width_mm = 6", "width_mm = 1").replace("frequency_hz = 1.5", "frequency_hz = 0.9");
+    let cases: [(&str, &str, &str, &dyn Fn(f64) -> f64); 3] =
+        [("wide", WEAVE, wander, &wave), ("narrow", &narrow, drift, &ramp), ("none", "", drift, &ramp)];
+    for (name, weave, joint, true_mm) in cases {
+        let distortion = format!("schema = 1\n[[displacement]]\n{joint}\n");
+        let [known, hidden] = [false, true].map(|hides| tracked(weave, &distortion, true_mm, hides));
         println!(
-            "{name}: 99 % of lateral errors {:.3} mm with the lag, {:.3} mm without it; {:?}",
+            "weave {name}: 99 % of lateral errors {:.3} mm with the lag, {:.3} mm without; {:?}",
             known.p99_mm, hidden.p99_mm, hidden.alarms
         );
         assert!(known.alarms.is_empty() && !known.stopped, "{name}: {:?}", known.alarms);
         assert!(known.p99_mm < 0.08, "{name}: {}", known.p99_mm);
-        assert!(hidden.stopped || hidden.p99_mm > 2.0 * known.p99_mm, "{name}: {} {}", hidden.p99_mm, known.p99_mm);
+        let is_worse = hidden.stopped || hidden.p99_mm > 1.5 * known.p99_mm;
+        assert!(is_worse || weave.is_empty(), "{name}: {} {}", hidden.p99_mm, known.p99_mm);
     }
 }
 
@@ -317,7 +326,7 @@ fn with_sensor(job: &str) -> (String, Planned) {
     panic!("no direction leads");
 }
 
-fn tracked(weave: &str, distortion: &str, hides: bool) -> TrackedWeld {
+fn tracked(weave: &str, distortion: &str, true_mm: &dyn Fn(f64) -> f64, hides: bool) -> TrackedWeld {
     let (_, planned) = with_sensor(&job(weave));
     let (machine, motion) = (&planned.machine, &planned.motion);
     let path = planned.welding.path(0);
@@ -343,7 +352,7 @@ fn tracked(weave: &str, distortion: &str, hides: bool) -> TrackedWeld {
     let guide = tracking.as_mut().map(|tracking| tracking as _);
     Executive::new(machine, &mut devices, &mut watch).with_guide(guide).serve(Some(&work));
     let samples = std::mem::take(&mut watch.samples);
-    // The joint's displacement is the wave of the file; the torch is where the arm is, not its set-point.
+    // The torch is where the arm is, not its set-point.
     let seam = Seam::along(&path);
     let mut errors = Vec::new();
     let mut last_mm = 0.0;
@@ -356,8 +365,7 @@ fn tracked(weave: &str, distortion: &str, hides: bool) -> TrackedWeld {
         }
         let frame = (seam.frame)(s);
         let off: DVec3 = frame.components(tip - frame.point) - swing_at(&path, s, &frame);
-        let joint = 0.8 * (std::f64::consts::TAU * s / 40.0).sin();
-        errors.push((off.yz().x - joint).abs());
+        errors.push((off.yz().x - true_mm(s)).abs());
         last_mm = s;
     }
     errors.sort_by(f64::total_cmp);

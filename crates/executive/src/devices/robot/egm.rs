@@ -13,6 +13,8 @@ pub const RAPID: &str = include_str!("programs/abb.mod");
 
 /// Joints of a message: a control sends and takes six external ones, used or not.
 const MAX_JOINTS: usize = 16;
+/// Maximum number of datagrams by which one is overtaken: a second.
+const MAX_OVERTAKEN: u64 = 250;
 /// Type of a message with set-points.
 const CORRECTION: u64 = 3;
 /// States.
@@ -30,8 +32,8 @@ pub struct Egm {
     /// Linear joints, by joint.
     linear: [bool; MAX_AXES],
     datagram: Vec<u8>,
-    /// Number of the last report.
-    last: Option<u64>,
+    /// Number and time of the last report, s.
+    last: Option<(u64, f64)>,
 }
 
 impl Egm {
@@ -43,14 +45,15 @@ impl Egm {
 
     fn report(&mut self, bytes: &[u8]) -> Result<Option<RobotReport>, ProtocolError> {
         let robot = Robot::read(bytes)?;
-        // A datagram that was overtaken or doubled. A number that is far back is a new session.
-        let back = self.last.map(|last| last.saturating_sub(robot.number));
-        let is_old = self.last.is_some_and(|last| robot.number <= last) && back.is_some_and(|back| back < 1000);
-        if is_old {
-            return Ok(None);
+        // A datagram that was overtaken or doubled is older by the control's clock. A new session counts from the start.
+        if let Some((number, clock_s)) = self.last {
+            let is_old = robot.number <= number && robot.clock_s <= clock_s;
+            if is_old && number - robot.number < MAX_OVERTAKEN {
+                return Ok(None);
+            }
         }
-        let begins = self.last.is_some_and(|last| robot.number < last);
-        self.last = Some(robot.number);
+        let begins = self.last.is_some_and(|(number, _)| robot.number <= number);
+        self.last = Some((robot.number, robot.clock_s));
         let external = self.joints - self.arm;
         let reported = (robot.arm.1, robot.external.1);
         if reported.0 != self.arm || reported.1 < external {

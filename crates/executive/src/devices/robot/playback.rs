@@ -124,9 +124,13 @@ impl Playback {
         let head = self.newest as f64 + ((t_s - self.arrived_s) / self.period_s).clamp(-self.level, 1.0);
         let goal = head - self.level;
         let rests_between = |place: f64| self.resting as f64 > self.newest as f64 - place.floor();
+        let was_filling = self.is_filling;
         self.is_filling &= self.place > goal;
         if self.is_filling {
             // The first set-points rest.
+        } else if was_filling {
+            // The store was full at some time since the last step.
+            self.place = goal.min(self.newest as f64);
         } else if rests_between(self.place.min(goal)) && goal >= self.oldest as f64 {
             // All positions between here and there are equal.
             (self.place, self.rate) = (goal, 1.0);
@@ -243,6 +247,33 @@ mod tests {
                     }
                 }
                 assert!(worst < 1e-6, "{control_s} {level}: {worst}");
+            }
+        }
+    }
+
+    /// Motion that begins while the store fills: the path is late by the store, or a little more, and never leaps.
+    #[test]
+    fn a_store_that_fills_under_way() {
+        for control_s in [2e-3, 4e-3, 12e-3] {
+            let mut playback = playback(5);
+            for k in 1..1000u64 {
+                // At rest until the store is started; then it moves at once.
+                let now_s = T * k as f64;
+                playback.take(k, &sets(now_s - 0.1), now_s);
+                if k == 99 {
+                    playback.forget();
+                    playback.restart(now_s);
+                }
+                let ticks = (now_s / control_s).round();
+                if k > 100 && (now_s - ticks * control_s).abs() < 1e-9 {
+                    match playback.sample(now_s, 0.03) {
+                        Sampled::OnPath(_, place) => {
+                            let late = k as f64 - place;
+                            assert!((4.9..6.0).contains(&late) || place <= 100.0, "{control_s} {k}: {late}");
+                        }
+                        other => panic!("{control_s} {k}: {other:?}"),
+                    }
+                }
             }
         }
     }
