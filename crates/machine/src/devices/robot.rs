@@ -51,7 +51,7 @@ pub enum RobotProtocolKind {
     Rsi(Listening),
 }
 
-/// Where a control's packets arrive.
+/// Address at which a control's packets arrive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Listening {
     /// Our address and UDP port.

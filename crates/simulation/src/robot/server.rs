@@ -212,7 +212,7 @@ impl Line {
         }
     }
 
-    /// Sends a message; what nobody takes is lost.
+    /// Sends a message; it is lost without a client.
     fn send(&mut self, message: &[u8]) {
         match self {
             Self::Tcp { client: Some(stream), .. } => drop(stream.write_all(message)),

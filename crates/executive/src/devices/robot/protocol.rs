@@ -1,4 +1,4 @@
-//! What the protocols of robot controls have in common.
+//! Common parts of the protocols of robot controls.
 
 use seamwright_machine::Joints;
 use seamwright_message::Message;

@@ -9,7 +9,7 @@ use super::protocol::{ProtocolError, RobotOrder, RobotProtocol, RobotReport, Rob
 use seamwright_machine::{Joints, MAX_AXES};
 use std::io::Write as _;
 
-/// What the control needs: its configuration, and the program in KRL.
+/// The configuration of the control, and its program in KRL.
 pub const KRL: &str = include_str!("programs/kuka.txt");
 
 /// Joints of the arm.

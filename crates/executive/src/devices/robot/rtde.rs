@@ -33,7 +33,7 @@ const START: u8 = b'S';
 /// A field of a recipe, and its type.
 type Field = (&'static str, &'static str);
 
-/// What the control reports.
+/// Fields that the control reports.
 const OUTPUTS: [Field; 9] = [
     ("timestamp", "DOUBLE"),
     ("actual_q", "VECTOR6D"),
@@ -48,7 +48,7 @@ const OUTPUTS: [Field; 9] = [
 /// Bytes of a report, with the number of its recipe.
 const REPORT: usize = 1 + 8 + 48 + 24 + 3 * 4 + 3 * 4;
 
-/// What the control takes: number of the order, 1 to follow, positions. Registers from 24 on are those of external
+/// Fields that the control takes: number of the order, 1 to follow, positions. Registers from 24 on are those of external
 /// clients.
 const INPUTS: [Field; 8] = [
     ("input_int_register_24", "INT32"),
