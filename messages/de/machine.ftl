@@ -199,7 +199,21 @@ machine-inputs-on-one-device = alle Eingänge an einem Gerät
 machine-input-without-register = der Eingang `{ $input }` der Verriegelung `{ $interlock }` hat kein Register
 machine-register-for-every-input = ein Register für den Eingang jeder Verriegelung
 machine-drives-taken = ein anderes Gerät hat die Antriebe schon
-machine-one-device-of-drives = ein Gerät mit `linuxcnc` oder `steps`
+machine-one-device-of-drives = ein Gerät mit `linuxcnc`, `steps`, `rtde`, `egm` oder `rsi`
+machine-robot-axis-twice = Achse `{ $axis }` ist zweimal genannt
+machine-robot-axis-missing = Achse `{ $axis }` hat kein Gelenk der Robotersteuerung
+machine-robot-axis-once = jede Achse der Maschine einmal, in der Reihenfolge der Gelenke der Steuerung
+machine-robot-axis-count = { $n } { $n ->
+        [one] Achse passt
+       *[other] Achsen passen
+    } nicht zu den Gelenken der Robotersteuerung
+machine-robot-axis-count-allowed = { $arm } Gelenke des Arms und bis zu { $external } externe Gelenke
+machine-robot-axis-linear = Achse `{ $axis }` ist linear, aber ein Gelenk des Arms
+machine-robot-axis-rotary = Drehachsen als die ersten { $arm }
+machine-robot-listen = keine IP-Adresse mit Port
+machine-robot-listen-allowed = eine IP-Adresse dieses Rechners mit Port, wie 0.0.0.0:6510
+machine-robot-from = keine IP-Adresse
+machine-robot-from-allowed = die IP-Adresse der Steuerung, wie 192.168.125.1
 machine-hal-file = `{ $file }` ist keine HAL-Datei
 machine-hal-file-allowed = der Pfad einer Datei, der auf .hal endet, oder kein `hal`
 machine-base-period = unzulässige Periode des schnelleren Threads: { $base }

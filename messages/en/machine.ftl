@@ -403,9 +403,35 @@ machine-input-without-register = input `{ $input }` of interlock `{ $interlock }
     .cure = Add the input to `[devices.NAME.modbus.inputs]`, or remove the interlock from the machine file.
 machine-register-for-every-input = a register for the input of every interlock
 machine-drives-taken = another device has the drives already
-    .cause = Two devices have `linuxcnc` or `steps`. One device drives all axes.
+    .cause = Two devices have `linuxcnc`, `steps`, `rtde`, `egm` or `rsi`. One device drives all axes.
     .cure = Remove one of the two `[devices.NAME]`.
-machine-one-device-of-drives = one device with `linuxcnc` or `steps`
+machine-one-device-of-drives = one device with `linuxcnc`, `steps`, `rtde`, `egm` or `rsi`
+machine-robot-axis-twice = axis `{ $axis }` is named twice
+    .cause = `axes` of the robot's device names an axis twice. Each joint of the control moves one axis.
+    .cure = Name every axis of the machine once, in the order of the control's joints.
+machine-robot-axis-missing = axis `{ $axis }` has no joint of the robot control
+    .cause = One device drives all axes, and `axes` lacks this one.
+    .cure = Name every axis of the machine once, in the order of the control's joints, or remove the axis from the machine.
+machine-robot-axis-once = every axis of the machine once, in the order of the control's joints
+machine-robot-axis-count = { $n } { $n ->
+        [one] axis does
+       *[other] axes do
+    } not fit the joints of the robot control
+    .cause = RTDE takes exactly the joints of the arm. EGM and RSI take up to six external joints beside them.
+    .cure = Describe exactly the joints that the control moves. A positioner beside a Universal Robots arm cannot be driven over RTDE.
+machine-robot-axis-count-allowed = { $arm } joints of the arm, and up to { $external } external joints
+machine-robot-axis-linear = axis `{ $axis }` is linear, but it is a joint of the arm
+    .cause = The first axes of the device are the joints of the arm, and these turn.
+    .cure = Put the joints of the arm first in `axes`, then the external joints.
+machine-robot-axis-rotary = rotary axes as the first { $arm }
+machine-robot-listen = not an IP address with a port
+    .cause = `listen` is the address of this computer to which the control sends its packets, with the UDP port.
+    .cure = Write `listen = "0.0.0.0:6510"`, with the port that is configured on the control.
+machine-robot-listen-allowed = an IP address of this computer and a port, as 0.0.0.0:6510
+machine-robot-from = not an IP address
+    .cause = `from` is the address of the robot control, without a port.
+    .cure = Write the control's IP address, or remove `from`.
+machine-robot-from-allowed = the IP address of the control, as 192.168.125.1
 machine-hal-file = `{ $file }` is not a HAL file
     .cause = `hal` does not end in `.hal`, or it is only the ending.
     .cure = Put the HAL file beside the machine file and name it, as `hal = "mesa.hal"`.

@@ -6,7 +6,7 @@
 
 use crate::program::Program;
 pub use crate::recorder::RecordStart;
-use seamwright_executive::devices::modbus::Traffic;
+use seamwright_executive::devices::Traffic;
 use seamwright_executive::realtime::{Noted, QueueFill, RealtimeRights, Shown};
 use seamwright_executive::{Command, Raised};
 use seamwright_message::Message;

@@ -28,6 +28,7 @@ mod mutation;
 mod panel;
 mod part_programs;
 mod pictures;
+mod robots;
 mod scratch;
 mod tables;
 mod target;
@@ -41,6 +42,7 @@ pub use mutation::{Random, mutate, mutate_text};
 pub use panel::{REQUEST_BODY, SOCKET_MESSAGE};
 pub use part_programs::{GRBLHAL, LINUXCNC, PMAC, SINUMERIK};
 pub use pictures::{FRAME_LIST, FRAME_STREAM, JPEG, PICTURE_SEARCH, PNG, PNM};
+pub use robots::{EGM, RSI, RTDE};
 pub use tables::{POINT_TABLE, STL, STRIPE_PROFILE};
 pub use target::Target;
 pub use texts::{DISTORTION, JOB, MACHINE, PROCEDURE, PROGRAM, URDF};
@@ -77,6 +79,10 @@ pub const TARGETS: &[&Target] = &[
     // The panel.
     &SOCKET_MESSAGE,
     &REQUEST_BODY,
+    // Robot controls.
+    &RTDE,
+    &EGM,
+    &RSI,
     // Between the processes of a cell.
     &CELL_REQUEST,
     &CELL_REPORT,

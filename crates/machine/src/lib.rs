@@ -58,8 +58,9 @@ pub use cell::{InterlockFile, Level, PanelLost, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use collision_monitor::CollisionMonitor;
 pub use devices::{
-    BitFile, DeviceFile, LinuxCnc, LinuxCncFile, MachineDevices, ModbusDevice, ModbusFile, NumberFile, NumberType,
-    OutputsFile, Place, Register, ReportsFile, Role, Scaled, Steps, StepsFile, Table, Word, WordOrder,
+    BitFile, DeviceFile, EgmFile, LinuxCnc, LinuxCncFile, Listening, MachineDevices, ModbusDevice, ModbusFile,
+    NumberFile, NumberType, OutputsFile, Place, Register, ReportsFile, RobotDevice, RobotProtocolKind, Role, RsiFile,
+    RtdeFile, Scaled, Steps, StepsFile, Table, Word, WordOrder,
 };
 pub use file::{
     ControlFile, ControlsFile, DeflectionFile, DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile,

@@ -2,7 +2,9 @@
 
 use crate::failure::{Failure, with_hint};
 use crate::pulse_file::StreamedSteps;
-use seamwright_executive::devices::modbus::{ModbusError, TrafficView};
+use seamwright_executive::devices::TrafficView;
+use seamwright_executive::devices::modbus::ModbusError;
+use seamwright_executive::devices::robot::RobotDrives;
 #[cfg(target_os = "linux")]
 use seamwright_executive::devices::{DeviceSet, Drives, InputBits, Inputs, LinuxCncDrives, Source, modbus};
 use seamwright_executive::{DriveReport, SourceReport};
@@ -57,7 +59,13 @@ fn simulated_drives(machine: &Machine, seed: u64) -> Result<Box<dyn Drives + Sen
     Ok(Box::new(SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(e.message()))?))
 }
 
-fn drives(machine: &Machine, folder: &Path) -> Result<Option<Box<dyn Drives + Send>>, Failure> {
+/// Connects the drives that the machine file names; a robot control has a line of its own.
+fn drives(machine: &Machine, folder: &Path, lines: &mut Lines) -> Result<Option<Box<dyn Drives + Send>>, Failure> {
+    if let Some(device) = &machine.devices.robot {
+        let (drives, traffic) = RobotDrives::connect(machine, device).map_err(|e| Failure::Environment(e.message()))?;
+        lines.push((device.name.clone(), traffic));
+        return Ok(Some(Box::new(drives)));
+    }
     if let Some(device) = &machine.devices.linuxcnc {
         return linuxcnc_drives(machine, folder, device).map(Some);
     }
@@ -121,7 +129,7 @@ pub fn of_machine(
         }
         lines.push((device.name.clone(), parts.traffic));
     }
-    let drives = drives(machine, folder)?;
+    let drives = drives(machine, folder, &mut lines)?;
     let missing = [
         ("project-drives", drives.is_none()),
         ("project-process-source", source.is_none()),
@@ -160,6 +168,9 @@ pub fn traffic_report(lines: &Lines) -> Vec<Value> {
             "polls": traffic.polls, "missed": traffic.missed, "failed": traffic.failed,
             "connections": traffic.connections, "away_s": traffic.away_s,
             "round_us": { "median": round.quantile_us(0.5), "p99_9": round.quantile_us(0.999), "most": round.most_us() },
+            "latency_ms": traffic.latency.map(|latency| {
+                json!({ "mean": 1e3 * latency.mean_s, "sigma": 1e3 * latency.sigma_s, "reports": latency.reports })
+            }),
             "trouble": traffic.trouble.as_ref().map(|trouble| trouble.in_language(Language::English)),
         })
     };

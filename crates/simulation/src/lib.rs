@@ -11,6 +11,7 @@
 //! | paint camera images and laser stripes | [`camera_simulator`] |
 //! | teach a seam by a simulated camera | [`teaching`] |
 //! | weld distorted grooves layer by layer, with scans between | [`groove`] |
+//! | drive axes by a simulated robot control | [`robot`] |
 //! | test the response to every fault of every device | [`fault_injection`] |
 //!
 //! Simulation and real cell are the same executive. Only devices and time differ.
@@ -86,6 +87,7 @@ mod drives;
 mod error;
 pub mod fault_injection;
 pub mod groove;
+pub mod robot;
 mod sample;
 mod simulate;
 mod summary;

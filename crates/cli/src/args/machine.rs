@@ -40,6 +40,8 @@ pub(crate) enum MachineVerb {
     Move(MoveArgs),
     /// Read the registers of a machine's devices by name: raw, scaled, age; once or live
     Io(IoArgs),
+    /// Print the program that a robot control needs to take set-points
+    RobotProgram(RobotProgramArgs),
     /// Measure the latency of a cyclic thread on this computer
     Latency(LatencyArgs),
 }
@@ -50,6 +52,24 @@ pub(crate) struct ListMachinesArgs {
     /// JSON instead of a table
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Protocol of a robot control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RobotProtocolName {
+    /// Universal Robots RTDE: a program in URScript
+    Rtde,
+    /// ABB EGM: a module in RAPID
+    Egm,
+    /// KUKA RSI: a configuration, and a program in KRL
+    Rsi,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright machine robot-program rtde > seamwright.script")]
+pub(crate) struct RobotProgramArgs {
+    /// Protocol of the control
+    pub(crate) protocol: RobotProtocolName,
 }
 
 #[derive(Debug, Args)]

@@ -36,6 +36,7 @@ fn the_verbs_are_grouped() {
         "kinematics",
         "move",
         "io",
+        "robot-program",
         "latency",
         "help",
     ];

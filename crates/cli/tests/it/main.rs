@@ -38,6 +38,7 @@ mod records;
 mod reduce;
 mod run_cell;
 mod run_modbus;
+mod run_robot;
 mod scan;
 mod seams;
 mod section;

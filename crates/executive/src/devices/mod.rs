@@ -5,12 +5,15 @@
 mod linuxcnc;
 pub mod modbus;
 mod power_state;
+pub mod robot;
 mod steps;
+mod traffic;
 
 #[cfg(target_os = "linux")]
 pub use linuxcnc::{LinuxCncDrives, LinuxCncError, Sample, Symptom, Taken};
 pub use power_state::{PowerState, UNREFERENCED_ERROR};
 pub use steps::StepDrives;
+pub use traffic::{Traffic, TrafficView};
 
 use crate::executive::{
     CutOff, Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, Slack, SourceReport,

@@ -175,6 +175,9 @@ pub struct DriveReport {
     pub starts: u32,
     /// Number of underruns of set-points since the start: at each one all axes stop at once, beyond their limits.
     pub starved: u32,
+    /// Age of the set-point that the positions show, s, from the order of this exchange on; 0 of drives that follow
+    /// within a period.
+    pub lag_s: f64,
 }
 
 /// Report of the process source.

@@ -1,5 +1,5 @@
 use seamwright_message::Message;
-use seamwright_tracking::actuator::{Alarm, Cause};
+use seamwright_tracking::actuator::{Alarm, Cause, Lag};
 use seamwright_tracking::beam::{Beam, Misfit};
 
 /// One cycle of a head.
@@ -13,6 +13,8 @@ pub(crate) struct Step {
     pub(crate) speed: f64,
     /// True while the arc or beam is on.
     pub(crate) welds: bool,
+    /// The torch, which lags behind the set-point.
+    pub(crate) lag: Lag,
 }
 
 /// Cause of an alarm.

@@ -13,7 +13,7 @@ pub(super) const SIGHTING_MM: f64 = 6.0;
 pub(super) struct TorchOffset {
     /// From its planned position.
     pub(super) correction: DVec2,
-    /// From its line in addition, by the weave.
+    /// From its line in addition, by the weave, where the torch is.
     pub(super) swing: DVec2,
 }
 
@@ -58,8 +58,8 @@ impl LeadingHead {
         offset: TorchOffset,
     ) -> (Wanted, HeadRequests, Estimate) {
         let TorchOffset { correction, swing } = offset;
-        let Step { t, s, speed, .. } = *step;
-        let orders = self.head.cycle_woven(Moment { t_s: t, s_mm: s, slide: correction + swing }, speed, swing);
+        let Step { t, s, speed, lag, .. } = *step;
+        let orders = self.head.cycle_lagging(Moment { t_s: t, s_mm: s, slide: correction }, speed, swing, lag);
         self.limits[0].add(orders.slide.x);
         self.limits[1].add(orders.slide.y);
         let wanted = (frame, orders.slide);

@@ -123,8 +123,8 @@ impl<'a> LiveBeam<'a> {
         frame: SeamFrame,
         off: DVec3,
     ) -> (Wanted, HeadRequests, Estimate) {
-        let Step { t, s, speed, welds } = *step;
-        let now = Moment { t_s: t, s_mm: s + off.x, slide: DVec2::new(off.y, off.z) };
+        let Step { t, speed, welds, lag, .. } = *step;
+        let now = Moment { t_s: t, s_mm: lag.torch_mm + off.x, slide: DVec2::new(off.y, off.z) };
         let orders = self.head.cycle(now, speed, welds);
         let on = !matches!(orders.beam, Beam::Scan);
         self.limits.add(orders.carried_mm);

@@ -9,7 +9,7 @@ use glam::{DVec3, Vec3Swizzles as _};
 use seamwright_machine::{Joints, Machine};
 use seamwright_message::{Language, Message};
 use seamwright_program::TorchPath;
-use seamwright_tracking::actuator::Alarm;
+use seamwright_tracking::actuator::{Alarm, Lag};
 use seamwright_tracking::beam::DeviationRecord;
 use seamwright_tracking::lead::{Estimate, SeamFrame, Sight};
 use serde::ser::SerializeMap;
@@ -82,6 +82,7 @@ pub(crate) struct LiveHead<'a> {
     /// weave.
     off: DVec3,
     swing: DVec3,
+    weaves: bool,
     estimate: Option<Estimate>,
     deflection_mm: f64,
     stopped_mm: Option<f64>,
@@ -112,6 +113,7 @@ impl<'a> LiveHead<'a> {
             path,
             off: DVec3::ZERO,
             swing: DVec3::ZERO,
+            weaves: false,
             estimate: None,
             deflection_mm: 0.0,
             stopped_mm: None,
@@ -158,7 +160,11 @@ impl<'a> LiveHead<'a> {
                 if let Some(measured) = &seen.reports.sensors.measured[self.number] {
                     leading.take(measured, seen.t_s);
                 }
-                let (correction, swing) = (self.off.yz(), self.swing.yz());
+                // The reports are those of the last period, unless the torch lags: then it is where it is now.
+                let torch_mm = step.lag.torch_mm;
+                let lags = step.lag != Lag::none(step.s) && self.weaves;
+                let swing = if lags { swing_at(self.path, torch_mm, &(self.seam.frame)(torch_mm)) } else { self.swing };
+                let (correction, swing) = (self.off.yz(), swing.yz());
                 leading.cycle(left, step, frame, TorchOffset { correction, swing })
             }
             Guide::Beam(beam) => {
@@ -188,6 +194,7 @@ impl<'a> LiveHead<'a> {
     pub(super) fn feel(&mut self, machine: &Machine, s: f64, q: &Joints, weaves: bool) {
         let tip = machine.forward_of(self.number, q).ahead(self.path.drawn_back()).point;
         let frame = self.frame(s);
+        self.weaves = weaves;
         self.swing = if weaves { swing_at(self.path, s, &frame) } else { DVec3::ZERO };
         self.off = frame.components(tip - frame.point) - self.swing;
     }

@@ -12,7 +12,8 @@ use arrayvec::ArrayVec;
 use seamwright_machine::{Joints, Machine, Surroundings};
 use seamwright_message::{Message, Unit};
 use seamwright_motion::PassMotion;
-use seamwright_tracking::actuator::{Alarm, OverAxes, Slide, SlideLimits};
+use seamwright_tracking::actuator::{Alarm, Lag, MAX_LAG_S, OverAxes, Slide, SlideLimits};
+use std::collections::VecDeque;
 
 /// Minimum feed override; below it the torch stops.
 const SLOWEST: f64 = 0.01;
@@ -35,8 +36,8 @@ pub(super) struct TrackedPass<'a> {
     cut: Option<Message>,
     /// Start of the pass, mm.
     from_mm: f64,
-    /// Last path length of the heads, and whether they wove there.
-    felt: Option<(f64, bool)>,
+    /// Last path lengths of the heads, and whether they wove there, the newest first.
+    recent: VecDeque<(f64, bool)>,
     /// Number of cycles at rest.
     rested: u32,
     returns: bool,
@@ -102,7 +103,8 @@ impl<'a> TrackedPass<'a> {
         let PassStart { machine, planned, number, from_mm } = start;
         let off = PathOffset::new(machine);
         let look = Look::gaze(0);
-        let (cut, felt) = (None, None);
+        let cut = None;
+        let recent = VecDeque::with_capacity((MAX_LAG_S / machine.servo_period_s).ceil() as usize + 2);
         let mut pass = Self {
             machine,
             planned,
@@ -113,7 +115,7 @@ impl<'a> TrackedPass<'a> {
             look,
             cut,
             from_mm,
-            felt,
+            recent,
             rested: 0,
             returns: false,
             used: false,
@@ -196,11 +198,12 @@ impl<'a> TrackedPass<'a> {
                 // Reachable, as probed before.
                 sight.there = sight.over.shifted(&start, by).unwrap_or(sight.there);
                 let (at, there, back) = (sight.at, sight.there, sight.back);
-                let step = Step { t: seen.t_s, s: from + at, speed: (at - before) / period, welds: false };
+                let speed = (at - before) / period;
+                let step = self.step(seen, from + at, speed, false);
                 let rests = !goes && step.speed == 0.0;
                 if !back {
                     // The joint is not observed on the way back.
-                    self.felt = Some((step.s, false));
+                    self.remember(step.s, false);
                     return Some(self.guided(&there, 1.0, None, SeamOrders::default()));
                 }
                 return Some(self.correct(seen, &step, PlannedAxes { q: &there, weaves: false, rests }).0);
@@ -212,8 +215,35 @@ impl<'a> TrackedPass<'a> {
         }
         self.look.gaze = self.look.gaze.saturating_sub(u64::from(goes));
         let start = self.planned.path.at(from);
-        let step = Step { t: seen.t_s, s: from, speed: 0.0, welds: false };
+        let step = self.step(seen, from, 0.0, false);
         Some(self.correct(seen, &step, PlannedAxes { q: &start, weaves: false, rests: !goes }).0)
+    }
+
+    /// Describes a cycle with the set-point at `s`: the torch is where the drives' lag leaves it.
+    fn step(&self, seen: &Seen<'_>, s: f64, speed: f64, welds: bool) -> Step {
+        let drives = &seen.reports.drives;
+        let shows_s = drives.lag_s.min(MAX_LAG_S);
+        let follows_s = (shows_s - drives.age_s).max(0.0);
+        let torch = self.recent(follows_s).filter(|_| shows_s > 0.0);
+        let lag = torch.map_or(Lag::none(s), |(torch_mm, _)| Lag { torch_mm, follows_s, shows_s });
+        Step { t: seen.t_s, s, speed, welds, lag }
+    }
+
+    /// Records the path length of a cycle.
+    fn remember(&mut self, s: f64, weaves: bool) {
+        if self.recent.len() == self.recent.capacity() {
+            self.recent.pop_back();
+        }
+        self.recent.push_front((s, weaves));
+    }
+
+    /// Returns the path length `age_s` before the last cycle, and whether the heads wove there.
+    fn recent(&self, age_s: f64) -> Option<(f64, bool)> {
+        let last = self.recent.len().checked_sub(1)?;
+        let age = (age_s / self.machine.servo_period_s).clamp(0.0, last as f64);
+        let newer = age.floor() as usize;
+        let (a, b) = (self.recent[newer], self.recent[(newer + 1).min(last)]);
+        Some((a.0 + (b.0 - a.0) * (age - newer as f64), a.1))
     }
 
     /// Checks whether the pass may be run after the look.
@@ -233,7 +263,7 @@ impl<'a> TrackedPass<'a> {
     /// Runs a cycle of the pass. Does not allocate.
     pub(super) fn follow(&mut self, seen: &Seen<'_>, planned: &Planned<'_>) -> Guided {
         let Planned { s_mm, speed, travels, rests, q } = *planned;
-        let step = Step { t: seen.t_s, s: s_mm, speed, welds: travels };
+        let step = self.step(seen, s_mm, speed, travels);
         let (mut guided, stops) = self.correct(seen, &step, PlannedAxes { q, weaves: true, rests });
         if travels {
             let stopped = stops.then_some(s_mm);
@@ -248,11 +278,11 @@ impl<'a> TrackedPass<'a> {
     /// Runs a cycle of all heads and offsets the axes from their planned positions; true if the torch is to stop.
     fn correct(&mut self, seen: &Seen<'_>, step: &Step, axes: PlannedAxes<'_>) -> (Guided, bool) {
         let PlannedAxes { q, weaves, rests } = axes;
-        if let Some((s, wove)) = self.felt {
+        if let Some((s, wove)) = self.recent(seen.reports.drives.lag_s) {
             let position = &seen.reports.drives.position;
             self.heads.iter_mut().for_each(|head| head.feel(self.machine, s, position, wove));
         }
-        self.felt = Some((step.s, weaves));
+        self.remember(step.s, weaves);
         let mut wanted: ArrayVec<Wanted, 2> = ArrayVec::new();
         let (mut feed_override, mut trouble) = (1.0f64, None);
         let mut seam = SeamOrders { pass: self.number, s_mm: step.s, weaves, ..SeamOrders::default() };

@@ -2,7 +2,8 @@
 
 use crate::modbus_cell::{MAP, VALUES, device, welder};
 use crate::modbus_server::TestServer;
-use seamwright_executive::devices::modbus::{ModbusInputs, ModbusSource, TrafficView, connect};
+use seamwright_executive::devices::TrafficView;
+use seamwright_executive::devices::modbus::{ModbusInputs, ModbusSource, connect};
 use seamwright_executive::devices::{DeviceSet, Drives};
 use seamwright_executive::realtime::{Paced, Shutdown, ShutdownCause};
 use seamwright_executive::{Devices as _, DriveReport, Orders, Reports, Slack};

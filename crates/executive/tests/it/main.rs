@@ -8,4 +8,5 @@ mod modbus;
 mod modbus_cell;
 #[path = "../support/modbus_server.rs"]
 mod modbus_server;
+mod robot_protocols;
 mod step_drives;

@@ -1,4 +1,5 @@
 use super::modbus::ModbusFile;
+use super::robot_file::{EgmFile, RsiFile, RtdeFile};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -14,6 +15,12 @@ pub enum DeviceFile {
     LinuxCnc(LinuxCncFile),
     /// The drives by step and direction pulses.
     Steps(StepsFile),
+    /// The drives by a Universal Robots control, over RTDE.
+    Rtde(RtdeFile),
+    /// The drives by an ABB control, over EGM.
+    Egm(EgmFile),
+    /// The drives by a KUKA control, over RSI.
+    Rsi(RsiFile),
 }
 
 /// The drives by LinuxCNC's HAL, as a real-time engine.

@@ -4,6 +4,8 @@ mod file;
 mod linuxcnc;
 mod modbus;
 mod register_check;
+mod robot;
+mod robot_file;
 mod steps;
 
 pub use file::{DeviceFile, LinuxCncFile, StepsFile};
@@ -13,6 +15,8 @@ pub use modbus::{
     Table, Word, WordOrder,
 };
 
+pub use robot::{Listening, RobotDevice, RobotProtocolKind};
+pub use robot_file::{EgmFile, RsiFile, RtdeFile};
 pub use steps::Steps;
 
 use crate::axis::Axis;
@@ -28,12 +32,19 @@ pub struct MachineDevices {
     pub linuxcnc: Option<LinuxCnc>,
     /// The drives, if they are steppers that get pulses from here.
     pub steps: Option<Steps>,
+    /// The drives, if a robot control takes their set-points.
+    pub robot: Option<RobotDevice>,
 }
 
 impl MachineDevices {
     /// True if the machine file names none: all are simulated.
     pub fn is_empty(&self) -> bool {
-        self.modbus.is_empty() && self.linuxcnc.is_none() && self.steps.is_none()
+        self.modbus.is_empty() && !self.has_drives()
+    }
+
+    /// True if one of them drives the axes.
+    fn has_drives(&self) -> bool {
+        self.linuxcnc.is_some() || self.steps.is_some() || self.robot.is_some()
     }
 }
 
@@ -43,7 +54,7 @@ pub(crate) fn devices(
 ) -> Result<MachineDevices, DocumentError> {
     let mut devices = MachineDevices::default();
     for (name, device) in &file.value.devices {
-        let has_drives = devices.linuxcnc.is_some() || devices.steps.is_some();
+        let has_drives = devices.has_drives();
         let taken = |kind: &str| {
             let message = Message::new("machine-drives-taken");
             file.error_at(&format!("devices.{name}.{kind}"), message, Message::new("machine-one-device-of-drives"))
@@ -53,6 +64,12 @@ pub(crate) fn devices(
             DeviceFile::LinuxCnc(_) if has_drives => return Err(taken("linuxcnc")),
             DeviceFile::Steps(_) if has_drives => return Err(taken("steps")),
             DeviceFile::LinuxCnc(linuxcnc) => devices.linuxcnc = Some(linuxcnc::linuxcnc(file, name, linuxcnc)?),
+            DeviceFile::Rtde(_) if has_drives => return Err(taken("rtde")),
+            DeviceFile::Egm(_) if has_drives => return Err(taken("egm")),
+            DeviceFile::Rsi(_) if has_drives => return Err(taken("rsi")),
+            DeviceFile::Rtde(rtde) => devices.robot = Some(robot::rtde(file, axes, name, rtde)?),
+            DeviceFile::Egm(egm) => devices.robot = Some(robot::egm(file, axes, name, egm)?),
+            DeviceFile::Rsi(rsi) => devices.robot = Some(robot::rsi(file, axes, name, rsi)?),
             DeviceFile::Steps(steps) => devices.steps = Some(steps::steps(file, axes, name, steps)?),
         }
     }

@@ -47,7 +47,7 @@ pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<Mod
     let poll_hz = within("poll_hz", device.poll_hz, 100.0, (20.0, 1000.0), Unit::Hz)?;
     Ok(ModbusDevice {
         name: name.to_owned(),
-        address: address(file, &at, &device.address)?,
+        address: address(file, &at, &device.address, PORT)?,
         unit,
         poll_s: 1.0 / poll_hz,
         timeout_s: within("timeout_s", device.timeout_s, 0.2, (0.01, longest), Unit::S)?,
@@ -59,16 +59,17 @@ pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<Mod
 }
 
 /// Host and port; the default port if none is given.
-fn address(file: &File, at: &str, address: &str) -> Result<String, DocumentError> {
+/// Returns host and port; `usual` is the port if the address has none.
+pub(super) fn address(file: &File, at: &str, address: &str, usual: u16) -> Result<String, DocumentError> {
     let bad = |code| file.error_at(&format!("{at}.address"), Message::new(code), Message::new("machine-host-and-port"));
     let host_alone = !address.contains(':') || address.ends_with(']');
-    let (host, port) = if host_alone { (address, "502") } else { address.rsplit_once(':').unwrap_or((address, "")) };
+    let (host, port) = if host_alone { (address, "1") } else { address.rsplit_once(':').unwrap_or((address, "")) };
     let bracketed = host.starts_with('[') && host.ends_with(']');
     if host.is_empty() || host.chars().any(char::is_whitespace) || (host.contains(':') && !bracketed) {
         return Err(bad("machine-host-missing"));
     }
     match port.parse::<u16>() {
-        Ok(1..) => Ok(if host_alone { format!("{host}:{PORT}") } else { address.to_owned() }),
+        Ok(1..) => Ok(if host_alone { format!("{host}:{usual}") } else { address.to_owned() }),
         _ => Err(bad("machine-port-missing")),
     }
 }

@@ -13,6 +13,7 @@ mod linuxcnc;
 mod pitch_error;
 mod random_arms;
 mod random_chains;
+mod robot;
 mod round_trip;
 mod seven_axes;
 mod steps;

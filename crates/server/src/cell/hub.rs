@@ -8,7 +8,7 @@ use crate::view::written;
 use crate::wire::{
     AlarmView, CountView, EventView, FromCell, NearView, RefusedView, Role, Status, TeachView, WorkView,
 };
-use seamwright_executive::devices::modbus::Traffic;
+use seamwright_executive::devices::Traffic;
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;
 use seamwright_record::library::WeldResult;

@@ -68,6 +68,8 @@ fn lines(panel: &Panel) -> Vec<LineView> {
         failed: traffic.failed,
         connections: traffic.connections,
         away_s: traffic.away_s,
+        latency_s: traffic.latency.map(|latency| latency.mean_s),
+        latency_sigma_s: traffic.latency.map(|latency| latency.sigma_s),
         trouble: traffic.trouble.map(Into::into),
     });
     lines.collect()

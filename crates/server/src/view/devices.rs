@@ -1,5 +1,5 @@
 use crate::wire::{DeviceView, SignalView, Status, TrafficView};
-use seamwright_executive::devices::modbus::Traffic;
+use seamwright_executive::devices::Traffic;
 use seamwright_machine::{Machine, ModbusDevice, Register, Role, Word};
 
 /// Returns the devices with the last known values of their signals; `values` are the names of the program's process

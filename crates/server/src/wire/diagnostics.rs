@@ -123,6 +123,10 @@ pub struct LineView {
     pub connections: u32,
     /// Time without a connection, s.
     pub away_s: f64,
+    /// Of a robot: measured time from a set-point until a report shows it, s.
+    pub latency_s: Option<f64>,
+    /// Its standard deviation, s.
+    pub latency_sigma_s: Option<f64>,
     /// Last error.
     pub trouble: Option<MessageView>,
 }

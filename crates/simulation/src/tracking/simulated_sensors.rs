@@ -7,7 +7,7 @@ use super::sensor_model::{Sensor, SensorModel};
 use super::world::World;
 use crate::error::Error;
 use arrayvec::ArrayVec;
-use glam::{DVec2, Vec3Swizzles as _};
+use glam::{DVec3, Vec3Swizzles as _};
 use seamwright_executive::devices::Sensors;
 use seamwright_executive::tracking::LeadingSensor;
 use seamwright_executive::{SeamOrders, SensorReport};
@@ -26,8 +26,9 @@ pub(crate) struct SimulatedHead<'a> {
 
 /// Kind of device.
 pub(super) enum SimulatedSensor {
-    /// A sensor ahead, and its displacement in the last period: lateral and height from the planned path, mm.
-    Leading(Box<Sensor>, DVec2),
+    /// A sensor ahead, and its displacement in the last period: along the seam, lateral and height from the planned
+    /// path, mm.
+    Leading(Box<Sensor>, DVec3),
     /// The beam.
     Beam { noise: Noise, pictures: PictureQueue, recent: RecentPositions },
 }
@@ -44,7 +45,7 @@ impl BeamCamera for WorldSensor<'_, '_> {
 
 impl SimulatedSensor {
     pub(super) fn leading(sensor: &LeadingSensor, seed: u64) -> Self {
-        Self::Leading(Box::new(Sensor::new(SensorModel::of(sensor), seed)), DVec2::ZERO)
+        Self::Leading(Box::new(Sensor::new(SensorModel::of(sensor), seed)), DVec3::ZERO)
     }
 
     pub(super) fn beam(noise_mm: f64, latency_s: f64, seed: u64) -> Self {
@@ -64,10 +65,12 @@ impl<'a> SimulatedHead<'a> {
         let tip = machine.forward_of(self.number, q).ahead(self.drawn_back).point;
         match &mut self.eye {
             SimulatedSensor::Leading(sensor, carried) => {
-                sensor.look(&self.world, t, s, *carried);
-                let frame = (self.world.taught)(s);
-                // The sensor swings with the torch.
-                *carried = frame.components(tip - frame.point).yz();
+                sensor.look(&self.world, t, s + carried.x, carried.yz());
+                // The torch lags behind its set-point along the seam; the sensor swings with it.
+                let set = (self.world.taught)(s);
+                let along = set.components(tip - set.point).x;
+                let frame = (self.world.taught)(s + along);
+                *carried = DVec3 { x: along, ..frame.components(tip - frame.point) };
                 report.measured[self.number] = sensor.arrived(t).flatten();
             }
             SimulatedSensor::Beam { noise, pictures, recent } => {

@@ -18,6 +18,8 @@ mod missed_cycles;
 mod modbus_cell;
 #[path = "../../../executive/tests/support/modbus_server.rs"]
 mod modbus_server;
+mod robot_looped;
+mod robot_sockets;
 mod shutdown;
 mod simulate;
 mod stripe;

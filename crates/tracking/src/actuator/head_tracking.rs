@@ -5,6 +5,7 @@ use super::slide::Slide;
 use crate::lead::{Error, Estimate, Measurement, Moment, OwnCurve, Refusal, Settings, Sight, Tracker, Verdict};
 use glam::DVec2;
 use seamwright_message::{Message, named_enum};
+use std::collections::VecDeque;
 
 /// Fraction of a slide's speed and stroke that is used before the torch slows down with a warning.
 const RESERVE: f64 = 0.8;
@@ -12,6 +13,28 @@ const RESERVE: f64 = 0.8;
 const BLIND_PERIODS: f64 = 10.0;
 /// Minimum feed override while a correction fades out or nears the end of its stroke, as a fraction.
 const FADING_SPEED: f64 = 0.25;
+
+/// Maximum lag of a torch behind its orders that is followed, s; a longer one counts as this.
+pub const MAX_LAG_S: f64 = 0.25;
+
+/// Torch that lags behind its orders, as that of a robot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lag {
+    /// Path length of the torch at the time of the cycle, mm.
+    pub torch_mm: f64,
+    /// Age of the order that the torch follows at that time, s.
+    pub follows_s: f64,
+    /// Age of the order that the reported positions show, s.
+    pub shows_s: f64,
+}
+
+impl Lag {
+    /// A torch at `torch_mm` that follows its orders at once.
+    #[must_use]
+    pub fn none(torch_mm: f64) -> Self {
+        Self { torch_mm, follows_s: 0.0, shows_s: 0.0 }
+    }
+}
 
 named_enum! {
     /// Tracking alarm; from [`Alarm::Blind`] on each is more severe than the previous one.
@@ -92,7 +115,8 @@ pub struct Orders {
 pub struct HeadTracking {
     tracker: Tracker,
     slides: [Slide; 2],
-    ordered: DVec2,
+    /// Last set-points of the slides, the newest first.
+    ordered: VecDeque<DVec2>,
     target: DVec2,
     /// Time (s) and torch position (mm) of the last usable measurement.
     taken: Option<(f64, f64)>,
@@ -119,7 +143,9 @@ impl HeadTracking {
             return Err(Error::Value { key, value, allowed: Message::new("tracking-notice-allowed") });
         }
         let tracker = Tracker::new(settings, own)?;
-        let (ordered, target) = (DVec2::ZERO, DVec2::ZERO);
+        let mut ordered = VecDeque::with_capacity((MAX_LAG_S / settings.cycle_s).ceil() as usize + 2);
+        ordered.push_front(DVec2::ZERO);
+        let target = DVec2::ZERO;
         Ok(Self {
             tracker,
             slides,
@@ -163,22 +189,47 @@ impl HeadTracking {
 
     /// Runs one cycle of a weaving torch; `swing` (lateral and height, mm) is the weave's part of the slide position.
     pub fn cycle_woven(&mut self, now: Moment, speed: f64, swing: DVec2) -> Orders {
+        self.cycle_lagging(Moment { slide: now.slide - swing, ..now }, speed, swing, Lag::none(now.s_mm))
+    }
+
+    /// Runs one cycle of a torch that lags behind its orders: `now` has the path length of its set-point, and the slide
+    /// position that the reports show, without the weave; `swing` is the weave's part where the torch is.
+    ///
+    /// The slide's position at the time of the cycle is the reported one, plus the change that was ordered between the
+    /// order that the report shows and the one that the torch follows. So measurements are matched with the position of
+    /// their exposure, however late reports are.
+    pub fn cycle_lagging(&mut self, now: Moment, speed: f64, swing: DVec2, lag: Lag) -> Orders {
         let settings = *self.tracker.settings();
         let way = speed.abs() * settings.notice_s;
         self.here_mm = now.s_mm;
         if now.s_mm > 0.0 {
             self.begun.get_or_insert((now.t_s, now.s_mm));
         }
-        self.tracker.advance(now, now.s_mm + way);
-        self.stuck = self.following.is_stuck(now.t_s, (now.slide - swing).distance(self.ordered));
+        let (shown, followed) = (self.ordered(lag.shows_s), self.ordered(lag.follows_s));
+        let slide = now.slide + (followed - shown) + swing;
+        let torch = Moment { t_s: now.t_s, s_mm: lag.torch_mm, slide };
+        self.tracker.advance_from(torch, now.s_mm, now.s_mm + way);
+        self.stuck = self.following.is_stuck(now.t_s, now.slide.distance(shown));
         let estimate = self.tracker.at(now.s_mm);
         // A stuck slide's set-points come to rest, within its limits.
         if !self.stuck {
             self.aim(&now, speed, &settings);
         }
-        self.ordered = DVec2::from_array([self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)]);
+        let ordered = DVec2::from_array([self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)]);
+        if self.ordered.len() == self.ordered.capacity() {
+            self.ordered.pop_back();
+        }
+        self.ordered.push_front(ordered);
         let (feed_override, alarm, carried) = self.judge(&now, speed, &estimate);
-        Orders { slide: self.ordered, feed_override, alarm, carried, cause: self.cause(&now), estimate }
+        Orders { slide: ordered, feed_override, alarm, carried, cause: self.cause(&now), estimate }
+    }
+
+    /// Returns the slides' set-point of `age_s` before the last one, interpolated; the oldest known one at most.
+    fn ordered(&self, age_s: f64) -> DVec2 {
+        let age = (age_s / self.tracker.settings().cycle_s).clamp(0.0, (self.ordered.len() - 1) as f64);
+        let newer = age.floor() as usize;
+        let older = (newer + 1).min(self.ordered.len() - 1);
+        self.ordered[newer].lerp(self.ordered[older], age - newer as f64)
     }
 
     /// Returns the cause after several periods without a usable measurement, over more distance than tacks explain.

@@ -20,7 +20,7 @@ mod slide_authority;
 pub(crate) use following::Following;
 
 pub use deflection::Deflection;
-pub use head_tracking::{Alarm, Cause, HeadTracking, Orders};
+pub use head_tracking::{Alarm, Cause, HeadTracking, Lag, MAX_LAG_S, Orders};
 pub use limits::SlideLimits;
 pub use over_axes::{OutOfReach, OverAxes, RESERVE};
 pub use slide::Slide;

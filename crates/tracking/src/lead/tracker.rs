@@ -94,8 +94,13 @@ impl Tracker {
 
     /// Runs one cycle with the current positions; callers may ask for deviations up to `until_mm`.
     pub fn advance(&mut self, now: Moment, until_mm: f64) {
+        self.advance_from(now, now.s_mm, until_mm);
+    }
+
+    /// Runs one cycle of a torch whose set-point is ahead of it, at `set_mm`.
+    pub(crate) fn advance_from(&mut self, now: Moment, set_mm: f64, until_mm: f64) {
         self.history.push(now);
-        let (here, until) = (self.cells.index(now.s_mm), self.cells.index(until_mm) + 1);
+        let (here, until) = (self.cells.index(set_mm), self.cells.index(until_mm) + 1);
         self.here = here;
         // Nodes behind the torch are computed only after new measurements there.
         let cursor = self.cursor.map_or(here, |cursor| cursor.max(here - self.nodes.len() / 2));

@@ -7,6 +7,7 @@ mod new_arm;
 mod place;
 mod placement_report;
 mod reach;
+mod robot_program;
 mod touched_points;
 mod tune;
 mod tuning_report;
@@ -24,6 +25,7 @@ pub(crate) fn run(args: &MachineArgs) -> Result<(), Failure> {
         MachineVerb::Kinematics(a) => kinematics::run(a),
         MachineVerb::Move(a) => move_to::run(a),
         MachineVerb::Io(a) => io::run(a),
+        MachineVerb::RobotProgram(a) => robot_program::run(a),
         MachineVerb::Latency(a) => latency::run(a),
         MachineVerb::Import(a) => import::run(a),
         MachineVerb::New(NewArgs { kind: NewKind::Arm(a) }) => new_arm::run(a),

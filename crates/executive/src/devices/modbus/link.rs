@@ -1,5 +1,5 @@
-use super::traffic::TrafficLog;
 use super::wire::{CellRange, Trouble, Wire};
+use crate::devices::traffic::TrafficLog;
 use crate::executive::Watchdog;
 use seamwright_machine::{ModbusDevice, Table};
 use seamwright_message::Message;

@@ -20,13 +20,12 @@ mod orders;
 #[cfg(test)]
 mod random_map;
 mod reports;
-mod traffic;
 mod wire;
 
 pub use cut_off::write_safe_outputs;
 pub use inspector::{InspectedRegister, RegisterInspector};
-pub use traffic::{Traffic, TrafficView};
 
+use super::traffic::{TrafficLog, TrafficView};
 use super::{InputBits, Inputs, Source};
 use crate::executive::{CutOff, ProcessOrders, SourceReport, Watchdog};
 use client::{Client, Ends};
@@ -39,7 +38,6 @@ use seamwright_message::{Message, display_by_message};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::thread::JoinHandle;
-use traffic::TrafficLog;
 use triple_buffer::{Input, Output, triple_buffer};
 
 /// Reasons why a device cannot be used.

@@ -1,3 +1,6 @@
+//! Traffic with a device.
+
+use super::robot::MeasuredLatency;
 use crate::realtime::Latency;
 use seamwright_message::Message;
 use serde::{Deserialize, Serialize};
@@ -20,6 +23,8 @@ pub struct Traffic {
     pub away_s: f64,
     /// Duration of a poll, from its first request to its last answer.
     pub round: Latency,
+    /// Of a robot: the time from a set-point until a report shows it, once it is measured.
+    pub latency: Option<MeasuredLatency>,
     /// Last trouble.
     pub trouble: Option<Message>,
     /// At the end: whether the device has accepted the safe states of its outputs, or why not.
@@ -39,16 +44,16 @@ impl TrafficView {
 
 /// The client's end: it has real-time priority, so it publishes without a lock.
 #[derive(Debug)]
-pub(super) struct TrafficLog(RefCell<(Traffic, Input<Traffic>)>);
+pub(crate) struct TrafficLog(RefCell<(Traffic, Input<Traffic>)>);
 
 impl TrafficLog {
     /// Creates an empty log and its view.
-    pub(super) fn new() -> (Self, TrafficView) {
+    pub(crate) fn new() -> (Self, TrafficView) {
         let (input, output) = triple_buffer(&Traffic::default());
         (Self(RefCell::new((Traffic::default(), input))), TrafficView(Arc::new(Mutex::new(output))))
     }
 
-    pub(super) fn change(&self, change: impl FnOnce(&mut Traffic)) {
+    pub(crate) fn change(&self, change: impl FnOnce(&mut Traffic)) {
         let (traffic, shown) = &mut *self.0.borrow_mut();
         change(traffic);
         shown.input_buffer_mut().clone_from(traffic);

@@ -1,0 +1,2 @@
+#![no_main]
+seamwright_fuzz::fuzz!(RSI);
