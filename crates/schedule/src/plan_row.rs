@@ -6,7 +6,7 @@ use seamwright_message::Language;
 use seamwright_motion::WeldMotion;
 use seamwright_program::Finding;
 use seamwright_project::failure::Failure;
-use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::load::{Loaded, load_foreign, load_text};
 use seamwright_project::planning::Planning;
 use seamwright_project::posting::PostTarget;
 use seamwright_report::WeldReport;
@@ -119,7 +119,8 @@ fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> (RowRes
     };
     let name = format!("{}: {}", row.name, row.template);
     let planning = Planning { limit: Some(terms.limit), ..Planning::default() };
-    let loaded = load_text(&name, &job.text, &job.folder).and_then(|loaded| loaded.with_torch_angles(&planning));
+    let load = if table.is_foreign() { load_foreign } else { load_text };
+    let loaded = load(&name, &job.text, &job.folder).and_then(|loaded| loaded.with_torch_angles(&planning));
     let loaded = match loaded {
         Ok(loaded) => loaded,
         Err(failure) => return refused(failure),

@@ -12,6 +12,9 @@ const TOURED = 'seamwright.toured';
 /** Where the operator is in the panel. Nothing of it changes what the cell does. */
 class Place {
   tab = $state<Tab>('weld');
+  /** The page of jobs shows tables of seams, and of which. */
+  schedules = $state(false);
+  schedule = $state('');
   /** The page of the set-up that was looked at last. */
   setup = $state<SetupPage>('machine');
   /** The first-run tour is shown: until it is dismissed once. */

@@ -8,6 +8,7 @@ mod crowded;
 mod devices;
 mod drawn;
 mod guarded;
+mod jogged;
 mod limits;
 mod limits_page;
 mod lived;
