@@ -134,6 +134,80 @@ test('a typed target is checked and shown before it moves, and gone to while the
   await jog('Typed target ▴').click();
 });
 
+/** Opens the page of frames. */
+async function openFrames() {
+  await tab(one, 'Set-up');
+  await one.getByRole('group', { name: 'Pages of the set-up' }).getByRole('button', { name: 'Frames', exact: true }).click();
+  await one.getByText('Tool centre point (TCP)').waitFor();
+}
+
+const entry = (name) => one.locator('.scrolls li', { has: one.getByText(name, { exact: true }) });
+
+test('frames are shown in three conventions, changed and put back', async () => {
+  await openFrames();
+  for (const name of ['Base', 'Flange', 'Tool', 'Work']) await entry(name).waitFor();
+  await entry('Tool').getByText(/X 90\.00 {2}Y 0\.00 {2}Z 330\.00 {2}RX 0\.000° {2}RY 35\.000°/).waitFor();
+  const convention = one.locator('.scrolls').getByRole('combobox', { name: 'Orientation' });
+  await convention.selectOption('abc');
+  await entry('Tool').getByText(/A 0\.000° {2}B 35\.000° {2}C 0\.000°/).waitFor();
+  await convention.selectOption('quaternion');
+  await entry('Tool').getByText(/Q1 0\.953717/).waitFor();
+  await convention.selectOption('xyz');
+  await entry('Tool').getByRole('button', { name: 'Change' }).click();
+  const form = one.locator('form.edit');
+  await form.getByLabel('Z mm', { exact: true }).fill('400');
+  await form.getByRole('button', { name: 'Save' }).click();
+  // Far from what it was: confirmed by a second press.
+  await form.getByText(/Large change: 70\.0 mm/).waitFor();
+  await form.getByRole('button', { name: 'Save' }).click();
+  await entry('Tool').getByText(/before: X 90\.00 {2}Y 0\.00 {2}Z 330\.00/).waitFor();
+  await one.getByText(/takes effect|in force|Saved/).first().waitFor();
+  await settled(one, 300);
+  await shot(one, 'frames');
+  await axe(one, 'frames');
+  await entry('Tool').getByRole('button', { name: 'Put the old one back' }).click();
+  await entry('Tool').getByText(/Z 330\.00/).first().waitFor();
+  assert.match(await one.evaluate(async () => (await (await fetch('/api/frames')).json()).file), /ur10e\.toml$/);
+});
+
+test('a user frame is taught by three points, and the tip goes along it', async () => {
+  await startJogging(one);
+  await group('Move by').getByRole('button', { name: 'Torch tip' }).click();
+  await group('Frame').getByRole('button', { name: 'Work', exact: true }).click();
+  await one.locator('.speeds button').nth(3).click();
+  await openFrames();
+  await one.getByRole('button', { name: 'New user frame' }).click();
+  const form = one.locator('form.edit');
+  await form.getByLabel('Name').fill('table');
+  const record = async (name) => {
+    await form.getByRole('button', { name: `Record: ${name}` }).and(one.locator(':enabled')).click();
+    await form.getByRole('button', { name: `✓ Record: ${name}` }).waitFor();
+  };
+  assert.ok(await form.getByRole('button', { name: 'Save' }).isVisible());
+  await record('Origin');
+  const far = async (key, i) => {
+    const begun = (await stands()).tip[i];
+    await hold(jog(key), (now) => Math.abs(now.tip[i] - begun) > 30);
+    await openFrames();
+  };
+  // What was recorded is there again after the visit to the other page.
+  await far('Y −', 1);
+  await record('Point on the x axis');
+  await far('X −', 0);
+  await record('Point on the side of y');
+  await form.getByText(/Points .* mm apart/).waitFor();
+  await form.getByRole('button', { name: 'Save' }).click();
+  await entry('table').waitFor();
+  await startJogging(one);
+  await group('Move by').getByRole('button', { name: 'Torch tip' }).click();
+  await group('Frame').getByRole('button', { name: 'table' }).click();
+  const from = await stands();
+  const moved = await hold(jog('X −'), (now) => Math.hypot(...[0, 1, 2].map((i) => now.tip[i] - from.tip[i])) > 5);
+  const [x, y, z] = [0, 1, 2].map((i) => moved.tip[i] - from.tip[i]);
+  // The x axis of the frame is -y of the work.
+  assert.ok(y > 5 && Math.abs(x) < 0.1 * y && Math.abs(z) < 0.1 * y, `${[x, y, z]}`);
+});
+
 test('the reach map: searched with progress, the best place put into the job by one press and taken out by one', async () => {
   const ellipse = await jobText(one, 'ellipse.toml');
   await keep(one, 'edge.toml', `${ellipse}\n[placement]\nmove_mm = [200, 0, 0]\n`);

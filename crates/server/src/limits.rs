@@ -205,6 +205,9 @@ pub(crate) const MAX_SCHEDULE_ROWS: usize = 5000;
 /// Maximum number of parts that a page shows on the machines.
 pub(crate) const MAX_SCHEDULE_PARTS: usize = 2000;
 
+/// Maximum number of user frames of a machine.
+pub(crate) const MAX_FRAMES: usize = 200;
+
 // Records, audit log, archives.
 
 /// Maximum number of welds listed, the newest.

@@ -141,6 +141,9 @@ export const api = {
   setParameters: (change: Wire.ParameterChange) => request<Wire.ParametersView>('PUT', '/api/parameters', change),
   findTool: (touches: Wire.ToolTouches) => request<Wire.ToolAnswer>('POST', '/api/tool', touches),
   keepTool: (tip: Wire.ToolTip) => request<Wire.ParametersView>('PUT', '/api/tool', tip),
+  frames: () => request<Wire.FramesView>('GET', '/api/frames'),
+  keepFrame: (change: Wire.FrameChange) => request<Wire.FramesView>('PUT', '/api/frames', change),
+  teachFrame: (points: Wire.FramePoints) => request<Wire.FrameTaught>('POST', '/api/frames/teach', points),
   sensors: () => request<Wire.SensorsView>('GET', '/api/sensors'),
   /** What a picture of a grid of dots says of a camera. */
   findSensor: (plate: Plate, picture: Blob) =>

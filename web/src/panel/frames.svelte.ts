@@ -1,4 +1,4 @@
-import type { MachineView, Status } from '../wire';
+import type { JogOf, MachineView, Status } from '../wire';
 import { inverse, product, type Convention, conventions } from './rotation';
 
 const KEPT = 'seamwright.rotation';
@@ -9,6 +9,8 @@ const isConvention = (of: string | null): of is Convention => conventions.some((
 class Frames {
   /** Frame of the directions of the tip: `work`, `base`, `tool` or a user frame. */
   frame = $state('work');
+  /** What jog keys move: axes, the tip, or the torch about it. It stays when another page is looked at. */
+  by = $state<JogOf>('joints');
   private written = $state<Convention>(first());
 
   get convention(): Convention {

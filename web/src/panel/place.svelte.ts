@@ -4,7 +4,7 @@ import type { Stretch } from './stretch';
 export const tabs = ['weld', 'teach', 'jobs', 'records', 'setup'] as const;
 export type Tab = (typeof tabs)[number];
 
-export const setupPages = ['machine', 'parameters', 'tool', 'sensors', 'devices', 'diagnostics', 'tuning', 'alarms', 'users', 'audit', 'data'] as const;
+export const setupPages = ['machine', 'parameters', 'tool', 'frames', 'sensors', 'devices', 'diagnostics', 'tuning', 'alarms', 'users', 'audit', 'data'] as const;
 export type SetupPage = (typeof setupPages)[number];
 
 const TOURED = 'seamwright.toured';

@@ -1,6 +1,6 @@
 import { Euler, Matrix4, Quaternion as Turn, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { conventions, frameOf, inverse, originOf, product, quaternionOf, read, written, type Quaternion } from './rotation';
+import { angleBetween, conventions, frameOf, inverse, originOf, product, quaternionOf, read, written, type Quaternion } from './rotation';
 
 /** Random rotations, with those that conventions find hard. */
 function rotations(): Turn[] {
@@ -55,6 +55,7 @@ test('frames multiply and invert as matrices do', () => {
     expect(near(product(a, b), rows(made(a).multiply(made(b))))).toBeLessThan(1e-9);
     expect(near(inverse(a), rows(made(a).invert()))).toBeLessThan(1e-9);
     expect(originOf(a)).toEqual([1, -2, 3]);
+    expect(angleBetween(a, b)).toBeCloseTo((all[i - 1]!.angleTo(all[i]!) * 180) / Math.PI, 6);
   }
 });
 

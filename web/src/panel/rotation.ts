@@ -70,6 +70,12 @@ export function frameOf([w, x, y, z]: Quaternion, [px, py, pz]: readonly [number
   ];
 }
 
+/** Angle of the rotation between two frames, degrees. */
+export function angleBetween(a: readonly number[], b: readonly number[]): number {
+  const [w, x, y, z] = quaternionOf(product(inverse(a), b));
+  return (2 * Math.atan2(Math.hypot(x, y, z), w)) / DEG;
+}
+
 /** The angles of a rotation about the fixed axes X, Y and Z, degrees; Y within 90. Where Y is 90, X is 0. */
 function xyz(frame: readonly number[]): [number, number, number] {
   const across = Math.hypot(at(frame, 0, 0), at(frame, 1, 0));

@@ -16,6 +16,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { MachineView, NearView, PathPoint, Status, WorkView } from '../wire';
+import { bones } from './bones';
 import { Caps } from './caps';
 import type { ColourBy, Scale } from './colours';
 import { everything, extent } from './extent';
@@ -154,6 +155,7 @@ export class Scene {
     this.machineParts.length = this.zones.length = this.sights.length = 0;
     if (machine) {
       for (const view of machine.solids) this.machineParts.push(this.links.add(view.link, solid(view, 'machine', this.cuts, this.caps, !this.live)));
+      for (const bone of bones(machine, this.cuts)) this.machineParts.push(this.links.add(bone.link, bone.group));
       for (const zone of machine.zones) {
         const kind = zone.permitted ? 'permitted' : 'forbidden';
         for (const view of zone.solids) this.zones.push(this.links.add(view.link, solid(view, kind, this.cuts, this.caps, false)));

@@ -9,6 +9,7 @@ mod client;
 mod declarations;
 mod diagnostics;
 mod edit;
+mod frames;
 #[doc(hidden)]
 pub mod fuzzing;
 mod guard;

@@ -3,17 +3,18 @@ use super::declarations::Declarations;
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
-    assets, audit, cell_views, choices, diagnostics, edit, health, jobs, login, monitor_access, openapi, plan, records,
-    restore, schedules, sensors, setup, socket, stop, target, teach, users,
+    assets, audit, cell_views, choices, diagnostics, edit, frames, health, jobs, login, monitor_access, openapi, plan,
+    records, restore, schedules, sensors, setup, socket, stop, target, teach, users,
 };
 use crate::limits::{MAX_BODY_BYTES, MAX_STRANGER_BODY_BYTES};
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DiagnosticsView, DistortionRow, DraftAnswer,
-    EditAnswer, FormAnswer, FormText, JobKept, JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange,
-    ParametersView, PlaceAnswer, PlaceText, PlanAnswer, PlanningView, PostAnswer, PostText, ReachAnswer, ReachText,
-    RecordRow, RecordView, ScheduleOptions, ScheduleRow, ScheduleText, ScheduleView, SensorAnswer, SensorChange,
-    SensorsView, SessionView, Shelving, StandingView, Stopped, TargetAnswer, TargetText, TaughtProgram, TaughtView,
-    TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView, UserChange, UserRow, WorkView,
+    EditAnswer, FormAnswer, FormText, FrameChange, FramePoints, FrameTaught, FramesView, JobKept, JobRow, JobText,
+    Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText, PlanAnswer,
+    PlanningView, PostAnswer, PostText, ReachAnswer, ReachText, RecordRow, RecordView, ScheduleOptions, ScheduleRow,
+    ScheduleText, ScheduleView, SensorAnswer, SensorChange, SensorsView, SessionView, Shelving, StandingView, Stopped,
+    TargetAnswer, TargetText, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView,
+    TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -139,6 +140,10 @@ pub(super) fn routes() -> Vec<Route> {
         post "/api/tool" "set_up" "Position of a tool's tip from touches of one point; nothing is saved"
             setup::find_tool: ToolTouches => ToolAnswer;
         put "/api/tool" "set_up" "Saves a tool's tip in the machine file" setup::keep_tool: ToolTip => ParametersView;
+        get "/api/frames" "watch" "Frames in the machine file" frames::frames => FramesView;
+        put "/api/frames" "set_up" "Saves or removes a frame in the machine file" frames::keep: FrameChange => FramesView;
+        post "/api/frames/teach" "set_up" "A frame through three touched points; nothing is saved"
+            frames::teach: FramePoints => FrameTaught;
         get "/api/sensors" "watch" "Sensors in the machine file" sensors::sensors => SensorsView;
         get "/api/sensor/picture" "set_up" "Picture of a plate with a grid of dots by a simulated camera, PNG"
             sensors::picture;

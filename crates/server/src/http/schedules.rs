@@ -249,9 +249,9 @@ fn view(panel: &Panel, name: &str) -> Result<ScheduleView, Refused> {
                 tasks.extend((0..left).map(|_| task(&row, result)));
             }
             if rows.len() < MAX_SCHEDULE_ROWS {
-                rows.push(seam(row, result))
+                rows.push(seam(row, result));
             } else {
-                more += 1
+                more += 1;
             }
             Ok(true)
         })?;

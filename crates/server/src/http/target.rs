@@ -92,7 +92,7 @@ fn typed_axes(machine: &Machine, axes: &[f64]) -> Result<Joints, Refused> {
 }
 
 /// Positions that bring the tip to a place, the nearest to `start` within all ranges, and the angle (degrees) by which the
-/// torch's direction misses the wanted one; or the reason why there are none.
+/// torch's direction misses the wanted one; or the reason for a place out of reach.
 fn placed_tip(machine: &Machine, tip: &TipTarget, start: &Joints) -> Result<Result<(Joints, f64), Message>, Refused> {
     if tip.point.iter().any(|v| !v.is_finite() || v.abs() > FARTHEST_MM) {
         return Err(Message::new("server-target-far").into());
