@@ -77,3 +77,31 @@ async fn frames_are_changed_with_what_they_were_before() {
         "{row}"
     );
 }
+
+/// The tip of an arm's torch, from touches of one point in four attitudes: as far from the assumed one as it was bent.
+#[tokio::test(flavor = "multi_thread")]
+async fn the_tool_centre_point_of_an_arm_is_found_by_touches() {
+    let (bench, owner) = Bench::with_owner().await;
+    bench.did(&owner, "PUT", "/api/jobs/arm.toml", json!({ "text": JOB })).await;
+    bench.did(&owner, "POST", "/api/load", json!({ "job": "arm.toml", "from": null, "part": null })).await;
+    let text = seamwright_machine::shipped("ur10e").unwrap().text;
+    let bent = text.replace("stick_out_mm = 15", "stick_out_mm = 15\ntip_mm = [1.5, -2.0, 3.25]");
+    let bent = seamwright_machine::Machine::read("m", &bent).unwrap();
+    let home = bent.home();
+    let start = bent.forward(&home);
+    let tilts = [[0.0, 0.0, 0.0], [0.5, 0.0, 0.0], [0.0, 0.5, 0.0], [-0.3, -0.3, 0.6]];
+    let touches: Vec<Vec<f64>> = tilts
+        .map(|[x, y, z]| {
+            let turn = glam::DQuat::from_euler(glam::EulerRot::XYZ, x, y, z);
+            let pose = seamwright_geometry::Pose { direction: turn * start.direction, ..start };
+            let target = seamwright_machine::Target { across: Some(turn * bent.across(&home)), ..pose.into() };
+            let found = bent.reach(target, &home).unwrap()[0].joints;
+            bent.axes.iter().zip(found).map(|(axis, q)| axis.to_file(q)).collect()
+        })
+        .to_vec();
+    let found = bench.did(&owner, "POST", "/api/tool", json!({ "head": 0, "touches": touches })).await;
+    assert_eq!((&found["verdict"], found["unseen"].as_array().unwrap().len()), (&json!("good"), 0), "{found}");
+    for (found, wanted) in found["tip_mm"].as_array().unwrap().iter().zip([1.5, -2.0, 3.25]) {
+        assert!((found.as_f64().unwrap() - wanted).abs() < 1e-3, "{found}");
+    }
+}

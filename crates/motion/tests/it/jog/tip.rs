@@ -91,7 +91,9 @@ fn a_turn_without_axes_for_it_halts() {
         let settings = JogSettings { period_s: 2e-3, ..JogSettings::default() };
         let mut jog = Jog::new(&machine, None, &machine.home(), settings).unwrap();
         jog.command(&Command::Turn { frame: TipFrame::Torch, velocity: 0.2 * axis }).unwrap();
-        (0..20).for_each(|_| drop(jog.step(&ON)));
+        for _ in 0..20 {
+            jog.step(&ON);
+        }
         assert_eq!((jog.halt(), jog.state().q), (Some(Halt::NoMotion), machine.home()), "{name}");
     }
 }
