@@ -45,6 +45,8 @@ machine-heads-many = die Maschine hat { $n ->
 machine-head-without-steps = der Kopf `{ $head }` hat keine eigenen Schritte: nichts trägt ihn
 machine-head-steps = `[[heads.steps]]` für jeden Kopf
 machine-head-name-taken = eine Achse, ein anderer Kopf oder ein Koordinatensystem heißt schon so
+machine-frame-name = Benutzerkoordinatensystem mit dem Namen „{ $name }“
+machine-frame-name-allowed = bis { $max } Zeichen, keiner von { $names }
 
 # Outputs and controls.
 machine-output-taken = `{ $name }` hat diesen Ausgang schon

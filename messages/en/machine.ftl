@@ -91,6 +91,10 @@ machine-head-steps = `[[heads.steps]]` for every head
 machine-head-name-taken = an axis, another head or a frame has this name
     .cause = Names of links are unique. `base` and `work` are links of every machine.
     .cure = Change `name` of the head, also in `[[shapes]]`, `[sensors]` and `[[zones]]`.
+machine-frame-name = user frame with the name "{ $name }"
+    .cause = Each user frame has a short name of its own; names of frames that every machine has are taken.
+    .cure = Give the table `[frames.NAME]` another name, like `table` or `fixture-2`.
+machine-frame-name-allowed = up to { $max } characters, none of { $names }
 
 # Outputs and controls.
 machine-output-taken = `{ $name }` has this output already

@@ -47,6 +47,8 @@ machine-heads-many = у станка { $n ->
 machine-head-without-steps = у головки `{ $head }` нет собственных шагов: её ничто не несёт
 machine-head-steps = `[[heads.steps]]` для каждой головки
 machine-head-name-taken = такое имя есть у оси, другой головки или системы координат
+machine-frame-name = пользовательская система координат с именем «{ $name }»
+machine-frame-name-allowed = до { $max } знаков, не из числа { $names }
 
 # Outputs and controls.
 machine-output-taken = этот выход уже занят `{ $name }`

@@ -47,6 +47,8 @@ machine-heads-many = верстат має { $n ->
 machine-head-without-steps = головка `{ $head }` не має власних кроків: її нічого не несе
 machine-head-steps = `[[heads.steps]]` для кожної головки
 machine-head-name-taken = таку назву має вісь, інша головка або система координат
+machine-frame-name = система координат користувача з назвою «{ $name }»
+machine-frame-name-allowed = до { $max } знаків, не з-поміж { $names }
 
 # Outputs and controls.
 machine-output-taken = цей вихід уже має `{ $name }`

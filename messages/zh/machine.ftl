@@ -39,6 +39,8 @@ machine-heads-many = 机床有 { $n } 个焊头
 machine-head-without-steps = 焊头 `{ $head }` 没有自己的步骤：没有轴承载它
 machine-head-steps = 每个焊头都有 `[[heads.steps]]`
 machine-head-name-taken = 某个轴、另一个焊头或坐标系已有此名称
+machine-frame-name = 名为“{ $name }”的用户坐标系
+machine-frame-name-allowed = 最多 { $max } 个字符，不能是 { $names }
 
 # Outputs and controls.
 machine-output-taken = `{ $name }` 已占用此输出

@@ -27,6 +27,9 @@ self_cell! {
 
 /// Returns a text that is equal for machines that are identical: files of one name may differ.
 pub fn fingerprint(machine: &Machine) -> String {
+    // User frames are directions for an operator; devices and motion do not depend on them.
+    let mut machine = machine.clone();
+    machine.user_frames.clear();
     sha256(format!("{machine:?}").as_bytes())
 }
 

@@ -58,6 +58,9 @@ pub struct MachineFile {
     pub tip: TipFile,
     /// Direction against gravity in the base frame; z if missing.
     pub up: Option<Direction>,
+    /// User frames by their names, in the base frame: directions for jogging and targets.
+    #[serde(default)]
+    pub frames: BTreeMap<String, Transform>,
     /// Drive of each axis, by the axis' name; used by the simulation.
     #[serde(default)]
     pub drives: BTreeMap<String, DriveFile>,

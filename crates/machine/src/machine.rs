@@ -16,7 +16,7 @@ use crate::solids::LinkSolids;
 use crate::welding_head::Head;
 use crate::{AxisLimits, Sight};
 use arrayvec::ArrayVec;
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 use seamwright_document::DocumentError;
 use seamwright_geometry::{HeightTable, Pose};
 use std::f64::consts::TAU;
@@ -63,6 +63,8 @@ pub struct Machine {
     pub solids: LinkSolids,
     /// Sensors of the joint, by name.
     pub sensors: Vec<Sensor>,
+    /// User frames, by name. No motion of a program depends on them.
+    pub user_frames: Vec<UserFrame>,
     /// Limits of the first head's torch tip against the work.
     pub tip: AxisLimits,
     /// Wire between the torch's contact tip and its tip, mm, if the file has it.
@@ -74,6 +76,15 @@ pub struct Machine {
     pub(crate) pair: Option<Pair>,
     /// True if any axis has a pitch-error table.
     pub(crate) has_pitch_error: bool,
+}
+
+/// A frame that the user has named, at rest in the machine's base.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UserFrame {
+    /// Its name.
+    pub name: String,
+    /// The frame in the base frame, mm.
+    pub in_base: DAffine3,
 }
 
 /// Target poses of one torch, or of two at once.
@@ -294,6 +305,19 @@ impl Machine {
         let head = &self.heads[head];
         let named = self.links.frames.iter().find(|frame| frame.name == head.name);
         named.map_or(DAffine3::IDENTITY, |frame| self.link_frames(q)[frame.link] * frame.zero)
+    }
+
+    /// The tool frame of the first head's torch in the work frame at indicated positions `q`: its tip, the x axis of
+    /// [`Machine::across`], z from the torch to the work.
+    pub fn tool_frame(&self, q: &Joints) -> DAffine3 {
+        let Pose { point, direction: z } = self.forward(q);
+        let x = self.across(q);
+        DAffine3 { matrix3: DMat3::from_cols(x, z.cross(x), z), translation: point }
+    }
+
+    /// The user frame called `name`.
+    pub fn user_frame(&self, name: &str) -> Option<&UserFrame> {
+        self.user_frames.iter().find(|frame| frame.name == name)
     }
 
     /// The frame of `sensor` as a camera, in the work frame at indicated positions `q`: x to the right in the picture,

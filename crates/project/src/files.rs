@@ -1,7 +1,7 @@
 //! Files that the user names: read, or written whole, as [`WholeFile`] does it.
 
 use crate::failure::Failure;
-use crate::file_scope::FileRefusal;
+use crate::file_scope::{FileRefusal, FileScope};
 use seamwright_message::{Message, Unit};
 use seamwright_record::{ClosedFile, WholeFile};
 use std::fs;
@@ -32,6 +32,18 @@ pub fn read_up_to(path: &Path, max: u64) -> Result<String, Failure> {
         return Err(Failure::Input(Message::new("project-unreadable").text("file", file).message("why", why)));
     }
     String::from_utf8(bytes).map_err(|e| failed(&std::io::Error::new(std::io::ErrorKind::InvalidData, e)))
+}
+
+/// Reads a plain text file in `folder` or below, which a text from elsewhere names.
+///
+/// # Errors
+/// A name that leads out of the folder, anything but a plain file of moderate size.
+pub fn read_foreign(folder: &Path, name: &str) -> Result<String, Failure> {
+    let failed = |e: std::io::Error| {
+        Failure::Input(Message::new("project-unreadable").text("file", name).message("why", io_error(&e)))
+    };
+    let path = FileScope::fenced(folder).file(name).map_err(failed)?;
+    fs::read_to_string(path).map_err(failed)
 }
 
 /// Failure of reading the file called `source`.

@@ -28,6 +28,17 @@ pub(crate) fn template(folder: &Path, name: &str, store: &FileStore) -> Result<J
     Ok(JobText { text, folder: folder_of(&path).to_owned() })
 }
 
+/// The same where the author of the table may read only plain files in `folder`: a job there, or an example.
+pub(crate) fn foreign_template(folder: &Path, name: &str) -> Result<JobText, Failure> {
+    let example = seamwright_project::examples::example(name.strip_suffix(".toml").unwrap_or(name));
+    let text = match example.filter(|_| !folder.join(name).is_file()) {
+        Some(example) => example.text.to_owned(),
+        None => files::read_foreign(folder, name)?,
+    };
+    TomlText::parse(name, &text)?;
+    Ok(JobText { text, folder: folder.to_owned() })
+}
+
 /// The folder of a file.
 pub(crate) fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
@@ -117,7 +128,8 @@ impl Templates {
 
     fn hash_of(&mut self, path: &Path) -> Option<String> {
         if !self.hashes.contains_key(path) {
-            let hash = std::fs::read(path).ok().map(|bytes| sha256(&bytes));
+            // Any text of a job is tried as a name: devices and pipes are not read.
+            let hash = path.is_file().then(|| std::fs::read(path).ok()).flatten().map(|bytes| sha256(&bytes));
             self.hashes.insert(path.to_owned(), hash);
         }
         self.hashes[path].clone()

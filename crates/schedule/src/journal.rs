@@ -43,6 +43,28 @@ impl<H: Eq + Hash + Clone + Serialize + DeserializeOwned, R: Serialize + Deseria
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
         let failed = |e: std::io::Error| not_writable(path, &e);
         let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
+        let journal = Self::of(path, file)?;
+        let inner = journal.locked();
+        inner.file.set_len(inner.end).map_err(failed)?;
+        drop(inner);
+        Ok(journal)
+    }
+
+    /// Opens a journal that another process may be writing, to read its whole lines; none if it is missing.
+    ///
+    /// # Errors
+    /// Failure to read the file.
+    pub(crate) fn open_to_read(path: &Path) -> Result<Option<Self>, Failure> {
+        match File::open(path) {
+            Ok(file) => Self::of(path, file).map(Some),
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(None),
+            Err(e) => Err(not_writable(path, &e)),
+        }
+    }
+
+    /// The journal in `file`, with the places of its whole lines.
+    fn of(path: &Path, file: File) -> Result<Self, Failure> {
+        let failed = |e: std::io::Error| not_writable(path, &e);
         let mut reader = BufReader::new(&file);
         let (mut places, mut end, mut line) = (HashMap::new(), 0, String::new());
         loop {
@@ -58,7 +80,6 @@ impl<H: Eq + Hash + Clone + Serialize + DeserializeOwned, R: Serialize + Deseria
             end += read;
         }
         drop(reader);
-        file.set_len(end).map_err(failed)?;
         Ok(Self { path: path.to_owned(), inner: Mutex::new(Inner { file, places, end }), results: PhantomData })
     }
 
@@ -127,5 +148,11 @@ mod tests {
             journal.add(&"new".to_owned(), &result(99)).unwrap();
             assert_eq!(rows(&path).get(&"new".to_owned()).unwrap(), Some(result(99)));
         }
+        // Reading beside a writer leaves half a line alone.
+        std::fs::write(&path, &whole[..whole.len() - 1]).unwrap();
+        let read = Journal::<String, RowResult>::open_to_read(&path).unwrap().unwrap();
+        assert_eq!((read.has(&"h18".to_owned()), read.has(&"h19".to_owned())), (true, false));
+        assert_eq!(std::fs::read(&path).unwrap().len(), whole.len() - 1);
+        assert!(Journal::<String, RowResult>::open_to_read(&folder.path().join("none")).unwrap().is_none());
     }
 }

@@ -83,6 +83,47 @@ impl Schedule<'_> {
         Ok(summary)
     }
 
+    /// Calls `each` with every row and its result, none if it is not planned yet, until it returns false. Another process
+    /// may be planning the same schedule.
+    ///
+    /// # Errors
+    /// Faults of the table, failures to read, and those of `each`.
+    pub fn results(
+        &self,
+        each: &mut dyn FnMut(Row, Option<RowResult>) -> Result<bool, Failure>,
+    ) -> Result<(), Failure> {
+        let journal = Rows::open_to_read(&self.output.join("rows.jsonl"))?;
+        let mut templates = Templates::default();
+        self.table.each(&mut |row| {
+            let result = match templates.jobs(self.table, &row) {
+                Ok(jobs) => {
+                    let hash = self.hash(&row, &jobs, &mut templates);
+                    journal.as_ref().map(|journal| journal.get(&hash)).transpose()?.flatten()
+                }
+                Err(failure) => Some(RowResult::without_plan(Status::Invalid, failure.text())),
+            };
+            each(row, result)
+        })
+    }
+
+    /// The job of the row called `name` on `machine`, or on its first machine; none if there is no such row.
+    ///
+    /// # Errors
+    /// Faults of the table, and a value that has no place in the template.
+    pub fn job_of(&self, name: &str, machine: Option<&str>) -> Result<Option<String>, Failure> {
+        let (mut templates, mut found) = (Templates::default(), None);
+        self.table.each(&mut |row| {
+            if row.name != name {
+                return Ok(true);
+            }
+            let jobs = templates.jobs(self.table, &row)?;
+            let at = row.machines.iter().position(|known| Some(known.as_str()) == machine).unwrap_or(0);
+            found = jobs.into_iter().nth(at).map(|job| job.text);
+            Ok(false)
+        })?;
+        Ok(found)
+    }
+
     /// Everything besides the job that a result depends on.
     fn options(&self) -> String {
         format!("{:?} {:?}", self.post, self.limit)

@@ -7,7 +7,7 @@
 //! **TOML.** `[defaults]`, and a `[[seams]]` table for each row with the same names; keys of the job are written as in
 //! the job.
 
-use crate::job_text::{folder_of, template};
+use crate::job_text::{folder_of, foreign_template, template};
 use crate::keys::Keys;
 use schemars::schema_for;
 use seamwright_document::TomlText;
@@ -70,6 +70,10 @@ pub struct Row {
 #[derive(Debug, Clone)]
 pub struct Table {
     path: PathBuf,
+    /// Folder that templates are relative to.
+    folder: PathBuf,
+    /// Its author may read only plain files in that folder.
+    is_foreign: bool,
     keys: Keys,
     /// Source of its templates, and of the files that they name.
     store: FileStore,
@@ -90,7 +94,21 @@ impl Table {
     /// # Errors
     /// With file, line and column: unknown columns, wrong values, names twice, missing templates.
     pub fn open(path: &Path) -> Result<(Self, u64), Failure> {
-        let table = Self { path: path.to_owned(), keys: Keys::of(&schema_for!(Job)), store: FileStore::Disk };
+        Self::carried(path.to_owned(), FileStore::Disk).checked()
+    }
+
+    /// The same for a table whose author may not read all files: templates, machines and other files are plain files in
+    /// `folder` and below.
+    ///
+    /// # Errors
+    /// As [`Table::open`].
+    pub fn open_foreign(path: &Path, folder: &Path) -> Result<(Self, u64), Failure> {
+        let folder = folder.to_owned();
+        Self { folder, is_foreign: true, ..Self::carried(path.to_owned(), FileStore::Disk) }.checked()
+    }
+
+    fn checked(self) -> Result<(Self, u64), Failure> {
+        let table = self;
         let mut count = 0;
         // Hashes of the names: a million names take 16 MB.
         let (mut names, hashes) = (HashSet::new(), RandomState::new());
@@ -110,15 +128,16 @@ impl Table {
             Ok(true)
         })?;
         if count == 0 {
-            let message = Message::new("schedule-no-rows").text("file", path.display().to_string());
+            let message = Message::new("schedule-no-rows").text("file", table.name());
             return Err(Failure::refused(message, Message::new("schedule-rows-needed")));
         }
         Ok((table, count))
     }
 
-    /// A table whose rows come from elsewhere, with templates of `store`.
+    /// A table that is not checked, with templates of `store`.
     pub(crate) fn carried(path: PathBuf, store: FileStore) -> Self {
-        Self { path, keys: Keys::of(&schema_for!(Job)), store }
+        let folder = folder_of(&path).to_owned();
+        Self { path, folder, is_foreign: false, keys: Keys::of(&schema_for!(Job)), store }
     }
 
     /// Source of the files of its jobs.
@@ -133,7 +152,12 @@ impl Table {
 
     /// Folder that templates are relative to.
     pub fn folder(&self) -> &Path {
-        folder_of(&self.path)
+        &self.folder
+    }
+
+    /// True if its author may read only plain files in that folder.
+    pub(crate) fn is_foreign(&self) -> bool {
+        self.is_foreign
     }
 
     /// Calls `row` with every row, until it returns false.
@@ -149,7 +173,11 @@ impl Table {
 
     /// Text of a template, and the folder that its files are relative to.
     pub(crate) fn template(&self, name: &str) -> Result<(String, PathBuf), Failure> {
-        template(self.folder(), name, &self.store).map(|job| (job.text, job.folder))
+        let job = match self.is_foreign {
+            true => foreign_template(self.folder(), name),
+            false => template(self.folder(), name, &self.store),
+        };
+        job.map(|job| (job.text, job.folder))
     }
 
     fn each_of_csv(&self, row: &mut dyn FnMut(Row) -> Result<bool, Failure>) -> Result<(), Failure> {
@@ -299,8 +327,10 @@ impl Table {
         Failure::refused(message, allowed)
     }
 
+    /// Its name in messages: without folders if its author does not see them.
     fn name(&self) -> String {
-        self.path.display().to_string()
+        let file = self.path.file_name().filter(|_| self.is_foreign);
+        file.map_or_else(|| self.path.display().to_string(), |file| file.to_string_lossy().into_owned())
     }
 }
 
@@ -400,6 +430,29 @@ mod tests {
         assert_eq!(of_csv[0].machines, ["torch-5axis", "irb-2600"]);
         assert_eq!((of_csv[0].count, of_csv[1].count), (3, 1));
         assert_eq!(of_csv[0].settings.len(), 2);
+    }
+
+    /// A table of somebody who may read only the folder of jobs.
+    #[test]
+    fn a_foreign_table_names_files_of_its_folder_only() {
+        let folder = tempfile::tempdir().unwrap();
+        let jobs = folder.path().join("jobs");
+        std::fs::create_dir_all(&jobs).unwrap();
+        std::fs::write(folder.path().join("secret.toml"), "password = 1\n").unwrap();
+        std::fs::write(jobs.join("own.toml"), seamwright_project::examples::EXAMPLES[0].text).unwrap();
+        let path = folder.path().join("t.csv");
+        let open = |template: &str| {
+            std::fs::write(&path, format!("name,template\nN1,{template}\n")).unwrap();
+            Table::open_foreign(&path, &jobs).map(|(_, rows)| rows).map_err(|e| e.text())
+        };
+        for good in ["own.toml", "saddle", "saddle.toml"] {
+            assert_eq!(open(good), Ok(1), "{good}");
+        }
+        for bad in ["../secret.toml", "/etc/passwd", "/dev/zero", "nothing.toml"] {
+            let text = open(bad).unwrap_err();
+            assert!(text.contains("t.csv:2") && !text.contains("password"), "{text}");
+            assert!(!text.contains(folder.path().to_str().unwrap()), "{text}");
+        }
     }
 
     #[test]

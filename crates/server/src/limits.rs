@@ -159,6 +159,10 @@ pub(crate) const PLAN_PROCESSOR_TIME: Duration = Duration::from_secs(600);
 pub(crate) const DRAFT_TIME: Duration = Duration::from_secs(20);
 /// Maximum time for a plan, a part program, a report or a job to be loaded.
 pub(crate) const PLAN_TIME: Duration = Duration::from_secs(300);
+/// Maximum time for planning all rows of a schedule in the background: what is done is kept.
+pub(crate) const LONG_TIME: Duration = Duration::from_secs(24 * 3600);
+/// Maximum processor time of its process: all cores for that time.
+pub(crate) const LONG_PROCESSOR_TIME: Duration = Duration::from_secs(64 * 24 * 3600);
 /// Maximum size of the answer of such a process, bytes.
 pub(crate) const MAX_PLAN_BYTES: usize = 128 << 20;
 /// Number of processes of each sort (plans, drafts, loads) at once, and waiting.
@@ -191,6 +195,18 @@ pub(crate) const MAX_PLACE_POINTS: usize = 1000;
 pub(crate) const MAX_TOUCHES: usize = 1000;
 /// Maximum number of pixels of a picture of a grid.
 pub(crate) const MAX_PICTURE_PX: usize = 1 << 23;
+
+// Schedules.
+
+/// Maximum number of tables of seams.
+pub(crate) const MAX_SCHEDULES: usize = 500;
+/// Maximum number of rows of a table that a page shows; all are planned, and in the result files.
+pub(crate) const MAX_SCHEDULE_ROWS: usize = 5000;
+/// Maximum number of parts that a page shows on the machines.
+pub(crate) const MAX_SCHEDULE_PARTS: usize = 2000;
+
+/// Maximum number of user frames of a machine.
+pub(crate) const MAX_FRAMES: usize = 200;
 
 // Records, audit log, archives.
 

@@ -94,6 +94,10 @@ export const api = {
   keepJob: (of: string, text: string, over: string | null) => request<Wire.JobRow>('PUT', `/api/jobs/${name(of)}`, { text, over }),
   deleteJob: (of: string) => request<void>('DELETE', `/api/jobs/${name(of)}`),
   plan: (text: string, signal?: AbortSignal) => request<Wire.PlanAnswer>('POST', '/api/plan', { text }, signal),
+  /** Searches the best placement; it ends when nobody waits for it. */
+  reach: (asked: Wire.ReachText, signal?: AbortSignal) => request<Wire.ReachAnswer>('POST', '/api/reach', asked, signal),
+  /** What this page has asked to be planned and is not answered yet. */
+  planning: () => request<Wire.PlanningView[]>('GET', '/api/planning'),
   draft: (text: string, signal?: AbortSignal) => request<Wire.DraftAnswer>('POST', '/api/draft', { text }, signal),
   place: (asked: Wire.PlaceText) => request<Wire.PlaceAnswer>('POST', '/api/place', asked),
   load: (load: Wire.Load) => request<Wire.WorkView>('POST', '/api/load', load),
@@ -105,8 +109,22 @@ export const api = {
     request<Wire.EditAnswer>('POST', '/api/edit', { text, operations }),
   /** Positions of axes and tip; refused while an axis moves. */
   position: () => request<Wire.StandingView>('GET', '/api/position'),
+  /** Checks a target of motion by hand; nothing moves. */
+  target: (asked: Wire.TargetText) => request<Wire.TargetAnswer>('POST', '/api/target', asked),
   taught: () => request<Wire.TaughtView>('GET', '/api/teach'),
   taughtProgram: (how: Wire.TeachProgram) => request<Wire.TaughtProgram>('POST', '/api/teach/program', how),
+  schedules: () => request<Wire.ScheduleRow[]>('GET', '/api/schedules'),
+  schedule: (of: string) => request<Wire.ScheduleView>('GET', `/api/schedules/${name(of)}`),
+  /** `replace`: a table that stands under the name. */
+  keepSchedule: (of: string, text: string, replace: boolean) => request<Wire.ScheduleRow>('PUT', `/api/schedules/${name(of)}`, { text, replace }),
+  deleteSchedule: (of: string) => request<void>('DELETE', `/api/schedules/${name(of)}`),
+  runSchedule: (of: string, options: Wire.ScheduleOptions) => request<void>('POST', `/api/schedules/${name(of)}/run`, options),
+  cancelSchedule: (of: string) => request<void>('DELETE', `/api/schedules/${name(of)}/run`),
+  /** The job of a row, as it would be opened. */
+  seamJob: (of: string, row: string, machine: string) =>
+    request<Wire.JobText>('GET', `/api/schedules/${name(of)}/job?${query(machine === '' ? { row } : { row, machine })}`),
+  /** Address of a result file. */
+  scheduleFile: (of: string, file: string) => `/api/schedules/${name(of)}/files/${file}`,
   records: (query: Record<string, string>) =>
     request<Wire.RecordRow[]>('GET', `/api/records?${new URLSearchParams(query).toString()}`),
   record: (id: number) => request<Wire.RecordView>('GET', `/api/records/${id}`),
@@ -123,6 +141,9 @@ export const api = {
   setParameters: (change: Wire.ParameterChange) => request<Wire.ParametersView>('PUT', '/api/parameters', change),
   findTool: (touches: Wire.ToolTouches) => request<Wire.ToolAnswer>('POST', '/api/tool', touches),
   keepTool: (tip: Wire.ToolTip) => request<Wire.ParametersView>('PUT', '/api/tool', tip),
+  frames: () => request<Wire.FramesView>('GET', '/api/frames'),
+  keepFrame: (change: Wire.FrameChange) => request<Wire.FramesView>('PUT', '/api/frames', change),
+  teachFrame: (points: Wire.FramePoints) => request<Wire.FrameTaught>('POST', '/api/frames/teach', points),
   sensors: () => request<Wire.SensorsView>('GET', '/api/sensors'),
   /** What a picture of a grid of dots says of a camera. */
   findSensor: (plate: Plate, picture: Blob) =>

@@ -4,7 +4,7 @@ import type { Stretch } from './stretch';
 export const tabs = ['weld', 'teach', 'jobs', 'records', 'setup'] as const;
 export type Tab = (typeof tabs)[number];
 
-export const setupPages = ['machine', 'parameters', 'tool', 'sensors', 'devices', 'diagnostics', 'tuning', 'alarms', 'users', 'audit', 'data'] as const;
+export const setupPages = ['machine', 'parameters', 'tool', 'frames', 'sensors', 'devices', 'diagnostics', 'tuning', 'alarms', 'users', 'audit', 'data'] as const;
 export type SetupPage = (typeof setupPages)[number];
 
 const TOURED = 'seamwright.toured';
@@ -12,6 +12,9 @@ const TOURED = 'seamwright.toured';
 /** Where the operator is in the panel. Nothing of it changes what the cell does. */
 class Place {
   tab = $state<Tab>('weld');
+  /** The page of jobs shows tables of seams, and of which. */
+  schedules = $state(false);
+  schedule = $state('');
   /** The page of the set-up that was looked at last. */
   setup = $state<SetupPage>('machine');
   /** The first-run tour is shown: until it is dismissed once. */

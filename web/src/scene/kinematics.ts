@@ -24,11 +24,8 @@ export function poseAt(machine: MachineView, axes: number[]): Pose {
     }
     links.push(moved);
   }
-  const names = new Set(['base', 'work', ...machine.axes.map((axis) => axis.name)]);
-  const torch = machine.frames.find((of) => of.link === machine.torch && !names.has(of.name));
-  const frame = torch ? matrix(torch.frame) : new Matrix4();
-  frame.premultiply(links[machine.torch] ?? new Matrix4());
-  const tip = new Vector3().setFromMatrixPosition(frame);
-  const along = new Vector3(0, 0, 1).transformDirection(frame);
+  const tool = matrix(machine.tool).premultiply(links[machine.torch] ?? new Matrix4());
+  const tip = new Vector3().setFromMatrixPosition(tool);
+  const along = new Vector3(0, 0, -1).transformDirection(tool);
   return { links, tip: [tip.x, tip.y, tip.z], along: [along.x, along.y, along.z] };
 }

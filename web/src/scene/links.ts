@@ -31,6 +31,11 @@ export class Links {
     return this.at(frame?.link ?? this.machine?.base ?? 0);
   }
 
+  /** How the base has moved against the work since all axes were at zero. */
+  base(): Matrix4 {
+    return this.groups[this.machine?.base ?? 0]?.matrix ?? this.moved[this.machine?.base ?? 0] ?? NO_MOVE;
+  }
+
   /** Stands them so; how they stood before. */
   put(moved: readonly Matrix4[]): readonly Matrix4[] {
     const before = this.moved;

@@ -16,10 +16,12 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { MachineView, NearView, PathPoint, Status, WorkView } from '../wire';
+import { bones } from './bones';
 import { Caps } from './caps';
 import type { ColourBy, Scale } from './colours';
 import { everything, extent } from './extent';
 import { facing, standings, type Spot, type Standing } from './facing';
+import { Ghost } from './ghost';
 import { Highlight } from './highlight';
 import { poseAt, type Pose } from './kinematics';
 import { Links } from './links';
@@ -77,6 +79,7 @@ export class Scene {
   private readonly sights: Group[] = [];
   private readonly mark = new Mark();
   private readonly highlight = new Highlight();
+  private readonly ghost = new Ghost();
   private readonly cut = new Plane(new Vector3(0, 0, -1), 0);
   private readonly cuts: Plane[] = [];
   private readonly caps = new Caps(this.cuts);
@@ -148,9 +151,11 @@ export class Scene {
     if (this.machine === machine) return;
     this.machine = machine;
     this.links.set(machine);
+    this.ghost.clear();
     this.machineParts.length = this.zones.length = this.sights.length = 0;
     if (machine) {
       for (const view of machine.solids) this.machineParts.push(this.links.add(view.link, solid(view, 'machine', this.cuts, this.caps, !this.live)));
+      for (const bone of bones(machine, this.cuts)) this.machineParts.push(this.links.add(bone.link, bone.group));
       for (const zone of machine.zones) {
         const kind = zone.permitted ? 'permitted' : 'forbidden';
         for (const view of zone.solids) this.zones.push(this.links.add(view.link, solid(view, kind, this.cuts, this.caps, false)));
@@ -215,6 +220,7 @@ export class Scene {
 
   private stands(pose: Pose, burns: boolean, off: Off | null): void {
     this.links.put(pose.links);
+    this.ghost.stand(this.links);
     const along = new Vector3(...pose.along).normalize();
     this.torch.set(new Vector3(...pose.tip), along, burns, off, this.links.work().matrixWorld, this.parts);
     this.draw();
@@ -229,6 +235,12 @@ export class Scene {
   /** Shows a stretch of a pass that is chosen, by its tips; none: nothing is. */
   setStretch(tips: [number, number, number][]): void {
     this.highlight.set(tips);
+    this.draw();
+  }
+
+  /** Shows the machine as it would stand, to be looked through; null: not. */
+  setGhost(pose: Pose | null): void {
+    this.ghost.set(this.machine, pose, this.links);
     this.draw();
   }
 

@@ -8,9 +8,12 @@ import {
   PlaneGeometry,
   SphereGeometry,
 } from 'three';
+import { toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import type { ShapeView } from '../wire';
 
 const ROUND = 64;
+/** Faces of a mesh that meet at a smaller angle are shaded as one smooth surface. */
+const CREASE_RAD = (35 * Math.PI) / 180;
 /** How much of an endless half space is drawn, mm. */
 const PLANE_MM = 1200;
 
@@ -40,8 +43,7 @@ export function geometry(shape: ShapeView): BufferGeometry {
     case 'mesh': {
       const made = new BufferGeometry();
       made.setAttribute('position', new BufferAttribute(new Float32Array(shape.triangles), 3));
-      made.computeVertexNormals();
-      return made;
+      return toCreasedNormals(made, CREASE_RAD);
     }
   }
 }

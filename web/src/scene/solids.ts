@@ -45,7 +45,6 @@ export function solid(view: SolidView, kind: Kind, cuts: Plane[], caps: Caps, gh
       polygonOffsetFactor: 2,
       polygonOffsetUnits: 8,
       clippingPlanes: zone ? [] : cuts,
-      flatShading: view.shape.kind === 'mesh',
     }),
   );
   const edges = new LineSegments(

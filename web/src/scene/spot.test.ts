@@ -41,7 +41,7 @@ describe('how far the tip is from its pass', () => {
 /** A turn about z, two slides, and a swing about -y through (400, 0, 100); the tip is at (400, 0, 0). */
 const machine = {
   axes: [{ unit: 'deg' }, { unit: 'mm' }, { unit: 'mm' }, { unit: 'deg' }],
-  frames: [{ name: 'torch', link: 4, frame: [1, 0, 0, 400, 0, 1, 0, 0, 0, 0, 1, 0] }],
+  tool: [1, 0, 0, 400, 0, -1, 0, 0, 0, 0, -1, 0],
   torch: 4,
   joints: [
     null,

@@ -1,4 +1,5 @@
 import { cell } from '../live/cell.svelte';
+import type { Convention } from '../panel/rotation';
 import { machineOf } from '../panel/taught.svelte';
 
 /** Touches of one point with the tool, positions of all axes each; kept when the page is left, not when the machine is another. */
@@ -50,6 +51,26 @@ class Typed {
 }
 
 export const typed = new Typed();
+
+/** A frame that is being changed: it stays while points are touched on the page of jogging. */
+class FrameDraft {
+  /** Its identifier; empty: none is changed. */
+  id = $state('');
+  name = $state('');
+  /** Position, and orientation in this convention. */
+  fields = $state.raw<string[]>([]);
+  convention = $state<Convention>('xyz');
+  /** Positions of all axes at the three points. */
+  touches = $state.raw<(number[] | null)[]>([null, null, null]);
+  taught = $state('');
+
+  begin(id: string, fields: string[], convention: Convention): void {
+    [this.id, this.name, this.taught] = [id, '', ''];
+    [this.fields, this.convention, this.touches] = [fields, convention, [null, null, null]];
+  }
+}
+
+export const draft = new FrameDraft();
 
 /** The job of the cell anew, so that what was kept of its machine is in force. */
 export async function loadAnew(): Promise<void> {

@@ -49,6 +49,6 @@ pub use missing_permissive::{Missing, SilentDevice};
 pub use mode::{Event, Mode, Refused, table};
 pub use port::{Cycle, Note, Port, Status};
 pub use process::ProcessState;
-pub use reduced_speed::REDUCED_MM_S;
+pub use reduced_speed::{Foreseen, REDUCED_MM_S, REDUCED_RAD_S, foresee};
 pub use requests::End;
 pub use work::{Start, Work};

@@ -1,7 +1,7 @@
 //! Reduced speed of the torch tip while an operator jogs the axes.
 
 use seamwright_machine::{Joints, Machine, Surroundings};
-use seamwright_motion::jog::{self, Jog, JogSettings};
+use seamwright_motion::jog::{self, Halt, Jog, JogError, JogSettings, Signals};
 use std::cell::RefCell;
 
 /// Time without a sign of life from the panel after which the axes stop, s.
@@ -9,6 +9,10 @@ const SILENCE_S: f64 = 0.2;
 
 /// Maximum torch tip speed during jogging, mm/s (ISO 10218-1, reduced speed).
 pub const REDUCED_MM_S: f64 = 250.0;
+
+/// Maximum angular speed of the torch about its resting tip during jogging, rad/s: the flange of a torch of 500 mm then
+/// moves at the reduced speed.
+pub const REDUCED_RAD_S: f64 = 0.5;
 
 /// Returns the factor of the axis `speeds` that keeps the tip within [`REDUCED_MM_S`] from positions `q`, for the time
 /// until the panel counts as silent.
@@ -40,6 +44,9 @@ fn reduced(machine: &Machine, q: &Joints, command: jog::Command) -> (jog::Comman
         jog::Command::Tip { frame, velocity } => {
             (jog::Command::Tip { frame, velocity: velocity.clamp_length_max(REDUCED_MM_S) }, 1.0)
         }
+        jog::Command::Turn { frame, velocity } => {
+            (jog::Command::Turn { frame, velocity: velocity.clamp_length_max(REDUCED_RAD_S) }, 1.0)
+        }
         jog::Command::To(target) => (command, part(machine, q, &highest(&|i| (target[i] - q[i]).abs() > 0.0))),
         jog::Command::Step { axis, .. } => (command, part(machine, q, &highest(&|i| i == axis))),
         jog::Command::Rest => (command, 1.0),
@@ -54,11 +61,94 @@ pub(super) fn obey(jog: &mut Jog<'_>, machine: &Machine, feed_override: f64, wan
     jog.command(if moves { &command } else { &jog::Command::Rest }).ok();
 }
 
+/// Period of a motion that is computed in advance, s: the proof of each set-point covers its period and stop, so a longer
+/// period than the cell's is stricter.
+const FORESEEN_PERIOD_S: f64 = 8e-3;
+/// Time between renewed commands, s, as from a held key.
+const RENEWED_S: f64 = 0.05;
+/// Maximum duration of a motion that is computed in advance, s: any axis crosses its range in this time.
+const MAX_FORESEEN_S: f64 = 300.0;
+
+/// Distance of an axis from its target at which it has arrived, mm or rad.
+const ARRIVED: f64 = 1e-6;
+
+/// A motion to a target by hand, computed in advance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Foreseen {
+    /// Positions on the way, evenly spaced in time, with the start and the end.
+    pub way: Vec<Joints>,
+    /// Duration, s.
+    pub time_s: f64,
+    /// Reason for an end before the target.
+    pub halt: Option<Halt>,
+}
+
+/// Computes the motion of all axes from rest at `start` to `target` as the cell will jog it: with the same shield, and
+/// with the torch tip within [`REDUCED_MM_S`]. Keeps about `samples` positions.
+///
+/// # Errors
+/// A start that is out of range or not clear; a target out of range.
+pub fn foresee(
+    machine: &Machine,
+    around: Option<&Surroundings<'_>>,
+    start: &Joints,
+    target: &Joints,
+    samples: usize,
+) -> Result<Foreseen, JogError> {
+    let settings = JogSettings { period_s: machine.servo_period_s.max(FORESEEN_PERIOD_S), ..JogSettings::default() };
+    let mut jog = Jog::new(machine, around, start, settings)?;
+    jog.command(&jog::Command::To(*target))?;
+    let renewed = (RENEWED_S / settings.period_s).ceil() as usize;
+    let most = (MAX_FORESEEN_S / settings.period_s) as usize;
+    let mut points = vec![*start];
+    for cycle in 0..most {
+        if cycle % renewed == 0 && jog.halt().is_none() {
+            obey(&mut jog, machine, 1.0, jog::Command::To(*target));
+        }
+        jog.step(&Signals { enabled: true, alive: true, hold: false });
+        points.push(jog.state().q);
+        // Renewed commands may leave a motion of rounding at the target.
+        let is_there = points[points.len() - 1].iter().zip(target).all(|(q, to)| (q - to).abs() < ARRIVED);
+        if cycle > renewed && (is_there || jog.state().rests()) {
+            break;
+        }
+    }
+    let steps = points.len() - 1;
+    let count = samples.clamp(1, steps.max(1));
+    let way = (0..=count).map(|i| points[i * steps / count]).collect();
+    Ok(Foreseen { way, time_s: steps as f64 * settings.period_s, halt: jog.halt() })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use seamwright_machine::shipped;
-    use seamwright_motion::jog::Signals;
+    use seamwright_machine::{Clamped, shipped};
+
+    /// The computed motion ends at the target; one into an obstacle ends before it, with the reason.
+    #[test]
+    fn a_motion_is_foreseen_to_its_target_or_to_what_stops_it() {
+        let machine = Machine::read("m.toml", shipped("ur10e").unwrap().text).unwrap();
+        let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
+        let home = machine.home();
+        let mut target = home;
+        target[0] += 0.5;
+        let clear = foresee(&machine, Some(&around), &home, &target, 20).unwrap();
+        assert_eq!((clear.halt, clear.way.len(), clear.way[0]), (None, 21, home));
+        let off = clear.way[20].iter().zip(target).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        // 0.5 rad of an arm that reaches 0.9 m, at 250 mm/s.
+        assert!(off <= ARRIVED && clear.time_s > 1.0 && clear.time_s < 10.0, "{off} {}", clear.time_s);
+        // The forearm folded into the upper arm.
+        let folded = (1..300).map(|k| f64::from(k) * 0.01).find_map(|by| {
+            let mut q = home;
+            q[2] -= by;
+            (!around.is_clear(&q)).then_some(q)
+        });
+        let stopped = foresee(&machine, Some(&around), &home, &folded.unwrap(), 20).unwrap();
+        assert!(matches!(stopped.halt, Some(Halt::TooNear(_))), "{:?}", stopped.halt);
+        assert!(stopped.way.iter().all(|q| around.is_clear(q)));
+        target[0] = 100.0;
+        assert!(matches!(foresee(&machine, None, &home, &target, 20), Err(JogError::Range { .. })));
+    }
 
     /// Uniform random numbers from 0 to 1.
     fn numbers() -> impl FnMut() -> f64 {

@@ -14,9 +14,9 @@ use crate::axis::Axis;
 use crate::chain::MAX_AXES;
 use crate::file::{DeflectionFile, File, Load, StepFile};
 use crate::head_pair::Pair;
-use crate::machine::Machine;
+use crate::machine::{Machine, UserFrame};
 use glam::DVec3;
-use seamwright_document::{Direction, DocumentError, Positive};
+use seamwright_document::{Direction, DocumentError, Positive, Transform};
 use seamwright_message::{Message, Unit};
 use std::collections::BTreeMap;
 
@@ -68,9 +68,31 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         links,
         solids,
         sensors,
+        user_frames: user_frames(file)?,
         heads,
         axes,
     })
+}
+
+/// Maximum length of the name of a user frame, characters.
+const MAX_FRAME_NAME: usize = 40;
+/// Names of frames that every machine has.
+const KNOWN_FRAMES: [&str; 5] = ["base", "world", "work", "tool", "flange"];
+
+/// The user frames, each with a name of its own.
+fn user_frames(file: &File) -> Result<Vec<UserFrame>, DocumentError> {
+    let frame = |(name, frame): (&String, &Transform)| {
+        let is_valid = (1..=MAX_FRAME_NAME).contains(&name.chars().count())
+            && !name.chars().any(char::is_control)
+            && !KNOWN_FRAMES.contains(&name.as_str());
+        if !is_valid {
+            let allowed = Message::new("machine-frame-name-allowed").count("max", MAX_FRAME_NAME);
+            let fault = Message::new("machine-frame-name").text("name", name);
+            return Err(file.error_at("frames", fault, allowed.text("names", KNOWN_FRAMES.join(", "))));
+        }
+        Ok(UserFrame { name: name.clone(), in_base: frame.affine() })
+    };
+    file.value.frames.iter().map(frame).collect()
 }
 
 /// Range of the longest gap in the cycle, ms.

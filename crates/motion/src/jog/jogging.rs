@@ -2,7 +2,7 @@ use super::error::{AxisName, AxisValue, JogError, JogSetting};
 use super::point_to_point::{Goal, PointToPoint};
 use super::state::{AxisState, State};
 use super::stop::{Commitment, Stop};
-use super::tip::{TipFrame, TipLine, same_way};
+use super::tip::{TipFrame, TipLine, TipMotion, same_way};
 use glam::DVec3;
 use rsruckig::prelude::Synchronization;
 use seamwright_machine::{CollisionMonitor, Joints, MAX_AXES, Machine, RangeViolation, Surroundings};
@@ -23,6 +23,8 @@ pub enum Command {
     /// The tip of the first head's torch along a straight line at a velocity (mm/s) against the work, its direction
     /// kept.
     Tip { frame: TipFrame, velocity: DVec3 },
+    /// The first head's torch turns about its resting tip at an angular velocity (rad/s) against the work.
+    Turn { frame: TipFrame, velocity: DVec3 },
 }
 
 /// Input signals of a period.
@@ -83,7 +85,7 @@ enum Mode {
     Rest,
     Speeds(Joints),
     To(Joints),
-    Tip { frame: TipFrame, velocity: DVec3, line: Option<TipLine> },
+    Tip { motion: TipMotion, frame: TipFrame, velocity: DVec3, line: Option<TipLine> },
 }
 
 /// Jogging behind a safety shield.
@@ -233,7 +235,8 @@ impl<'a> Jog<'a> {
                 check_positions(self.machine, &target)?;
                 Mode::To(target)
             }
-            Command::Tip { frame, velocity } => self.tip(frame, velocity)?,
+            Command::Tip { frame, velocity } => self.tip(TipMotion::Line, frame, velocity)?,
+            Command::Turn { frame, velocity } => self.tip(TipMotion::Turn, frame, velocity)?,
         };
         if mode != self.mode {
             (self.mode, self.planned_for) = (mode, None);
@@ -252,16 +255,20 @@ impl<'a> Jog<'a> {
         Ok(checked)
     }
 
-    /// Mode of a tip jog: a line continues if only its speed changes.
-    fn tip(&self, frame: TipFrame, velocity: DVec3) -> Result<Mode, JogError> {
+    /// Mode of a tip jog: a line or turn continues if only its speed changes.
+    fn tip(&self, motion: TipMotion, frame: TipFrame, velocity: DVec3) -> Result<Mode, JogError> {
         if !velocity.is_finite() {
             return Err(JogError::TipNotFinite);
         }
         let line = match self.mode {
-            Mode::Tip { frame: f, velocity: v, line } if f == frame && same_way(v, velocity) => line,
+            Mode::Tip { motion: m, frame: f, velocity: v, line }
+                if (m, f) == (motion, frame) && same_way(v, velocity) =>
+            {
+                line
+            }
             _ => None,
         };
-        Ok(Mode::Tip { frame, velocity, line })
+        Ok(Mode::Tip { motion, frame, velocity, line })
     }
 
     /// Adds time without a step to the silence of the panel, s.
@@ -314,7 +321,7 @@ impl<'a> Jog<'a> {
     fn candidate(&mut self) -> Result<Option<State>, Halt> {
         match self.mode {
             Mode::Rest => Ok(None),
-            Mode::Tip { frame, velocity, line } => self.on_line(frame, velocity, line),
+            Mode::Tip { .. } => self.on_line(),
             Mode::Speeds(_) | Mode::To(_) => {
                 let time = match self.planned_for.filter(|t| *t < Goal::RENEW_S) {
                     Some(time) => time,
@@ -343,19 +350,21 @@ impl<'a> Jog<'a> {
         self.plan.plan_goals(&self.state, &goals, Synchronization::None)
     }
 
-    fn on_line(&mut self, frame: TipFrame, velocity: DVec3, line: Option<TipLine>) -> Result<Option<State>, Halt> {
+    /// Candidate state on the tip's line or turn.
+    fn on_line(&mut self) -> Result<Option<State>, Halt> {
+        let Mode::Tip { motion, frame, velocity, line } = self.mode else { return Ok(None) };
         let speed = self.override_share * velocity.length();
         let mut line = match line {
             Some(line) => line,
             // A line starts at rest.
             None if speed <= 0.0 || !self.state.rests() => return Ok(None),
             None => {
-                let along = frame.to_work(&self.machine.forward(&self.state.q), velocity).normalize_or_zero();
-                TipLine::new(self.machine, &self.state.q, along)
+                let along = frame.to_work(self.machine, &self.state.q, velocity).normalize_or_zero();
+                TipLine::new(self.machine, &self.state.q, motion, along)
             }
         };
         let next = line.next(self.machine, self.plan.limits(), &self.state, speed, self.settings.period_s);
-        self.mode = Mode::Tip { frame, velocity, line: Some(line) };
+        self.mode = Mode::Tip { motion, frame, velocity, line: Some(line) };
         next.map(Some).ok_or(Halt::NoMotion)
     }
 

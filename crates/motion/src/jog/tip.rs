@@ -1,8 +1,8 @@
 use super::ramp::Ramp;
 use super::state::{AxisState, State};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use seamwright_geometry::Pose;
-use seamwright_machine::{AxisLimits, Joints, Machine};
+use seamwright_machine::{AxisLimits, Joints, Machine, Target};
 use serde::{Deserialize, Serialize};
 
 /// Frame of the directions of a tip jog.
@@ -10,46 +10,65 @@ use serde::{Deserialize, Serialize};
 pub enum TipFrame {
     /// The work's.
     Work,
-    /// The torch's: z along its axis from the torch to the work, x across it as near to the work's x as possible (the
-    /// work's y if the torch lies along x), y across both.
+    /// The torch's: z along its axis from the torch to the work. On an arm x is that of the tool frame, as it lies
+    /// across the torch ([`Machine::across`]). Else x lies across it as near to the work's x as possible (the work's y if
+    /// the torch lies along x). y lies across both.
     Torch,
 }
 
 impl TipFrame {
-    /// Transforms a vector of this frame to the work frame.
-    pub fn to_work(self, pose: &Pose, v: DVec3) -> DVec3 {
+    /// Transforms a vector of this frame, with the axes at `q`, to the work frame.
+    pub fn to_work(self, machine: &Machine, q: &Joints, v: DVec3) -> DVec3 {
         if self == Self::Work {
             return v;
         }
-        let z = pose.direction;
+        let z = machine.forward(q).direction;
         let across = |u: DVec3| (u - z * z.dot(u)).try_normalize();
         let near = if z.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
-        let x = across(near).unwrap_or(DVec3::Z);
+        let x = if machine.has_free_roll() { machine.across(q) } else { across(near).unwrap_or(DVec3::Z) };
         v.x * x + v.y * z.cross(x) + v.z * z
     }
 }
 
-/// The torch tip on a straight line in the work frame, its direction kept as well as the machine can. The positions are
-/// those of the inverse, so the line is exact; the speed along it is chosen period by period.
+/// Kind of a tip's motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum TipMotion {
+    /// The tip on a straight line, the torch's attitude kept as well as the machine can.
+    Line,
+    /// The torch turns about its tip, which rests.
+    Turn,
+}
+
+/// The torch on a straight line of its tip, or on a turn about its tip, in the work frame. The positions are those of
+/// the inverse, so the motion is exact; the speed along it is chosen period by period.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TipLine {
+    motion: TipMotion,
     start: Pose,
+    /// Direction across the torch at the start, where the rotation about the torch is free.
+    across: Option<DVec3>,
+    /// Direction of the line, or axis of the turn.
     along: DVec3,
-    /// State along it: mm and s.
+    /// State along it: mm or rad, and s.
     at: AxisState,
 }
 
 /// Step of the differences for derivatives along the line, mm: rounding is then some 1e-9 of a mm per mm^2, and the
 /// fourth derivative is negligible.
 const APART_MM: f64 = 0.02;
+/// The same for turns, rad: positions of axes in mm are rounded to 1e-13 mm.
+const APART_RAD: f64 = 1e-3;
+/// Maximum angle between the wanted and the reached direction of a turn, rad: beyond it the machine lacks axes for it.
+const TURN_ERROR: f64 = 1e-7;
 
 impl TipLine {
-    pub(super) fn new(machine: &Machine, q: &Joints, along: DVec3) -> Self {
-        Self { start: machine.forward(q), along, at: AxisState::default() }
+    pub(super) fn new(machine: &Machine, q: &Joints, motion: TipMotion, along: DVec3) -> Self {
+        let across = machine.has_free_roll().then(|| machine.across(q));
+        Self { motion, start: machine.forward(q), across, along, at: AxisState::default() }
     }
 
-    /// Advances a period towards the speed `wanted` (mm/s), within the limits of the axes at `now`. Returns the new
-    /// state; none if the inverse has no solution.
+    /// Advances a period towards the speed `wanted` (mm/s or rad/s), within the limits of the axes at `now`. Returns the
+    /// new state; none if the inverse has no solution, or if no axis moves along it.
     pub(super) fn next(
         &mut self,
         machine: &Machine,
@@ -60,6 +79,9 @@ impl TipLine {
     ) -> Option<State> {
         let (first, second) = self.derivatives(machine, &now.q, self.at.q)?;
         let most = along_limits(limits, &first, &second);
+        if !most.acceleration.is_finite() {
+            return None;
+        }
         let ramp = Ramp::new(&most, self.at, wanted.min(most.speed));
         self.at = ramp.at(period);
         let AxisState { q: s, speed: v, acceleration: a } = self.at;
@@ -73,13 +95,29 @@ impl TipLine {
         Some(state)
     }
 
+    /// The torch at `s` along the motion.
+    fn target(&self, s: f64) -> Target {
+        let (pose, across) = match self.motion {
+            TipMotion::Line => (Pose { point: self.start.point + s * self.along, ..self.start }, self.across),
+            TipMotion::Turn => {
+                let turn = DQuat::from_axis_angle(self.along, s);
+                let pose = Pose { direction: turn * self.start.direction, ..self.start };
+                (pose, self.across.map(|across| turn * across))
+            }
+        };
+        Target { across, ..Target::from(pose) }
+    }
+
     fn inverse(&self, machine: &Machine, near: &Joints, s: f64) -> Option<Joints> {
-        let pose = Pose { point: self.start.point + s * self.along, direction: self.start.direction };
-        machine.inverse_near(pose, near).ok().map(|solution| solution.joints)
+        let solution = machine.inverse_near(self.target(s), near).ok()?;
+        (self.motion == TipMotion::Line || solution.attitude_error < TURN_ERROR).then_some(solution.joints)
     }
 
     fn derivatives(&self, machine: &Machine, near: &Joints, s: f64) -> Option<(Joints, Joints)> {
-        let h = APART_MM;
+        let h = match self.motion {
+            TipMotion::Line => APART_MM,
+            TipMotion::Turn => APART_RAD,
+        };
         let [a, b, c] = [s - h, s, s + h].map(|s| self.inverse(machine, near, s));
         let (a, b, c) = (a?, b?, c?);
         let first = std::array::from_fn(|i| (c[i] - a[i]) / (2.0 * h));
@@ -88,7 +126,7 @@ impl TipLine {
     }
 }
 
-/// Limits of the tip along a line from those of the axes: half of their acceleration and jerk for its own changes of
+/// Limits of the tip along a line or turn from those of the axes: half of their acceleration and jerk for its own changes of
 /// speed, a quarter of the acceleration for the curvature of the axes' path.
 fn along_limits(limits: &[AxisLimits], first: &Joints, second: &Joints) -> AxisLimits {
     let mut most = AxisLimits::NONE;

@@ -83,11 +83,12 @@ fn jog_steps_do_not_allocate() {
         for i in 0..20_000u32 {
             let signals = Signals { enabled: i % 1900 != 0, alive: true, hold: i % 977 < 40 };
             let part = f64::from(i % 300) / 300.0 - 0.4;
-            let command = match i / 2000 % 5 {
+            let command = match i / 2000 % 6 {
                 0 => Command::Speeds(std::array::from_fn(|k| machine.axes.get(k).map_or(0.0, |a| part * a.max_speed))),
                 1 => Command::To(std::array::from_fn(|k| home[k] + if k < 10 { 0.3 * part } else { 0.0 })),
                 2 => Command::Step { axis: 1, by: 0.01 * part },
                 3 => Command::Tip { frame: TipFrame::Torch, velocity: DVec3::new(5.0, part, 10.0 * part) },
+                4 => Command::Turn { frame: TipFrame::Work, velocity: DVec3::new(part, 0.2, 0.0) },
                 _ => Command::Rest,
             };
             if jog.command(&command).is_err() {

@@ -3,7 +3,9 @@
 use super::hub::Hub;
 use crate::view::near;
 use crate::wire::NearView;
+use seamwright_executive::Foreseen;
 use seamwright_machine::{Clamped, Joints, MAX_AXES, Machine, Surroundings};
+use seamwright_motion::jog::JogError;
 use self_cell::self_cell;
 use std::collections::BTreeSet;
 use std::sync::{Arc, Weak};
@@ -49,9 +51,19 @@ impl Around {
         Ok(Self { all: stand(machine.clone())?, links: links.into_iter().map(alone).collect::<Result<_, _>>()? })
     }
 
+    /// Computes a motion by hand in advance; see [`seamwright_executive::foresee`].
+    ///
+    /// # Errors
+    /// See [`seamwright_executive::foresee`].
+    pub(crate) fn foresee(&self, start: &Joints, target: &Joints, samples: usize) -> Result<Foreseen, JogError> {
+        self.all.with_dependent(|(machine, _), around| {
+            seamwright_executive::foresee(machine, Some(around), start, target, samples)
+        })
+    }
+
     /// Returns the pair with the smallest margin with the axes at `q`, mm or rad. Pairs of links are considered only
     /// below [`URGENT_MM`].
-    pub(super) fn near(&self, q: &Joints) -> Option<NearView> {
+    pub(crate) fn near(&self, q: &Joints) -> Option<NearView> {
         let of = |stood: &Stood| stood.with_dependent(|_, around| near(around, q, WITHIN_MM));
         let room = |near: &NearView| near.distance_mm - near.least_mm;
         of(&self.all).filter(|near| room(near) < URGENT_MM).or_else(|| {

@@ -3,7 +3,7 @@ use seamwright_log::{self as log, Level};
 use seamwright_message::Message;
 
 /// Kinds of events by the codes of their messages.
-const KINDS: [(&str, &str); 45] = [
+const KINDS: [(&str, &str); 46] = [
     ("server-event-mode", "mode"),
     ("server-event-order", "order"),
     ("server-event-refused", "refused"),
@@ -16,6 +16,7 @@ const KINDS: [(&str, &str); 45] = [
     ("server-event-unshelved", "alarm"),
     ("server-event-machine-changed", "work"),
     ("server-event-tool-changed", "work"),
+    ("server-event-frame-changed", "work"),
     ("server-event-sensor-changed", "work"),
     ("server-event-pass-ends", "pass"),
     ("server-event-left", "left"),

@@ -270,7 +270,7 @@ impl Hub {
         self.set_near(None);
     }
 
-    pub(super) fn around(&self) -> Option<Arc<Around>> {
+    pub(crate) fn around(&self) -> Option<Arc<Around>> {
         self.lock().around.clone()
     }
 

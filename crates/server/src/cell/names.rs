@@ -145,6 +145,8 @@ impl Names {
             },
             axes: axes.collect(),
             tip: [tip.point.x, tip.point.y, tip.point.z, -tip.direction.x, -tip.direction.y, -tip.direction.z],
+            tool: crate::view::rows(&machine.tool_frame(&q)),
+            arm: crate::view::arm_view(machine, &q),
             links: machine.link_frames(&q)[..count].iter().map(crate::view::rows).collect(),
             conditions: (0..conditions).map(|i| unmet >> i & 1 == 0).collect(),
             inputs: (0..conditions).map(|i| c.reports.inputs >> i & 1 == 1).collect(),

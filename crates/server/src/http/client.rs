@@ -79,7 +79,7 @@ impl Client {
         }
         match message {
             // Like a jog, not answered.
-            ToCell::Step { seq, of, index, by } => drop(self.step(seq, of, index, by)),
+            ToCell::Step { seq, of, frame, index, by } => drop(self.step(seq, of, frame.as_deref(), (index, by))),
             ToCell::Go { seq, axes } => drop(self.go(seq, &axes)),
             ToCell::Teach { seq, order } => {
                 let result = self.teach(seq, &order);
@@ -91,9 +91,9 @@ impl Client {
                     self.answer(seq, Err(why));
                 }
             }
-            ToCell::Jog { seq, of, speeds } => {
+            ToCell::Jog { seq, of, frame, speeds } => {
                 // Not answered: a refused jog does not move.
-                drop(self.jog(seq, of, &speeds));
+                drop(self.jog(seq, of, frame.as_deref(), &speeds));
             }
             ToCell::TakeControl { over } => self.take_control(over),
             ToCell::GiveControl {} => self.panel.cell.hub.give_control(self.station),

@@ -19,7 +19,7 @@ use std::sync::LazyLock;
 
 /// Draws a text, as the panel asks for it while the user types.
 pub fn draft(text: &str, jobs: &Path) {
-    drop(Question::Draft { text: text.to_owned() }.answer(jobs));
+    drop(Question::Draft { text: text.to_owned() }.answer(jobs, &|_| {}));
 }
 
 /// Reads a message of a page.

@@ -1,4 +1,5 @@
 use super::answer::Refused;
+use super::schedules::Schedules;
 use super::work_limit::{Turn, Turns};
 use crate::cell::{Cell, Change};
 use crate::diagnostics::Diagnostics;
@@ -77,6 +78,8 @@ pub(crate) struct Panel {
     /// Maximum size of an archive that is restored, bytes.
     pub(crate) most_archive: u64,
     pub(crate) teaching: Teaching,
+    /// Tables of seams that are being planned.
+    pub(super) schedules: Schedules,
     /// Addresses allowed as source of camera frames.
     pub(crate) cameras: Cameras,
     pub(crate) diagnostics: Diagnostics,
@@ -108,6 +111,7 @@ impl Panel {
             restores: watch::Sender::new(None),
             most_archive: MAX_ARCHIVE_BYTES,
             teaching: Teaching::default(),
+            schedules: Schedules::default(),
             cameras: Cameras::default(),
             diagnostics: Diagnostics::default(),
             plans: AtomicU64::new(0),

@@ -9,7 +9,7 @@ use crate::limits::{MAX_PAGE_CHARS, MAX_PART_CHARS};
 use crate::planner::{Asked, Page, Question};
 use crate::users::Session;
 use crate::view::tuning_view;
-use crate::wire::{JobText, Load, PlaceText, PlanningView, PostText, TuningView, WorkView};
+use crate::wire::{JobText, Load, PlaceText, PlanningView, PostText, ReachText, TuningView, WorkView};
 use axum::Json;
 use axum::extract::rejection::ExtensionRejection;
 use axum::extract::{FromRequestParts, Path, Query, State};
@@ -62,15 +62,30 @@ pub(super) async fn place(State(panel): Shared, page: Page, Json(asked): Json<Pl
     answered(&panel, page, Question::Place { asked }).await
 }
 
+pub(super) async fn reach(State(panel): Shared, page: Page, Json(asked): Json<ReachText>) -> Result<Response, Refused> {
+    answered(&panel, page, Question::Reach { asked }).await
+}
+
 pub(super) async fn planning(State(panel): Shared, page: Page) -> Json<Vec<PlanningView>> {
     let asked = panel.planner.asked(&page);
-    let view =
-        |asked: Asked| PlanningView { kind: asked.name.to_owned(), elapsed_s: asked.since.elapsed().as_secs_f64() };
+    let view = |asked: Asked| PlanningView {
+        kind: asked.name.to_owned(),
+        elapsed_s: asked.since.elapsed().as_secs_f64(),
+        done: asked.progress.map(|progress| progress.done),
+        total: asked.progress.map(|progress| progress.total),
+    };
     Json(asked.into_iter().map(view).collect())
 }
 
-pub(super) async fn cancel(State(panel): Shared, page: Page) -> StatusCode {
-    panel.planner.cancel(&page);
+/// `?kind=NAME`: only requests of this kind.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct OfKind {
+    kind: Option<String>,
+}
+
+pub(super) async fn cancel(State(panel): Shared, page: Page, Query(of): Query<OfKind>) -> StatusCode {
+    panel.planner.cancel(&page, of.kind.as_deref());
     StatusCode::NO_CONTENT
 }
 

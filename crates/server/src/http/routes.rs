@@ -3,16 +3,18 @@ use super::declarations::Declarations;
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
-    assets, audit, cell_views, choices, diagnostics, edit, health, jobs, login, monitor_access, openapi, plan, records,
-    restore, sensors, setup, socket, stop, teach, users,
+    assets, audit, cell_views, choices, diagnostics, edit, frames, health, jobs, login, monitor_access, openapi, plan,
+    records, restore, schedules, sensors, setup, socket, stop, target, teach, users,
 };
 use crate::limits::{MAX_BODY_BYTES, MAX_STRANGER_BODY_BYTES};
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DiagnosticsView, DistortionRow, DraftAnswer,
-    EditAnswer, FormAnswer, FormText, JobKept, JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange,
-    ParametersView, PlaceAnswer, PlaceText, PlanAnswer, PlanningView, PostAnswer, PostText, RecordRow, RecordView,
-    SensorAnswer, SensorChange, SensorsView, SessionView, Shelving, StandingView, Stopped, TaughtProgram, TaughtView,
-    TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView, UserChange, UserRow, WorkView,
+    EditAnswer, FormAnswer, FormText, FrameChange, FramePoints, FrameTaught, FramesView, JobKept, JobRow, JobText,
+    Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText, PlanAnswer,
+    PlanningView, PostAnswer, PostText, ReachAnswer, ReachText, RecordRow, RecordView, ScheduleOptions, ScheduleRow,
+    ScheduleText, ScheduleView, SensorAnswer, SensorChange, SensorsView, SessionView, Shelving, StandingView, Stopped,
+    TargetAnswer, TargetText, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView,
+    TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -95,7 +97,10 @@ pub(super) fn routes() -> Vec<Route> {
         post "/api/place" "plan" "Position of the part from touched points" plan::place: PlaceText => PlaceAnswer;
         get "/api/planning" "plan" "Running plans of this page (header x-seamwright-page) and their durations"
             plan::planning => Vec<PlanningView>;
-        delete "/api/planning" "plan" "Cancels the running plans of this page" plan::cancel;
+        delete "/api/planning" "plan" "Cancels the running plans of this page; ?kind=NAME: only those of a kind"
+            plan::cancel;
+        post "/api/reach" "plan" "Searches the placement with the largest margin of the axes' ranges; nothing is saved"
+            plan::reach: ReachText => ReachAnswer;
         post "/api/load" "load" "Plans a job and loads it into the cell" plan::load: Load => WorkView;
         post "/api/post" "post" "A part program with its proof" plan::post: PostText => PostAnswer;
         post "/api/form" "jobs.read" "Entries of a text with what its format allows, after changes of some; nothing is saved"
@@ -103,12 +108,25 @@ pub(super) fn routes() -> Vec<Route> {
         post "/api/edit" "edit" "Edits a text" edit::edit => EditAnswer;
         get "/api/position" "watch" "Positions of axes and tip; refused while an axis moves"
             teach::position => StandingView;
+        post "/api/target" "jog" "Checks a target of motion by hand: positions, duration, clearance; nothing moves"
+            target::check: TargetText => TargetAnswer;
         get "/api/teach" "watch" "Taught points and frames" teach::taught => TaughtView;
         get "/api/teach/picture" "watch" "The newest picture of the camera, PNG" teach::picture;
         post "/api/teach/program" "teach" "A program of the taught points; nothing is saved"
             teach::made: TeachProgram => TaughtProgram;
         get "/api/report" "jobs.read" "The report of a plan as a page; ?job=NAME, ?language=en, uk, zh, de or ru, ?appendix=true for curves and the job's text"
             plan::report;
+        get "/api/schedules" "jobs.read" "Tables of seams, and how far they are planned" schedules::list => Vec<ScheduleRow>;
+        get "/api/schedules/{name}" "jobs.read" "A table with what is known of its rows" schedules::get => ScheduleView;
+        put "/api/schedules/{name}" "jobs.write" "Checks and saves a table" schedules::put: ScheduleText => ScheduleRow;
+        delete "/api/schedules/{name}" "jobs.write" "Removes a table with its results" schedules::delete;
+        post "/api/schedules/{name}/run" "jobs.write" "Plans all rows of a table that have no result yet; one table at a time"
+            schedules::run: ScheduleOptions;
+        delete "/api/schedules/{name}/run" "jobs.write" "Cancels it; what is planned is kept" schedules::cancel;
+        get "/api/schedules/{name}/job" "jobs.read" "The job of a row; ?row=NAME, ?machine=NAME of several"
+            schedules::job => JobText;
+        get "/api/schedules/{name}/files/{file}" "jobs.read" "A result file: schedule.csv, schedule.parquet, machines.csv, report.html"
+            schedules::file;
         get "/api/records" "records.read" "Welds" records::list => Vec<RecordRow>;
         get "/api/records/{id}" "records.read" "A weld" records::get => RecordView;
         get "/api/records/{id}/trace" "records.read" "Its trace" records::trace => TraceView;
@@ -122,6 +140,10 @@ pub(super) fn routes() -> Vec<Route> {
         post "/api/tool" "set_up" "Position of a tool's tip from touches of one point; nothing is saved"
             setup::find_tool: ToolTouches => ToolAnswer;
         put "/api/tool" "set_up" "Saves a tool's tip in the machine file" setup::keep_tool: ToolTip => ParametersView;
+        get "/api/frames" "watch" "Frames in the machine file" frames::frames => FramesView;
+        put "/api/frames" "set_up" "Saves or removes a frame in the machine file" frames::keep: FrameChange => FramesView;
+        post "/api/frames/teach" "set_up" "A frame through three touched points; nothing is saved"
+            frames::teach: FramePoints => FrameTaught;
         get "/api/sensors" "watch" "Sensors in the machine file" sensors::sensors => SensorsView;
         get "/api/sensor/picture" "set_up" "Picture of a plate with a grid of dots by a simulated camera, PNG"
             sensors::picture;

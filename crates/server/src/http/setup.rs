@@ -150,6 +150,7 @@ pub(super) enum Changed {
     Axis,
     Tool,
     Sensor,
+    Frame,
 }
 
 /// Changed part of a machine file: its kind, its name, and the file.
@@ -166,6 +167,7 @@ pub(super) fn tell(panel: &Panel, user: &str, part: ChangedPart<'_>, change: Cha
     let (audit, event) = match kind {
         Changed::Axis => ("server-audit-set-axis", Message::new("server-event-machine-changed").text("subject", name)),
         Changed::Tool => ("server-audit-set-tool", Message::new("server-event-tool-changed").text("head", name)),
+        Changed::Frame => ("server-audit-set-frame", Message::new("server-event-frame-changed").text("frame", name)),
         Changed::Sensor => {
             ("server-audit-set-sensor", Message::new("server-event-sensor-changed").text("sensor", name))
         }

@@ -1,7 +1,7 @@
 //! A question answered by a separate process.
 
 use super::question::Question;
-use super::{Header, Token};
+use super::{Header, Progress, Token};
 use crate::diagnostics::{WorkerCounts, WorkerEnd};
 use crate::http::Refused;
 use crate::limits::{MAX_PLAN_BYTES, PLAN_MEMORY_BYTES};
@@ -10,6 +10,7 @@ use seamwright_message::{Message, Unit};
 use std::io::{BufRead as _, BufReader, Read, Write as _};
 use std::path::Path;
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -37,7 +38,7 @@ pub(super) fn ask(
     program: &Path,
     question: &Question,
     jobs: &Path,
-    token: &Token,
+    token: &Arc<Token>,
     patience: Duration,
     counts: &WorkerCounts,
 ) -> Result<Vec<u8>, Refused> {
@@ -87,13 +88,14 @@ fn end_of(answer: &Said) -> WorkerEnd {
 }
 
 /// Asks the question and waits.
-fn converse(child: &mut Ended, text: Vec<u8>, token: &Token, patience: Duration) -> Said {
+fn converse(child: &mut Ended, text: Vec<u8>, token: &Arc<Token>, patience: Duration) -> Said {
     let pipes = (child.0.stdin.take(), child.0.stdout.take(), child.0.stderr.take());
     let (Some(stdin), Some(stdout), Some(stderr)) = pipes else {
         return Err(Refused::server(Message::new("server-no-pipes")));
     };
     let (to, said) = channel();
-    std::thread::spawn(move || to.send(talk(stdin, &text, stdout, stderr)));
+    let of = Arc::clone(token);
+    std::thread::spawn(move || to.send(talk(stdin, &text, (stdout, stderr), &of)));
     let begin = Instant::now();
     loop {
         match said.recv_timeout(LOOK) {
@@ -107,21 +109,28 @@ fn converse(child: &mut Ended, text: Vec<u8>, token: &Token, patience: Duration)
 }
 
 /// Sends the question and reads the complete answer.
-fn talk(mut to: ChildStdin, text: &[u8], out: ChildStdout, err: ChildStderr) -> Said {
+fn talk(mut to: ChildStdin, text: &[u8], (out, err): (ChildStdout, ChildStderr), token: &Token) -> Said {
     // A process that has already ended reports the reason itself.
     drop(to.write_all(text));
     drop(to);
-    match heard(out) {
+    match heard(out, token) {
         Some(said) => said,
         None => Err(why(err)),
     }
 }
 
-fn heard(out: ChildStdout) -> Option<Said> {
+fn heard(out: ChildStdout, token: &Token) -> Option<Said> {
     let mut out = BufReader::new(out.take(MAX_PLAN_BYTES as u64));
     let mut line = String::new();
-    out.read_line(&mut line).ok()?;
-    match serde_json::from_str(&line).ok()? {
+    let header = loop {
+        line.clear();
+        out.read_line(&mut line).ok()?;
+        match serde_json::from_str(&line).ok()? {
+            Header::Progress { done, total, kept } => token.advance(Progress { done, total, kept }),
+            header => break header,
+        }
+    };
+    match header {
         Header::Answer { bytes } => {
             let mut body = Vec::new();
             out.read_to_end(&mut body).ok()?;
@@ -132,6 +141,8 @@ fn heard(out: ChildStdout) -> Option<Said> {
             }
             Some(Ok(body))
         }
+        // Taken above.
+        Header::Progress { .. } => None,
         Header::Refused { status, key, message } => Some(Err(Refused::known(status, &key, message))),
     }
 }

@@ -1,8 +1,11 @@
 //! Questions to a planner, answered only from a text and the folder of jobs.
 
+use super::OnProgress;
+use super::reach::reached;
+use super::schedule::ScheduleWork;
 use crate::http::{Refused, found_place, planned};
 use crate::view::{clamped_views, sections, work_view};
-use crate::wire::{DraftAnswer, Load, PlaceText, PlanAnswer, PostAnswer, WrongView};
+use crate::wire::{DraftAnswer, Load, PlaceText, PlanAnswer, PostAnswer, ReachText, WrongView};
 use seamwright_document::DocumentError;
 use seamwright_message::Message;
 use seamwright_project::Failure;
@@ -34,9 +37,23 @@ pub(crate) enum Question {
     Load { load: Load, text: String },
     /// Pose of its part: a [`crate::wire::PlaceAnswer`].
     Place { asked: PlaceText },
+    /// Search for the best placement: a [`crate::wire::ReachAnswer`].
+    Reach { asked: ReachText },
+    /// Plans of all rows of a table: a [`seamwright_schedule::Summary`] as numbers of rows and of weldable ones.
+    Schedule { asked: ScheduleWork },
 }
 
 impl Question {
+    /// It may take hours.
+    pub(crate) fn is_long(&self) -> bool {
+        matches!(self, Self::Schedule { .. })
+    }
+
+    /// Language of what it writes; none: English.
+    pub(crate) fn language(&self) -> Option<Language> {
+        if let Self::Schedule { asked } = self { asked.options.language.parse().ok() } else { None }
+    }
+
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Draft { .. } => "draft",
@@ -46,12 +63,15 @@ impl Question {
             Self::Post { .. } => "post",
             Self::Load { .. } => "load",
             Self::Place { .. } => "place",
+            Self::Reach { .. } => "reach",
+            Self::Schedule { .. } => "schedule",
         }
     }
 
     /// Answers with the bytes of JSON or of an HTML page.
     /// Fails if the text is invalid, unless the answer contains the reason.
-    pub(crate) fn answer(&self, jobs: &Path) -> Result<Vec<u8>, Refused> {
+    /// `progress` is called by questions that know how far they are.
+    pub(crate) fn answer(&self, jobs: &Path, progress: OnProgress) -> Result<Vec<u8>, Refused> {
         match self {
             Self::Draft { text } => json(&draft(text, jobs)),
             Self::Plan { text, number } => json(&plan(text, *number, jobs)),
@@ -67,6 +87,8 @@ impl Question {
             Self::Post { text, dialect } => json(&post(text, dialect, jobs)?),
             Self::Load { load, text } => planned(load, text, jobs),
             Self::Place { asked } => json(&found_place(asked, jobs)?),
+            Self::Reach { asked } => json(&reached(asked, jobs, progress)?),
+            Self::Schedule { asked } => json(&asked.plan(jobs, progress)?),
         }
     }
 }

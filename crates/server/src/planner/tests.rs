@@ -61,7 +61,10 @@ async fn a_newer_draft_ends_the_older_one() {
                 let newer = planner.ask(page("ada"), draft("short"), path.clone()).await;
                 assert_eq!(newer.unwrap(), b"{}");
             }
-            "cancelled" => assert_eq!(planner.cancel(&page("ada")), 1),
+            "cancelled" => {
+                assert_eq!(planner.cancel(&page("ada"), Some("reach")), 0, "another kind");
+                assert_eq!(planner.cancel(&page("ada"), None), 1);
+            }
             _ => older.abort(),
         }
         if ends != "gone" {
@@ -113,7 +116,7 @@ fn failures_of_the_process_are_answers() {
     let folder = tempfile::tempdir().unwrap();
     let counts = WorkerCounts::default();
     let ask = |text: &str, patience: Duration| {
-        child::ask(&program(), &draft(text), folder.path(), &Token::default(), patience, &counts)
+        child::ask(&program(), &draft(text), folder.path(), &Arc::default(), patience, &counts)
     };
     let (long, short) = (Duration::from_secs(120), Duration::from_millis(200));
     let memory = ask("memory", long).unwrap_err();

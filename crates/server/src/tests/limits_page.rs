@@ -402,7 +402,7 @@ fn plans() -> Section {
         row("Time of a plan, part program, report or load", time(is::PLAN_TIME), INPUT, "from its start", &[PLANS]),
         row("Answer of a plan", bytes(is::MAX_PLAN_BYTES as u64), INPUT, "JSON", &[PLANS]),
         row(
-            "Plans; drafts; loads",
+            "Plans; drafts; loads; searches",
             format!("each {}", queue(is::PLANNING)),
             SLOW_DOWN,
             "processes of each kind",
@@ -428,6 +428,27 @@ fn texts() -> Section {
             INPUT,
             "files in `jobs`",
             &["tests/limits.rs::jobs_are_bounded_in_size_and_number"],
+        ),
+        row(
+            "Tables of seams",
+            count(is::MAX_SCHEDULES as u64),
+            INPUT,
+            "files in `jobs/schedules`",
+            &["tests/scheduled.rs::tables_and_user_frames_are_bounded_in_number"],
+        ),
+        row(
+            "Parts of a schedule that a page shows",
+            count(is::MAX_SCHEDULE_PARTS as u64),
+            "the first",
+            "of weldable rows",
+            &["tests/scheduled.rs::a_table_is_imported_planned_exported_and_removed"],
+        ),
+        row(
+            "User frames",
+            count(is::MAX_FRAMES as u64),
+            INPUT,
+            "in a machine file",
+            &["tests/scheduled.rs::tables_and_user_frames_are_bounded_in_number"],
         ),
         row("File name of a job", bytes(is::MAX_JOB_NAME_BYTES as u64), INPUT, "UTF-8", &[ONE_MORE]),
         row(

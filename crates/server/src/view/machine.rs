@@ -1,8 +1,11 @@
 use super::sensor::sensor;
 use super::solid::{rows, solid};
-use crate::wire::{AxisView, ConditionView, FrameView, JointView, MachineView, ZoneView};
-use seamwright_executive::REDUCED_MM_S;
-use seamwright_machine::{AxisKind, Machine, ZoneKind};
+use crate::wire::{AxisView, ConditionView, FrameView, JointView, MachineView, UserFrameView, ZoneView};
+use glam::{DQuat, DVec3};
+use seamwright_executive::{REDUCED_MM_S, REDUCED_RAD_S};
+use seamwright_geometry::Pose;
+use seamwright_machine::{AxisKind, Joints, Machine, Target, ZoneKind};
+use seamwright_motion::jog::TipFrame;
 
 pub(crate) fn machine_view(machine: &Machine) -> MachineView {
     let conditions = machine.interlocks.iter();
@@ -27,13 +30,43 @@ pub(crate) fn machine_view(machine: &Machine) -> MachineView {
         frames: frames.map(|f| FrameView { name: f.name.clone(), link: f.link, frame: rows(&f.zero) }).collect(),
         base: machine.links.base(),
         torch: machine.links.frame(torch).map_or(0, |f| f.link),
+        tool: rows(&machine.tool_frame(&Joints::default())),
         up: machine.up.to_array(),
         jog_mm_s: REDUCED_MM_S,
+        jog_deg_s: REDUCED_RAD_S.to_degrees(),
+        turns: turns(machine),
+        arm: machine.arm_configuration(&machine.home()).is_some(),
+        user_frames: user_frames(machine),
         joints: joints(machine),
         sensors: machine.sensors.iter().map(sensor).collect(),
         beam: machine.deflection.is_some(),
         beam_mm: machine.deflection.map(|d| d.pivot_mm),
     }
+}
+
+/// Returns the user frames.
+pub(crate) fn user_frames(machine: &Machine) -> Vec<UserFrameView> {
+    let frames = machine.user_frames.iter();
+    frames.map(|f| UserFrameView { name: f.name.clone(), frame: rows(&f.in_base) }).collect()
+}
+
+/// Angle of a trial turn about the tip, rad, and maximum miss of the torch's direction if the machine can turn so.
+const TRIAL_TURN: f64 = 0.02;
+const TRIAL_MISS: f64 = 1e-6;
+
+/// Returns about which axes of the tool frame the torch can be turned about its tip.
+fn turns(machine: &Machine) -> [bool; 3] {
+    let home = machine.home();
+    let start = machine.forward(&home);
+    let tried = |about: DVec3| {
+        let turn = DQuat::from_axis_angle(TipFrame::Torch.to_work(machine, &home, about), TRIAL_TURN);
+        let target = Target::from(Pose { direction: turn * start.direction, ..start });
+        machine.inverse_near(target, &home).is_ok_and(|found| {
+            let moved = machine.forward(&found.joints);
+            found.attitude_error < TRIAL_MISS && moved.point.distance(start.point) < 1e-3
+        })
+    };
+    [tried(DVec3::X), tried(DVec3::Y), machine.has_free_roll()]
 }
 
 fn joints(machine: &Machine) -> Vec<Option<JointView>> {
@@ -61,6 +94,21 @@ pub(super) fn axes(machine: &Machine) -> Vec<AxisView> {
 mod tests {
     use super::machine_view;
     use glam::{DAffine3, DQuat, DVec3};
+
+    /// An arm turns its torch about all axes of the tool frame, five axes about two, a plane machine about none.
+    #[test]
+    fn turns_about_the_tip_are_those_that_the_axes_can_make() {
+        let turns = |name: &str| {
+            let shipped = SHIPPED.iter().find(|s| s.name == name).unwrap();
+            machine_view(&Machine::read("m.toml", shipped.text).unwrap()).turns
+        };
+        for arm in ["ur10e", "irb-2600", "kr-16-positioner", "irb-2600-rail", "iiwa-14"] {
+            assert_eq!(turns(arm), [true; 3], "{arm}");
+        }
+        assert_eq!(turns("torch-5axis"), [true, true, false]);
+        assert_eq!(turns("ellipse-xy"), [false; 3]);
+    }
+
     use seamwright_machine::{AxisKind, Joints, Machine, SHIPPED};
 
     /// Joints of the view move the links to the same poses as the machine.

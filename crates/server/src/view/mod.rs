@@ -1,5 +1,6 @@
 //! Views of machines and planned programs for the panel.
 
+mod arm;
 mod certificate;
 mod clearance;
 mod devices;
@@ -15,6 +16,7 @@ mod tracking;
 mod tuning;
 mod work;
 
+pub(crate) use arm::arm_view;
 pub(crate) use clearance::near;
 pub(crate) use devices::{device_views, simulated_view};
 pub(crate) use machine::machine_view;

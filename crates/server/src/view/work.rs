@@ -1,3 +1,4 @@
+use super::arm;
 use super::certificate::{certificate, used};
 use super::clearance::near;
 use super::finding_position::Standing;
@@ -133,12 +134,15 @@ fn pass_view(
             }
         })
         .collect();
+    let samples: Vec<_> = (0..=SAMPLES).map(|i| length * i as f64 / SAMPLES as f64).collect();
+    let positions: Vec<_> = samples.iter().map(|s| planned.path.at(*s)).collect();
     let (nearest_at_mm, nearest) = clearance.and_then(|(around, c)| nearest(around, c, planned)).unzip();
     PassView {
         time_s: planned.total_s(),
         certificate: Some(certificate(machine, pass, planned)),
         nearest,
         nearest_at_mm,
+        arm: arm::along(machine, samples.iter().copied().zip(&positions)),
         ..named_view(pass, path)
     }
 }

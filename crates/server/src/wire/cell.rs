@@ -29,10 +29,21 @@ pub struct MachineView {
     pub base: usize,
     /// See `base`.
     pub torch: usize,
+    /// Tool frame of the first torch in the work frame with all axes at zero, row by row (3 x 4), mm: the tip, z from the
+    /// torch to the work.
+    pub tool: [f64; 12],
     /// Unit vector up in the base frame.
     pub up: [f64; 3],
     /// Highest speed of the tip by hand, mm/s.
     pub jog_mm_s: f64,
+    /// Highest rate of the torch about its tip by hand, degrees/s.
+    pub jog_deg_s: f64,
+    /// The torch can be turned about its tip by hand, about x, y and z of the tool frame.
+    pub turns: [bool; 3],
+    /// It is an arm whose configuration has names: see [`super::Status::arm`].
+    pub arm: bool,
+    /// User frames.
+    pub user_frames: Vec<UserFrameView>,
     /// Joint of each link, in the order of [`super::Status::links`].
     pub joints: Vec<Option<JointView>>,
     /// Its sensors.
@@ -41,6 +52,15 @@ pub struct MachineView {
     pub beam: bool,
     /// Distance from the work to the source of a beam, mm; none for an arc.
     pub beam_mm: Option<f64>,
+}
+
+/// A user frame of the machine file.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct UserFrameView {
+    /// Its name.
+    pub name: String,
+    /// In the base frame, row by row (3 x 4), mm.
+    pub frame: [f64; 12],
 }
 
 /// Joint by which a link moves on the next one towards the work.

@@ -207,3 +207,66 @@ pub struct SensorAnswer {
     /// See `rms_px`.
     pub max_px: f64,
 }
+
+/// `GET /api/frames`: frames in the machine file of the cell's job.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct FramesView {
+    /// The file, among the jobs, in which changes are kept.
+    pub file: String,
+    /// See [`ParametersView::pending`].
+    pub pending: bool,
+    /// The machine is an arm: its tool frame has an orientation about the torch.
+    pub arm: bool,
+    /// All of them.
+    pub frames: Vec<FrameEntry>,
+}
+
+/// A frame.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct FrameEntry {
+    /// Identifier in [`FrameChange`].
+    pub id: String,
+    /// `base`, `mount` (between axes), `flange`, `adapter`, `tool`, `tcp` (tool centre point), `table` (of a positioner),
+    /// `work`, `user`.
+    pub kind: String,
+    /// Name of a user frame.
+    pub name: String,
+    /// The frame in which it is given: `base`, `flange`, `work`, or `before` (that of the step before it in the file).
+    pub within: String,
+    /// Row by row (3 x 4), mm.
+    pub frame: [f64; 12],
+    /// It can be changed.
+    pub editable: bool,
+    /// The frame before the last change of the file, if it was another one.
+    pub before: Option<[f64; 12]>,
+}
+
+/// `PUT /api/frames`.
+#[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FrameChange {
+    /// See [`FrameEntry::id`]; `user NAME` adds a user frame.
+    pub id: String,
+    /// The frame, row by row (3 x 4), mm; none removes a user frame.
+    pub frame: Option<[f64; 12]>,
+}
+
+/// `POST /api/frames/teach`: the tip has touched the origin, a point on the x axis, and a point of the plane on the side
+/// of y.
+#[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FramePoints {
+    /// Positions of all axes at each touch, mm or degrees.
+    pub touches: Vec<Vec<f64>>,
+}
+
+/// Its answer.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct FrameTaught {
+    /// In the base frame, row by row (3 x 4), mm.
+    pub frame: [f64; 12],
+    /// Smaller distance of the two points from the origin, mm.
+    pub apart_mm: f64,
+    /// Angle between the directions to them, degrees.
+    pub angle_deg: f64,
+}

@@ -20,11 +20,15 @@ pub enum ToCell {
     Jog {
         /// See [`ToCell::Command`]; jogs count by themselves.
         seq: u32,
-        /// By joints or by the tip.
+        /// By joints, by the tip or about it.
         of: JogOf,
-        /// For joints: part of the maximum speed of each axis, -1 to 1. For the tip: x, y, z in the work frame as parts
-        /// of the maximum jogging speed; its direction is kept. The cell slows all axes so that the tip keeps to that
-        /// speed.
+        /// Frame of the directions of the tip; see [`JogOf`].
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[ts(optional)]
+        frame: Option<String>,
+        /// For joints: part of the maximum speed of each axis, -1 to 1. For the tip: x, y, z of the frame as parts of the
+        /// maximum jogging speed; its direction is kept. For a turn: rates about x, y, z of the frame as parts of the
+        /// maximum rate. The cell slows all axes so that the tip keeps to that speed.
         speeds: Vec<f64>,
     },
     /// Moves by one step, every 50 ms while a key is held, its number counted with [`ToCell::Jog`]; not answered. The
@@ -32,11 +36,15 @@ pub enum ToCell {
     Step {
         /// See [`ToCell::Jog`].
         seq: u32,
-        /// By joints or by the tip.
+        /// By joints, by the tip or about it.
         of: JogOf,
-        /// Axis, or x, y, z of the work frame, from 0.
+        /// Frame of the directions of the tip; see [`JogOf`].
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[ts(optional)]
+        frame: Option<String>,
+        /// Axis, or x, y, z of the frame, from 0.
         index: u32,
-        /// Distance with sign: mm or degrees, 10 at most. A step beyond an axis' end stops at the end.
+        /// Distance with sign: mm or degrees, 10 at most, for a turn 1. A step beyond an axis' end stops at the end.
         by: f64,
     },
     /// Moves all axes to a position while a key is held, as [`ToCell::Step`].
@@ -69,14 +77,17 @@ pub enum ToCell {
     },
 }
 
-/// Target of a jog.
+/// Target of a jog. Frames of the tip's directions: `work` (if none is given), `base`, `tool` (z from the torch to the work)
+/// or the name of a user frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum JogOf {
     /// Single axes.
     Joints,
-    /// The torch's tip.
+    /// The torch's tip, along a straight line.
     Tip,
+    /// The torch about its tip.
+    Turn,
 }
 
 /// Commands to the executive. Stop and hold need no control token; stop no role either.

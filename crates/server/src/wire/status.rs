@@ -32,6 +32,11 @@ pub struct Status {
     pub axes: Vec<AxisStatus>,
     /// Measured torch tip in the work frame: x, y, z (mm) and the unit vector out of the work along the torch.
     pub tip: [f64; 6],
+    /// Measured tool frame in the work frame, with the torch tip as its origin: row by row (3 x 4), mm. z points from the
+    /// torch to the work.
+    pub tool: [f64; 12],
+    /// Configuration of the arm; none for other machines.
+    pub arm: Option<ArmView>,
     /// Displacement of each link from its pose with all axes at zero: a frame, row by row (3 x 4), mm.
     pub links: Vec<[f64; 12]>,
     /// In the order of the machine's conditions: met or not.
@@ -62,6 +67,66 @@ pub struct Status {
     /// Number of the weld in the library while one is recorded.
     #[ts(type = "number | null")]
     pub recording: Option<i64>,
+}
+
+/// Configuration of a six- or seven-axis arm: with the tool frame it determines all positions of its axes.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct ArmView {
+    /// `front`, `back`: side of the first axis on which the wrist is.
+    pub shoulder: String,
+    /// `up`, `down`: side of the line from shoulder to wrist on which the elbow is.
+    pub elbow: String,
+    /// `no_flip`, `flip`: sign of the fifth axis.
+    pub wrist: String,
+    /// Whole turns of each axis of the arm from its position within (-180, 180] degrees.
+    pub turns: Vec<i32>,
+    /// Distance from the nearest singularity, 0 (in it) to 1.
+    pub margin: f64,
+    /// The nearest singularity: `shoulder`, `elbow`, `wrist`.
+    pub nearest: String,
+}
+
+/// `POST /api/target`: positions of all axes, or a place of the torch tip, to which the axes are to be sent by hand.
+#[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TargetText {
+    /// Positions of all axes, mm or degrees; instead of `tip`.
+    pub axes: Option<Vec<f64>>,
+    /// Place of the tip; instead of `axes`.
+    pub tip: Option<TipTarget>,
+}
+
+/// A place of the torch tip.
+#[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TipTarget {
+    /// Frame of the numbers: see [`super::JogOf`]; in `tool` they are relative to the present tool frame.
+    pub frame: String,
+    /// Point, mm.
+    pub point: [f64; 3],
+    /// Orientation of the tool frame as a quaternion w, x, y, z; none: the present one. Only for arms.
+    pub turn: Option<[f64; 4]>,
+}
+
+/// Its answer; nothing moves.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct TargetAnswer {
+    /// Positions of all axes at the target, for [`super::ToCell::Go`]; empty if it cannot be reached.
+    pub axes: Vec<f64>,
+    /// Reason why it cannot be reached, or why the axes would stop on the way; none if they arrive.
+    pub refused: Option<MessageView>,
+    /// Positions at which the axes would stop on the way.
+    pub stops: Option<Vec<f64>>,
+    /// Duration of the motion by hand, s.
+    pub time_s: f64,
+    /// The nearest pair of bodies on the way; none if nothing comes near.
+    pub nearest: Option<super::NearView>,
+    /// Path of the torch tip in the work frame, mm.
+    pub tips: Vec<[f64; 3]>,
+    /// Angle by which the torch's direction misses the wanted one, degrees: the machine lacks axes for it.
+    pub tilt_error_deg: f64,
+    /// Configuration of the arm at the target.
+    pub arm: Option<ArmView>,
 }
 
 /// `GET /api/position`: positions of the axes and the tip; refused while an axis moves.

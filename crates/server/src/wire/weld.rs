@@ -76,6 +76,17 @@ pub struct PassView {
     pub nearest: Option<NearView>,
     /// Path length of the smallest clearance, mm.
     pub nearest_at_mm: Option<f64>,
+    /// Configurations of the arm along the pass: at its start and where it changes; empty for other machines.
+    pub arm: Vec<ArmAt>,
+}
+
+/// Configuration of the arm from a path length on.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct ArmAt {
+    /// Path length, mm.
+    pub s_mm: f64,
+    /// The configuration. Its margin is the smallest one up to the next change.
+    pub arm: super::ArmView,
 }
 
 /// The nearest pair of bodies with a minimum clearance.
@@ -358,10 +369,16 @@ pub struct JobText {
 /// A running plan of a page: see `GET /api/planning`.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct PlanningView {
-    /// `draft`, `plan`, `recorded`, `report`, `post`, `load` or `place`.
+    /// `draft`, `plan`, `recorded`, `report`, `post`, `load`, `place` or `reach`.
     pub kind: String,
     /// Time since the request, s.
     pub elapsed_s: f64,
+    /// Work done, of a request that knows it: placements of the grid.
+    #[ts(type = "number | null")]
+    pub done: Option<u64>,
+    /// All of it.
+    #[ts(type = "number | null")]
+    pub total: Option<u64>,
 }
 
 /// `PUT /api/jobs/NAME`.
@@ -443,4 +460,84 @@ pub struct EditAnswer {
     pub text: String,
     /// Description of the edits.
     pub words: Vec<MessageView>,
+}
+
+/// `POST /api/reach`: search for the placement with the largest margin of the axes' ranges.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ReachText {
+    /// TOML of a job.
+    pub text: String,
+    /// The moved body: `work`, in the work frame, or `base`, the machine's base in the base frame.
+    pub moved: String,
+    /// First and last displacement along x, y and z (mm) and rotation about the vertical (degrees), from the present
+    /// placement.
+    pub ranges: [[f64; 2]; 4],
+    /// Number of places of each of them in the grid, 1 or more; 2000 in all at most.
+    pub cells: [u32; 4],
+    /// Time for search and plans, 1 to 240 s.
+    pub budget_s: f64,
+}
+
+/// Its answer; nothing is saved.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct ReachAnswer {
+    /// Name of the machine.
+    pub machine: String,
+    /// See [`ReachText::moved`].
+    pub moved: String,
+    /// Displacements of the grid along x, y, z (mm) and its rotations (degrees).
+    pub grid: [Vec<f64>; 4],
+    /// Everything that was judged: the present placement first, then the grid, the local search, the planned ones.
+    pub places: Vec<ReachCell>,
+    /// Placements whose plan failed, with the reason.
+    pub failed: Vec<ReachCell>,
+    /// The best placement that the planner has planned; none: no placement can be welded.
+    pub best: Option<ReachBest>,
+    /// The time was over before everything was judged.
+    pub cut_off: bool,
+}
+
+/// A judged placement.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct ReachCell {
+    /// Displacement along x, y, z (mm) and rotation (degrees) from the present placement.
+    pub at: [f64; 4],
+    /// Its cell of the grid; none beside the grid.
+    pub cell: Option<[u32; 4]>,
+    /// Smallest distance of an axis from an end of its range, as a part of the range; none if it cannot be welded.
+    pub margin: Option<f64>,
+    /// Kind of the reason why it cannot be welded: `reach`, `range`, `jump`, `speed`, `position`.
+    pub fault: Option<String>,
+    /// The axis with the margin, or that is the reason.
+    pub axis: Option<String>,
+    /// Pass of that station, from 1.
+    pub pass: Option<u32>,
+    /// Path length of that station, mm.
+    pub s_mm: Option<f64>,
+    /// Reason why it cannot be welded.
+    pub reason: Option<MessageView>,
+}
+
+/// The best placement.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct ReachBest {
+    /// The placement.
+    pub place: ReachCell,
+    /// Margin in its plan.
+    pub planned_margin: f64,
+    /// The axis with that margin; none if no axis has a range.
+    pub planned_axis: Option<String>,
+    /// Smallest clearance of its plan, mm; none if nothing comes near.
+    pub clearance_mm: Option<f64>,
+    /// The job with this placement, or the machine file with its base there.
+    pub text: String,
+    /// Key that holds the placement, and its value: displacement (mm), direction of the axis of rotation and angle (degrees).
+    pub key: String,
+    /// See `key`.
+    pub move_mm: [f64; 3],
+    /// See `key`.
+    pub turn: Option<[f64; 3]>,
+    /// See `key`.
+    pub angle_deg: f64,
 }

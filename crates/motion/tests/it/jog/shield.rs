@@ -33,6 +33,9 @@ fn any_command(random: &mut Random, machine: &Machine, around: &Surroundings) ->
         3 => {
             let frame = if random.unit() < 0.5 { TipFrame::Work } else { TipFrame::Torch };
             let velocity = DVec3::from_array(std::array::from_fn(|_| random.within(-60.0, 60.0)));
+            if random.unit() < 0.3 {
+                return Command::Turn { frame, velocity: 0.01 * velocity };
+            }
             Command::Tip { frame, velocity }
         }
         4 | 5 => {
@@ -100,7 +103,7 @@ fn nothing_comes_nearer_than_allowed_and_every_limit_holds() {
                     }
                     if let Some(halt) = jog.halt() {
                         // Only the tip's line runs into ends and out of reach.
-                        let tip = matches!(command, Command::Tip { .. });
+                        let tip = matches!(command, Command::Tip { .. } | Command::Turn { .. });
                         assert!(
                             tip || !matches!(halt, Halt::Limit(_) | Halt::NoMotion),
                             "{name}: {halt:?} {command:?}"
