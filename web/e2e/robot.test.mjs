@@ -208,6 +208,14 @@ test('a user frame is taught by three points, and the tip goes along it', async 
   assert.ok(y > 5 && Math.abs(x) < 0.1 * y && Math.abs(z) < 0.1 * y, `${[x, y, z]}`);
 });
 
+test('the plan of a pass has the configuration of the arm, at its start and at picked places', async () => {
+  await openJob(one, 'arm', 'Open');
+  await one.getByRole('button', { name: 'Plots', exact: true }).click();
+  await one.locator('.right .page').getByText(/Configuration:/).waitFor();
+  await one.locator('.right .page p.arm', { hasText: /Elbow/ }).waitFor();
+  await one.getByRole('button', { name: /^Findings/ }).click();
+});
+
 test('the reach map: searched with progress, the best place put into the job by one press and taken out by one', async () => {
   const ellipse = await jobText(one, 'ellipse.toml');
   await keep(one, 'edge.toml', `${ellipse}\n[placement]\nmove_mm = [200, 0, 0]\n`);
