@@ -121,6 +121,7 @@ project-register-too-small = Lage { $pass } verlangt { $value } als `{ $name }`;
 project-register-range = { $min } bis { $max }, oder eine andere Skalierung oder ein anderer Typ in der Maschinendatei
 project-register-or-no-value = ein Register `{ $value }` in [devices.{ $device }.modbus.set] der Maschinendatei, oder ein Auftrag ohne diesen Wert
 project-check-modbus = Kabel, Adresse, Gerätenummer und Register prüfen; `seamwright machine io MACHINE` liest sie einzeln
+project-check-robot = Kabel und Adressen auf beiden Seiten prüfen, und ob das Programm von `seamwright machine robot-program { $protocol }` auf der Steuerung läuft
 project-period-of-no-cell = Maschine `{ $machine }`: keine Zelle läuft mit einer servo_period_ms von { $period }
 project-periods = { $min } bis { $max }, ohne Angabe 1 ms; `seamwright machine latency` misst, was dieser Rechner kann
 project-linuxcnc-needs-linux = Antriebe über LinuxCNC gibt es nur unter Linux

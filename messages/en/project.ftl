@@ -215,6 +215,7 @@ project-register-too-small = pass { $pass } asks for { $value } of `{ $name }`, 
 project-register-range = { $min } to { $max }, or another scale or type in the machine file
 project-register-or-no-value = a register `{ $value }` in [devices.{ $device }.modbus.set] of the machine file, or a job without it
 project-check-modbus = check cable, address, unit and registers; `seamwright machine io MACHINE` reads them one by one
+project-check-robot = check the cable, the addresses on both sides, and that the program of `seamwright machine robot-program { $protocol }` runs on the control
 project-period-of-no-cell = machine `{ $machine }`: no cell runs with a servo_period_ms of { $period }
     .cause = The key `servo_period_ms` of the machine file is outside 0.25 to 4 ms, the periods of a cell in real time.
     .cure = Set it to 1 and measure this computer with `seamwright machine latency`.

@@ -127,6 +127,7 @@ project-register-too-small = проход { $pass } задаёт { $value } дл
 project-register-range = от { $min } до { $max }, или другой масштаб либо тип в файле станка
 project-register-or-no-value = регистр `{ $value }` в [devices.{ $device }.modbus.set] файла станка или задание без него
 project-check-modbus = проверьте кабель, адрес, номер устройства и регистры; `seamwright machine io MACHINE` читает их по одному
+project-check-robot = проверьте кабель, адреса с обеих сторон и что программа `seamwright machine robot-program { $protocol }` выполняется в системе управления
 project-period-of-no-cell = станок `{ $machine }`: ни одна ячейка не работает с servo_period_ms { $period }
 project-periods = от { $min } до { $max }, без ключа 1 мс; `seamwright machine latency` измеряет, что может этот компьютер
 project-linuxcnc-needs-linux = приводы через LinuxCNC есть только в Linux

@@ -127,6 +127,7 @@ project-register-too-small = прохід { $pass } задає { $value } для
 project-register-range = від { $min } до { $max }, або інший масштаб чи тип у файлі верстата
 project-register-or-no-value = регістр `{ $value }` у [devices.{ $device }.modbus.set] файлу верстата або завдання без нього
 project-check-modbus = перевірте кабель, адресу, номер пристрою й регістри; `seamwright machine io MACHINE` читає їх по одному
+project-check-robot = перевірте кабель, адреси з обох боків і що програма `seamwright machine robot-program { $protocol }` виконується в системі керування
 project-period-of-no-cell = верстат `{ $machine }`: жодна комірка не працює з servo_period_ms { $period }
 project-periods = від { $min } до { $max }, без ключа 1 мс; `seamwright machine latency` вимірює, що може цей комп’ютер
 project-linuxcnc-needs-linux = приводи через LinuxCNC бувають лише в Linux

@@ -103,6 +103,7 @@ project-register-too-small = 焊道 { $pass } 要求 `{ $name }` 为 { $value }�
 project-register-range = { $min } 至 { $max }，或机床文件中的其他比例或类型
 project-register-or-no-value = 机床文件 [devices.{ $device }.modbus.set] 中的寄存器 `{ $value }`，或不含它的任务
 project-check-modbus = 检查电缆、地址、站号和寄存器；`seamwright machine io MACHINE` 逐个读取
+project-check-robot = 检查电缆、两端的地址，以及控制器上是否运行 `seamwright machine robot-program { $protocol }` 的程序
 project-period-of-no-cell = 机床 `{ $machine }`：没有单元能以 servo_period_ms = { $period } 运行
 project-periods = { $min } 至 { $max }，未写则为 1 ms；`seamwright machine latency` 测量本机的能力
 project-linuxcnc-needs-linux = LinuxCNC 驱动只能用于 Linux

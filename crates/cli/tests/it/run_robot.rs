@@ -8,6 +8,9 @@ use std::path::Path;
 /// Writes a job on an arm with this device; returns its path.
 fn job(folder: &Path, device: &str) -> String {
     let machine = good(&["machine", "show", "ur10e"]);
+    let period = "servo_period_ms = 4\n";
+    let order = "home_order = [\"j1\", \"j2\", \"j3\", \"j4\", \"j5\", \"j6\"]\n";
+    let machine = machine.replace(period, &format!("{period}{order}"));
     std::fs::write(folder.join("cell.toml"), format!("{machine}\n{device}")).unwrap();
     let job = "schema = 1\ntitle = \"t\"\nmachine = \"cell.toml\"\n[placement]\nmove_mm = [0, 0, 200]\n\
                [seam.polyline]\npoints_mm = [[-30, 0, 0], [30, 0, 0]]\njoint = \"butt\"\n\
@@ -48,7 +51,7 @@ fn a_control_that_is_not_there() {
     let job = job(folder.path(), "[devices.arm.rtde]\naddress = \"127.0.0.1:9\"\n");
     let out = folder.path().join("out").display().to_string();
     let message = bad(3, &["run", &job, "-o", &out]);
-    assert!(message.contains("`arm` (rtde) at 127.0.0.1:9") && message.contains("stream-to-robot"), "{message}");
+    assert!(message.contains("`arm` (rtde) at 127.0.0.1:9") && message.contains("robot-program rtde"), "{message}");
 }
 
 /// The programs name the registers, elements and time-outs that the guide describes.
