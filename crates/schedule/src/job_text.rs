@@ -4,7 +4,7 @@ use crate::table::{Row, Table};
 use seamwright_document::{Change, DocumentError, TomlText};
 use seamwright_project::FileStore;
 use seamwright_project::failure::Failure;
-use seamwright_project::files::read_bytes;
+use seamwright_project::files::{read_bytes, read_foreign};
 use seamwright_record::sha256;
 use serde_json::Value;
 use std::collections::{BTreeMap, HashMap};
@@ -33,7 +33,7 @@ pub(crate) fn foreign_template(folder: &Path, name: &str) -> Result<JobText, Fai
     let example = seamwright_project::examples::example(name.strip_suffix(".toml").unwrap_or(name));
     let text = match example.filter(|_| !folder.join(name).is_file()) {
         Some(example) => example.text.to_owned(),
-        None => files::read_foreign(folder, name)?,
+        None => read_foreign(folder, name)?,
     };
     TomlText::parse(name, &text)?;
     Ok(JobText { text, folder: folder.to_owned() })
