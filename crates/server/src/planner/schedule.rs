@@ -58,7 +58,8 @@ impl ScheduleWork {
         // One core is left to the cell and its panel.
         let threads = std::thread::available_parallelism().map_or(1, usize::from).saturating_sub(1).max(1);
         let limit = Duration::from_secs_f64(*limit_s);
-        Ok(Schedule { table, output: &self.output, threads, limit, post: post.as_ref().map(target).transpose()? })
+        let post = post.as_ref().map(target).transpose()?;
+        Ok(Schedule { table, output: &self.output, threads, limit, post, cancel: None, spark: None })
     }
 
     /// Plans all rows that have no result yet, and writes the result files.
