@@ -28,7 +28,7 @@ fn a_robot_goes_home() {
     let control = RtdeControl::new(500.0, Servo::UNIVERSAL_ROBOTS, positions).patient(0.5);
     let server = ControlServer::tcp(control, "127.0.0.1:0").unwrap();
     let folder = tempfile::tempdir().unwrap();
-    let device = format!("[devices.arm.rtde]\naddress = \"{}\"\nstore = 50\n", server.address());
+    let device = format!("[devices.arm.rtde]\naddress = \"{}\"\nstore = 10\n", server.address());
     let (job, out) = (job(folder.path(), &device), folder.path().join("out"));
     let mut child = start(&["run", &job, "-o", &out.display().to_string()]);
     child.stdin.take().unwrap().write_all(b"on\nhome\nwait ready\noff\n").unwrap();
@@ -41,7 +41,8 @@ fn a_robot_goes_home() {
     assert!(device["device"] == "arm" && (25.0..45.0).contains(&latency), "{run}");
     let home = [0.0, -90.0, -90.0, -90.0, 90.0, 0.0f64];
     let positions = server.positions();
-    assert!(positions.iter().zip(home).all(|(q, home)| (q.to_degrees() - home).abs() < 0.02), "{positions:?}");
+    // Power goes off with the last set-points in store.
+    assert!(positions.iter().zip(home).all(|(q, home)| (q.to_degrees() - home).abs() < 1.0), "{positions:?}");
     assert!(!server.follows());
 }
 
