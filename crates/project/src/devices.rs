@@ -4,7 +4,7 @@ use crate::failure::{Failure, with_hint};
 use crate::pulse_file::StreamedSteps;
 use seamwright_executive::devices::TrafficView;
 use seamwright_executive::devices::modbus::ModbusError;
-use seamwright_executive::devices::robot::RobotDrives;
+use seamwright_executive::devices::robot::{RobotDrives, RobotError, RobotFault};
 #[cfg(target_os = "linux")]
 use seamwright_executive::devices::{DeviceSet, Drives, InputBits, Inputs, LinuxCncDrives, Source, modbus};
 use seamwright_executive::{DriveReport, SourceReport};
@@ -62,7 +62,7 @@ fn simulated_drives(machine: &Machine, seed: u64) -> Result<Box<dyn Drives + Sen
 /// Connects the drives that the machine file names; a robot control has a line of its own.
 fn drives(machine: &Machine, folder: &Path, lines: &mut Lines) -> Result<Option<Box<dyn Drives + Send>>, Failure> {
     if let Some(device) = &machine.devices.robot {
-        let (drives, traffic) = RobotDrives::connect(machine, device).map_err(|e| Failure::Environment(e.message()))?;
+        let (drives, traffic) = RobotDrives::connect(machine, device).map_err(|e| unconnected(&e))?;
         lines.push((device.name.clone(), traffic));
         return Ok(Some(Box::new(drives)));
     }
@@ -71,6 +71,13 @@ fn drives(machine: &Machine, folder: &Path, lines: &mut Lines) -> Result<Option<
     }
     let Some(device) = &machine.devices.steps else { return Ok(None) };
     Ok(Some(Box::new(StreamedSteps::start(machine, device, folder)?)))
+}
+
+/// The failure of a robot control, with what to check if it does not answer.
+fn unconnected(error: &RobotError) -> Failure {
+    let is_silent = matches!(error.fault, RobotFault::Unreachable(_) | RobotFault::NoReports);
+    let hint = || Message::new("project-check-robot").text("protocol", error.protocol);
+    Failure::Environment(if is_silent { with_hint(error.message(), hint()) } else { error.message() })
 }
 
 fn note(text: &str) {

@@ -181,19 +181,43 @@ fn the_work_is_bounded() {
             self.0.reach
         }
     }
+    /// The same, with the bend of a straight motion known.
+    struct Straight(Counted);
+    impl Motion for Straight {
+        fn range(&self) -> (f64, f64) {
+            self.0.range()
+        }
+        fn frames(&self, s: f64, frames: &mut [DAffine3]) {
+            self.0.frames(s, frames);
+        }
+        fn greatest_speed(&self, a: usize, b: usize, from: f64, to: f64) -> f64 {
+            self.0.greatest_speed(a, b, from, to)
+        }
+        fn greatest_bend(&self, _: usize, _: usize, _: f64, _: f64) -> f64 {
+            0.0
+        }
+    }
     let ball = solid(Shape::Sphere { radius: 5.0 }, DAffine3::IDENTITY);
     let floor = |z: f64| solid(Shape::HalfSpace, DAffine3::from_translation(DVec3::Z * z));
-    let look = |z: f64, speed: f64| {
+    let scene = |z: f64| {
         let watch = Watch::Apart { a: 1, b: 0, least_mm: 1.0 };
-        let scene = Scene::new(vec![group("a", vec![ball.clone()]), group("b", vec![floor(z)])], vec![watch]).unwrap();
-        let motion = Counted(Screw { reach: speed, ..straight(DVec3::ZERO, DVec3::X * 100.0) }, Default::default());
-        let profile = scene.along(&motion, 100, &Limits { smallest: 0.1, ..LIMITS }).unwrap();
+        Scene::new(vec![group("a", vec![ball.clone()]), group("b", vec![floor(z)])], vec![watch]).unwrap()
+    };
+    let motion =
+        |speed: f64| Counted(Screw { reach: speed, ..straight(DVec3::ZERO, DVec3::X * 100.0) }, Default::default());
+    let limits = Limits { smallest: 0.1, ..LIMITS };
+    let look = |z: f64, speed: f64| {
+        let motion = motion(speed);
+        let profile = scene(z).along(&motion, 100, &limits).unwrap();
         (profile, motion.1.get())
     };
-    // Beside the floor, far nearer than the stations: no more samples than two a station.
-    let (profile, looks) = look(-7.0, 1.0);
-    assert!(profile.stretches.is_empty() && looks <= 202, "{looks}");
-    assert!(profile.traces[0].cells.iter().all(|c| (1.9..=2.0).contains(&c.at_least_mm)));
+    // Beside the floor, far nearer than the stations, also exactly at the limit: no more samples than one a station.
+    for z in [-7.0, -6.000_001] {
+        let motion = Straight(motion(1.0));
+        let profile = scene(z).along(&motion, 100, &limits).unwrap();
+        assert!(profile.stretches.is_empty() && motion.0.1.get() <= 101, "{}", motion.0.1.get());
+        assert!(profile.traces[0].cells.iter().all(|c| (c.at_least_mm + z + 5.0).abs() < 1e-6));
+    }
     // Far away: a few samples. Sliding exactly at the limit, or without a speed bound: not below the smallest cell.
     assert!(look(-1000.0, 1.0).1 < 10);
     for (z, speed) in [(-6.000_001, 1.0), (-50.0, f64::INFINITY), (-50.0, f64::NAN)] {

@@ -13,11 +13,14 @@ use std::time::Duration;
 /// # Errors
 /// If the limits cannot be set, or the parent process has gone.
 pub fn answer_one_question(jobs: &Path) -> io::Result<()> {
+    // Before it reads anything; a long question may have more time of the processor later.
+    limit(PLAN_PROCESSOR_TIME, LONG_PROCESSOR_TIME)?;
     let mut question = Vec::new();
     io::stdin().lock().read_to_end(&mut question)?;
     let question = serde_json::from_slice::<Question>(&question);
     let is_long = question.as_ref().is_ok_and(Question::is_long);
-    limit(if is_long { LONG_PROCESSOR_TIME } else { PLAN_PROCESSOR_TIME })?;
+    let processor_time = if is_long { LONG_PROCESSOR_TIME } else { PLAN_PROCESSOR_TIME };
+    limit(processor_time, processor_time)?;
     if let Some(language) = question.as_ref().ok().and_then(Question::language) {
         language.speak();
     }
@@ -44,15 +47,16 @@ fn report_progress(Progress { done, total, kept }: Progress) {
     }
 }
 
-/// Limits this process for the rest of its life.
+/// Limits this process for the rest of its life; its processor time may be raised to `most_time`.
 #[cfg(target_os = "linux")]
-fn limit(processor_time: Duration) -> io::Result<()> {
+fn limit(processor_time: Duration, most_time: Duration) -> io::Result<()> {
     use rustix::process::{Resource, Rlimit, Signal, set_parent_process_death_signal, setpriority_process, setrlimit};
     /// Priority reduction (`nice`): below the panel's own work.
     const NICE: i32 = 15;
     let most = |value: u64| Rlimit { current: Some(value), maximum: Some(value) };
     setrlimit(Resource::As, most(PLAN_MEMORY_BYTES))?;
-    setrlimit(Resource::Cpu, most(processor_time.as_secs()))?;
+    let (time, most_time) = (Some(processor_time.as_secs()), Some(most_time.as_secs()));
+    setrlimit(Resource::Cpu, Rlimit { current: time, maximum: most_time })?;
     setrlimit(Resource::Core, most(0))?;
     setpriority_process(None, NICE)?;
     set_parent_process_death_signal(Some(Signal::KILL))?;
@@ -62,6 +66,6 @@ fn limit(processor_time: Duration) -> io::Result<()> {
 }
 
 #[cfg(not(target_os = "linux"))]
-fn limit(_: Duration) -> io::Result<()> {
+fn limit(_: Duration, _: Duration) -> io::Result<()> {
     Ok(())
 }
