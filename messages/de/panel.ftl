@@ -1197,7 +1197,7 @@ panel-diag-grant-memory = Speicher: LimitMEMLOCK=infinity im Dienst setzen, oder
 panel-diag-grant-cpu = CPU: eine wählen, die es gibt und die erlaubt ist, dann neu starten.
 panel-diag-devices = Alter der Meldungen der Geräte
 panel-diag-devices-how = Mehr zu jedem Gerät: Ein- und Ausgänge.
-panel-diag-latency = Latenz
+panel-diag-device-latency = Latenz
 panel-diag-disk = Platte und Speicher
 panel-diag-free = Frei / Größe
 panel-diag-write = Kleiner Schreibvorgang

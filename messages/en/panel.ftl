@@ -1197,7 +1197,7 @@ panel-diag-grant-memory = Memory: set LimitMEMLOCK=infinity in the service, or m
 panel-diag-grant-cpu = CPU: choose one that exists and is permitted, then start again.
 panel-diag-devices = Age of the devices’ reports
 panel-diag-devices-how = More about each device: Inputs and outputs.
-panel-diag-latency = latency
+panel-diag-device-latency = latency
 panel-diag-disk = Disk and memory
 panel-diag-free = Free / size
 panel-diag-write = A small write

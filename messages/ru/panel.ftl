@@ -1195,7 +1195,7 @@ panel-diag-grant-memory = Память: задайте LimitMEMLOCK=infinity в 
 panel-diag-grant-cpu = Процессор: выберите существующий и разрешённый и запустите снова.
 panel-diag-devices = Возраст сообщений устройств
 panel-diag-devices-how = Подробнее об устройствах: «Входы и выходы».
-panel-diag-latency = задержка
+panel-diag-device-latency = задержка
 panel-diag-disk = Диск и память
 panel-diag-free = Свободно / всего
 panel-diag-write = Короткая запись

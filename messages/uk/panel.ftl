@@ -1195,7 +1195,7 @@ panel-diag-grant-memory = Пам’ять: задайте LimitMEMLOCK=infinity 
 panel-diag-grant-cpu = Процесор: виберіть наявний і дозволений і запустіть знову.
 panel-diag-devices = Вік повідомлень пристроїв
 panel-diag-devices-how = Докладніше про пристрої: «Входи й виходи».
-panel-diag-latency = затримка
+panel-diag-device-latency = затримка
 panel-diag-disk = Диск і пам’ять
 panel-diag-free = Вільно / усього
 panel-diag-write = Короткий запис

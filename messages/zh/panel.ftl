@@ -1191,7 +1191,7 @@ panel-diag-grant-memory = 内存：在服务中设置 LimitMEMLOCK=infinity，�
 panel-diag-grant-cpu = CPU：选择存在且允许使用的 CPU，然后重新启动。
 panel-diag-devices = 设备报告的时间
 panel-diag-devices-how = 各设备详情见“输入和输出”。
-panel-diag-latency = 延迟
+panel-diag-device-latency = 延迟
 panel-diag-disk = 磁盘和内存
 panel-diag-free = 可用 / 总量
 panel-diag-write = 一次小的写入

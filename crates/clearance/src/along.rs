@@ -19,7 +19,7 @@ pub trait Motion {
     /// An upper bound, valid everywhere in `from..=to`, of the distance (mm) of any point of group `a`'s solids, seen
     /// from group `b`, from where it would be if it moved straight and evenly from its place at `from` to that at `to`.
     ///
-    /// By default that of a motion of which only the greatest speed is known.
+    /// By default that of a motion of which only the maximum speed is known.
     fn greatest_bend(&self, a: usize, b: usize, from: f64, to: f64) -> f64 {
         self.greatest_speed(a, b, from, to) * (to - from) / 2.0
     }

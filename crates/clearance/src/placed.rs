@@ -30,7 +30,7 @@ impl Core {
         }
     }
 
-    /// Greatest distance of its points from its inner point, mm.
+    /// Maximum distance of its points from its inner point, mm.
     fn reach(&self) -> f64 {
         match *self {
             Self::Segment(low, high) => (high - low) / 2.0,

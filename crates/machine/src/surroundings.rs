@@ -40,9 +40,9 @@ pub struct Surroundings<'a> {
 
 /// Bounds of the axes' speeds |dq/ds| on a stretch.
 struct Rates {
-    /// The greatest.
+    /// The maximum.
     greatest: Joints,
-    /// The greatest difference of two.
+    /// The maximum difference of two.
     change: Joints,
 }
 

@@ -137,12 +137,15 @@ mod tests {
         let off = clear.way[20].iter().zip(target).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         // 0.5 rad of an arm that reaches 0.9 m, at 250 mm/s.
         assert!(off <= ARRIVED && clear.time_s > 1.0 && clear.time_s < 10.0, "{off} {}", clear.time_s);
-        // The forearm folded into the upper arm.
-        let folded = (1..300).map(|k| f64::from(k) * 0.01).find_map(|by| {
+        // An axis turned until the arm is in its own way.
+        let turned = |axis: usize, by: f64| {
             let mut q = home;
-            q[2] -= by;
-            (!around.is_clear(&q)).then_some(q)
-        });
+            q[axis] += by;
+            let inside = machine.axes[axis].range.is_none_or(|(low, high)| (low..=high).contains(&q[axis]));
+            (inside && !around.is_clear(&q)).then_some(q)
+        };
+        let mut turns = (1..600).flat_map(|k| [0.01, -0.01].map(|step| f64::from(k) * step));
+        let folded = turns.find_map(|by| (1..5).find_map(|axis| turned(axis, by)));
         let stopped = foresee(&machine, Some(&around), &home, &folded.unwrap(), 20).unwrap();
         assert!(matches!(stopped.halt, Some(Halt::TooNear(_))), "{:?}", stopped.halt);
         assert!(stopped.way.iter().all(|q| around.is_clear(q)));

@@ -69,17 +69,21 @@ fn spherical_wrist(random: &mut Random) -> Vec<Line> {
     ]
 }
 
-/// The axes 2 to 4 parallel, 5 across them.
+/// The axes 2 to 4 parallel, each later one through a point of the one before it.
 fn three_parallel(random: &mut Random) -> Vec<Line> {
-    let (first, upper) = (DVec3::Z, DVec3::Y);
-    let fifth = DVec3::Z;
+    let first = random.direction();
+    let upper = off(first, random);
+    let fourth = random.vector(900.0);
+    let fifth = off(upper, random);
+    // Only a right angle has a closed form.
+    let sixth = fifth.cross(off(fifth, random)).normalize();
     vec![
-        line(DVec3::ZERO, first),
+        line(random.vector(300.0), first),
         line(random.vector(300.0), upper),
-        line(random.vector(300.0) + dvec3(600.0, 0.0, 0.0), upper),
-        line(random.vector(300.0) + dvec3(1200.0, 0.0, 0.0), upper),
-        line(random.vector(150.0) + dvec3(1200.0, 150.0, 0.0), fifth),
-        line(random.vector(150.0) + dvec3(1200.0, 150.0, -120.0), upper),
+        line(random.vector(600.0), upper),
+        line(fourth, upper),
+        line(fourth, fifth),
+        line(fourth + fifth * random.within(60.0, 200.0), sixth),
     ]
 }
 
@@ -142,7 +146,7 @@ fn frames_come_back() {
     }
 }
 
-/// Greatest error of the solutions of the frame at `q`: of the point (mm) and of the directions; and whether `q` is one of
+/// Maximum error of the solutions of the frame at `q`: of the point (mm) and of the directions; and whether `q` is one of
 /// them. None near singular poses.
 fn back(machine: &Machine, q: &Joints, random: &mut Random) -> Option<(f64, f64, bool)> {
     let pose = machine.forward(q);
@@ -157,20 +161,28 @@ fn back(machine: &Machine, q: &Joints, random: &mut Random) -> Option<(f64, f64,
         None if crate::common::conditioning(machine, q) < 0.01 => return None,
         None => (Target::from(pose), *q),
     };
-    let branches = machine.inverse(target, &near).ok()?;
+    let solutions = solutions(machine, target, &near)?;
     let mut worst = (0.0f64, 0.0f64);
-    for branch in branches.iter() {
-        let found = machine.forward(&branch.joints);
-        let across = target.across.map_or(0.0, |across| (machine.across(&branch.joints) - across).length());
+    for joints in &solutions {
+        let found = machine.forward(joints);
+        let across = target.across.map_or(0.0, |across| (machine.across(joints) - across).length());
         worst.0 = worst.0.max((found.point - pose.point).length());
         worst.1 = worst.1.max((found.direction - pose.direction).length().max(across));
     }
-    Some((worst.0, worst.1, branches.iter().any(|b| same(machine, &b.joints, q, 1e-7))))
+    Some((worst.0, worst.1, solutions.iter().any(|joints| same(machine, joints, q, 1e-7))))
 }
 
-/// Along a line in the axes' space, half a degree a step, the branch nearest to the last one is the one that is left.
+/// All branches of an arm in closed form; of others the neighbour.
+fn solutions(machine: &Machine, target: Target, near: &Joints) -> Option<Vec<Joints>> {
+    if target.across.is_none() {
+        return Some(vec![machine.inverse_near(target, near).ok()?.joints]);
+    }
+    Some(machine.inverse(target, near).ok()?.iter().map(|branch| branch.joints).collect())
+}
+
+/// Along a line in the axes' space, half a degree a step, the neighbour of the last positions is found.
 #[test]
-fn a_branch_is_kept_along_a_way() {
+fn the_neighbour_is_found_along_a_way() {
     for (k, (name, kind)) in KINDS.into_iter().enumerate() {
         let mut steps = 0;
         for case in 0..cases(50) {
@@ -197,11 +209,12 @@ fn a_branch_is_kept_along_a_way() {
                 machine.free().iter().for_each(|axis| near[axis] = q[axis]);
                 let across = margins.map(|_| machine.across(&q));
                 let target = Target { across, ..Target::from(machine.forward(&q)) };
-                let branches = machine.inverse(target, &near).unwrap_or_else(|e| panic!("{name} {case}: {e}"));
+                let solutions = solutions(&machine, target, &near).unwrap_or_else(|| panic!("{name} {case}: {q:?}"));
                 let apart = |s: &Joints| s.iter().zip(&near).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                let nearest = branches.iter().min_by(|a, b| apart(&a.joints).total_cmp(&apart(&b.joints))).unwrap();
-                assert!(same(&machine, &nearest.joints, &q, 1e-6), "{name} {case}, step {step}: {nearest:?} for {q:?}");
-                last = nearest.joints;
+                let nearest = solutions.iter().map(apart).fold(f64::INFINITY, f64::min);
+                assert!(nearest <= apart(&q) + 1e-6, "{name} {case}, step {step}: {nearest} to the nearest of {q:?}");
+                assert!(solutions.iter().any(|s| same(&machine, s, &q, 1e-6)), "{name} {case}, step {step}: {q:?}");
+                last = q;
                 steps += 1;
             }
         }
