@@ -15,7 +15,7 @@ fn job(folder: &Path, device: &str) -> String {
     let job = "schema = 1\ntitle = \"t\"\nmachine = \"cell.toml\"\n[placement]\nmove_mm = [0, 0, 200]\n\
                [seam.polyline]\npoints_mm = [[-30, 0, 0], [30, 0, 0]]\njoint = \"butt\"\n\
                [weld]\nspeed_mm_s = 8\n[weld.process]\ncurrent_a = 190\n";
-    write(folder, "job.toml", job.to_owned())
+    write(folder, "job.toml", job)
 }
 
 /// The arm stands 30 degrees off home: homing brings it there, and the way is enough to measure the latency.

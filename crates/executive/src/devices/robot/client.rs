@@ -1,6 +1,6 @@
 //! The thread that talks with a control.
 
-use super::protocol::{ProtocolError, RobotProtocol, RobotState};
+use super::protocol::{Hindrance, ProtocolError, RobotProtocol, RobotState};
 use super::session::{CycleOrder, RobotShown, Session};
 use super::socket::{Received, Socket};
 use super::{RobotError, RobotFault};
@@ -172,7 +172,7 @@ impl Client {
         self.ends.traffic.change(|traffic| {
             (traffic.polls, traffic.missed, traffic.failed) = (counts.reports, counts.lost, counts.failed);
             (traffic.away_s, traffic.latency) = (counts.away_s, shown.latency);
-            let hindered = shown.hindrance.map(|why| why.message());
+            let hindered = shown.hindrance.map(Hindrance::message);
             traffic.trouble = trouble.or(hindered).or(traffic.trouble.take());
         });
     }

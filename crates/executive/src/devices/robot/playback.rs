@@ -87,7 +87,8 @@ impl Playback {
     pub(super) fn take(&mut self, number: u64, set: &[SetPoint; MAX_AXES], at_s: f64) {
         let follows = number == self.newest + 1 && self.newest > 0;
         let is_at_rest = set.iter().all(|set| set.velocity == 0.0);
-        let stays = follows && self.at_number(self.newest).iter().zip(set).all(|(a, b)| a.position == b.position);
+        let is_same = |(a, b): (&SetPoint, &SetPoint)| a.position.total_cmp(&b.position).is_eq();
+        let stays = follows && self.at_number(self.newest).iter().zip(set).all(is_same);
         self.resting = match (is_at_rest, stays) {
             (false, _) => 0,
             (true, true) => self.resting + 1,

@@ -249,9 +249,10 @@ impl Session {
         let held = held.map_or(*position, |(held, _)| held);
         let Some(first) = self.playback.at(self.playback.place()) else { return Phase::Starting };
         let by: Joints = std::array::from_fn(|i| held[i] - first.positions[i]);
-        let is_far = self.axes.iter().any(|i| !(by[*i].abs() <= MAX_BLEND[self.kinds[*i]]));
+        // A position that is not a number is far, too.
+        let is_near = self.axes.iter().all(|i| by[*i].abs() <= MAX_BLEND[self.kinds[*i]]);
         self.blend = Some(Blend { by, since_s: now_s });
-        if is_far { Phase::Stopped(Hindrance::Jump) } else { Phase::Following }
+        if is_near { Phase::Following } else { Phase::Stopped(Hindrance::Jump) }
     }
 
     /// Returns the positions to send at `now_s`, by axis, for a robot at `position`.
@@ -297,10 +298,11 @@ impl Session {
     fn jumps(&self, positions: &Joints, now_s: f64) -> bool {
         let Some((last, at_s)) = self.last else { return false };
         let passed_s = (now_s - at_s).max(self.period_s);
-        self.axes.iter().any(|i| {
+        let is_reached = |i: &usize| {
             let most = JUMP_SPEED * self.max_speeds[*i] * passed_s + NO_JUMP[self.kinds[*i]];
-            !((positions[*i] - last[*i]).abs() <= most)
-        })
+            (positions[*i] - last[*i]).abs() <= most
+        };
+        !self.axes.iter().all(is_reached)
     }
 
     /// Returns the place that was sent at `t_s`; `None` if the robot was not on the path then.
