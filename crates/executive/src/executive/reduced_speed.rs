@@ -122,6 +122,8 @@ pub fn foresee(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DAffine3;
+    use seamwright_clearance::{Shape, Solid};
     use seamwright_machine::{Clamped, shipped};
 
     /// The computed motion ends at the target; one into an obstacle ends before it, with the reason.
@@ -137,16 +139,12 @@ mod tests {
         let off = clear.way[20].iter().zip(target).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         // 0.5 rad of an arm that reaches 0.9 m, at 250 mm/s.
         assert!(off <= ARRIVED && clear.time_s > 1.0 && clear.time_s < 10.0, "{off} {}", clear.time_s);
-        // An axis turned until the arm is in its own way.
-        let turned = |axis: usize, by: f64| {
-            let mut q = home;
-            q[axis] += by;
-            let inside = machine.axes[axis].range.is_none_or(|(low, high)| (low..=high).contains(&q[axis]));
-            (inside && !around.is_clear(&q)).then_some(q)
-        };
-        let mut turns = (1..600).flat_map(|k| [0.01, -0.01].map(|step| f64::from(k) * step));
-        let folded = turns.find_map(|by| (1..5).find_map(|axis| turned(axis, by)));
-        let stopped = foresee(&machine, Some(&around), &home, &folded.unwrap(), 20).unwrap();
+        // A ball at the target.
+        let at = DAffine3::from_translation(machine.forward(&target).point);
+        let ball = Solid::new("ball", Shape::Sphere { radius: 50.0 }, at).unwrap();
+        let clamped = Clamped { part: vec![ball], least_mm: 1.0, ..Clamped::default() };
+        let around = Surroundings::new(&machine, &clamped).unwrap();
+        let stopped = foresee(&machine, Some(&around), &home, &target, 20).unwrap();
         assert!(matches!(stopped.halt, Some(Halt::TooNear(_))), "{:?}", stopped.halt);
         assert!(stopped.way.iter().all(|q| around.is_clear(q)));
         target[0] = 100.0;

@@ -74,8 +74,8 @@ fn three_parallel(random: &mut Random) -> Vec<Line> {
     let first = random.direction();
     let upper = off(first, random);
     let fourth = random.vector(900.0);
-    let fifth = off(upper, random);
-    // Only a right angle has a closed form.
+    // Only right angles have a closed form.
+    let fifth = upper.cross(off(upper, random)).normalize();
     let sixth = fifth.cross(off(fifth, random)).normalize();
     vec![
         line(random.vector(300.0), first),

@@ -5,7 +5,7 @@
 //! - **Spherical wrist**: axes 4, 5 and 6 meet in a point (Pieper, 1968). The ortho-parallel arms of Brandstötter, Angerer
 //!   and Hofbaur (2014) are among them; here axes may be at any angle and offset otherwise. The wrist's centre decides
 //!   axes 1 to 3, the rest of the orientation axes 4 to 6.
-//! - **Three parallel axes**: axis 4 is parallel to 2 and 3, axes 5 and 6 meet at right angles (arms of Universal Robots).
+//! - **Three parallel axes**: axis 4 is parallel to 2 and 3, axis 5 across it; 5 and 6 meet at right angles (Universal Robots).
 //!   The point where they meet decides axis 1, the direction of the last axis 5 and 6, and a plane problem the rest.
 //!
 //! Seven-axis arms with spherical shoulder and wrist have a redundant axis more: see `seven`.
