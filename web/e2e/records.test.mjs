@@ -82,7 +82,7 @@ for (const language of ['de', 'uk']) {
     await one.locator('.facts table').waitFor();
     assert.ok(!/set|error|actual/i.test(await one.locator('.charts').textContent()), 'columns have words');
     await one.locator('nav button').nth(4).click();
-    await one.locator('.setup .pages button').nth(6).click();
+    await one.locator('.setup .pages button').nth(7).click();
     await one.locator('.setup .must').click();
     await one.locator('.setup figure').first().waitFor({ timeout: 60_000 });
     assert.deepEqual(await cutOff(one), []);
