@@ -40,8 +40,6 @@ display_by_message!(FileRefusal);
 pub(crate) struct FileScope<'a> {
     /// Names are seen from here.
     folder: Cow<'a, Path>,
-    /// Files outside this folder are refused; `None`: the author of the text may read all files anyway.
-    fence: Option<&'a Path>,
     store: FileStore,
 }
 
@@ -51,20 +49,20 @@ impl<'a> FileScope<'a> {
         Self::of(folder, FileStore::Disk)
     }
 
-    /// Names lead anywhere in `store`.
+    /// Names lead to the files of `store`.
     pub(crate) fn of(folder: &'a Path, store: FileStore) -> Self {
-        Self { folder: Cow::Borrowed(folder), fence: None, store }
+        Self { folder: Cow::Borrowed(folder), store }
     }
 
     /// Names lead to plain files in `folder` and below.
     pub(crate) fn fenced(folder: &'a Path) -> Self {
-        Self { folder: Cow::Borrowed(folder), fence: Some(folder), store: FileStore::Disk }
+        Self::of(folder, FileStore::Fenced(folder.to_owned()))
     }
 
     /// The same for names in the file at `path`.
     pub(crate) fn beside(&self, path: &Path) -> Self {
         let folder = path.parent().unwrap_or(Path::new(".")).to_owned();
-        Self { folder: Cow::Owned(folder), fence: self.fence, store: self.store.clone() }
+        Self { folder: Cow::Owned(folder), store: self.store.clone() }
     }
 
     pub(crate) fn folder(&self) -> &Path {
@@ -90,7 +88,7 @@ impl<'a> FileScope<'a> {
     /// A file outside the fence; with a fence also a missing one.
     pub(crate) fn file(&self, name: &str) -> io::Result<PathBuf> {
         let path = self.folder.join(name);
-        let Some(fence) = self.fence else { return Ok(path) };
+        let FileStore::Fenced(fence) = &self.store else { return Ok(path) };
         let refused = |why: FileRefusal| Err(io::Error::new(io::ErrorKind::PermissionDenied, why));
         // By its name first: the error must not reveal whether a file outside exists.
         if !Path::new(name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {

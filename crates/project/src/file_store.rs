@@ -1,4 +1,5 @@
-//! Files that jobs, machines and tables name: on the disk, or carried to a computer that does not have them.
+//! Files that jobs, machines and tables name: on the disk, within a folder of it, or carried to a computer that does not
+//! have them.
 
 use crate::failure::Failure;
 use crate::files::unreadable;
@@ -7,12 +8,14 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-/// Source of files by path.
+/// Source of files by path. Names in texts become paths in `FileScope`, which keeps the fence.
 #[derive(Debug, Clone, Default)]
 pub enum FileStore {
     /// The disk.
     #[default]
     Disk,
+    /// Plain files in a folder and below: the author of the text may not read others.
+    Fenced(PathBuf),
     /// Copies, by the paths under which the author of a job sees them; there are no other files.
     Carried(Arc<BTreeMap<PathBuf, Vec<u8>>>),
 }
@@ -29,7 +32,7 @@ impl FileStore {
     /// A missing or unreadable file.
     pub fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
         match self {
-            Self::Disk => std::fs::read(path),
+            Self::Disk | Self::Fenced(_) => std::fs::read(path),
             Self::Carried(files) => files.get(&plain(path)).cloned().ok_or_else(missing),
         }
     }
@@ -40,7 +43,7 @@ impl FileStore {
     /// A missing or unreadable file, or one that is no text.
     pub fn text(&self, path: &Path) -> Result<String, Failure> {
         let text = match self {
-            Self::Disk => std::fs::read_to_string(path),
+            Self::Disk | Self::Fenced(_) => std::fs::read_to_string(path),
             Self::Carried(_) => self.bytes(path).and_then(|bytes| {
                 String::from_utf8(bytes).map_err(|e| io::Error::new(io::ErrorKind::InvalidData, e.utf8_error()))
             }),
@@ -51,7 +54,7 @@ impl FileStore {
     /// True if the file is there.
     pub fn has(&self, path: &Path) -> bool {
         match self {
-            Self::Disk => path.is_file(),
+            Self::Disk | Self::Fenced(_) => path.is_file(),
             Self::Carried(files) => files.contains_key(&plain(path)),
         }
     }

@@ -6,7 +6,7 @@ use seamwright_message::{Language, Message};
 use seamwright_motion::WeldMotion;
 use seamwright_program::Finding;
 use seamwright_project::failure::Failure;
-use seamwright_project::load::{Loaded, load_foreign, load_text_from};
+use seamwright_project::load::{Loaded, load_text_from};
 use seamwright_project::planning::Planning;
 use seamwright_project::posting::PostTarget;
 use seamwright_report::WeldReport;
@@ -141,11 +141,8 @@ fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> Result<
     };
     let name = format!("{}: {}", row.name, row.template);
     let planning = Planning { limit: Some(terms.limit), cancel: terms.cancel, progress: None };
-    let loaded = match table.is_foreign() {
-        true => load_foreign(&name, &job.text, &job.folder),
-        false => load_text_from(&name, &job.text, &job.folder, table.store()),
-    };
-    let loaded = loaded.and_then(|loaded| loaded.with_torch_angles(&planning));
+    let loaded = load_text_from(&name, &job.text, &job.folder, table.store())
+        .and_then(|loaded| loaded.with_torch_angles(&planning));
     let loaded = match loaded {
         Ok(loaded) => loaded,
         Err(failure) => return refused(failure),
@@ -171,7 +168,8 @@ fn plan_job(table: &Table, row: &Row, job: &JobText, terms: RowTerms) -> Result<
 
 impl RowResult {
     /// A row without a plan.
-    pub(crate) fn without_plan(status: Status, error: String) -> Self {
+    #[must_use]
+    pub fn without_plan(status: Status, error: String) -> Self {
         Self {
             status,
             machine: String::new(),

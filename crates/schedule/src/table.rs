@@ -72,8 +72,6 @@ pub struct Table {
     path: PathBuf,
     /// Folder that templates are relative to.
     folder: PathBuf,
-    /// Its author may read only plain files in that folder.
-    is_foreign: bool,
     keys: Keys,
     /// Source of its templates, and of the files that they name.
     store: FileStore,
@@ -103,41 +101,40 @@ impl Table {
     /// # Errors
     /// As [`Table::open`].
     pub fn open_foreign(path: &Path, folder: &Path) -> Result<(Self, u64), Failure> {
-        let folder = folder.to_owned();
-        Self { folder, is_foreign: true, ..Self::carried(path.to_owned(), FileStore::Disk) }.checked()
+        let store = FileStore::Fenced(folder.to_owned());
+        Self { folder: folder.to_owned(), ..Self::carried(path.to_owned(), store) }.checked()
     }
 
     fn checked(self) -> Result<(Self, u64), Failure> {
-        let table = self;
         let mut count = 0;
         // Hashes of the names: a million names take 16 MB.
         let (mut names, hashes) = (HashSet::new(), RandomState::new());
         let mut templates = HashSet::new();
-        table.each(&mut |row| {
+        self.each(&mut |row| {
             count += 1;
             if !names.insert(hashes.hash_one(&row.name)) {
                 let message = Message::new("schedule-name-twice").text("name", &row.name);
-                return Err(table.fault(row.line, row.number, "name", message, Message::new("schedule-unique-names")));
+                return Err(self.fault(row.line, row.number, "name", message, Message::new("schedule-unique-names")));
             }
             if templates.insert(row.template.clone()) {
-                table.template(&row.template).map_err(|why| {
+                self.template(&row.template).map_err(|why| {
                     let message = Message::new("schedule-template-unreadable").message("why", why.message());
-                    table.fault(row.line, row.number, "template", message, Message::new("schedule-job-or-example"))
+                    self.fault(row.line, row.number, "template", message, Message::new("schedule-job-or-example"))
                 })?;
             }
             Ok(true)
         })?;
         if count == 0 {
-            let message = Message::new("schedule-no-rows").text("file", table.name());
+            let message = Message::new("schedule-no-rows").text("file", self.name());
             return Err(Failure::refused(message, Message::new("schedule-rows-needed")));
         }
-        Ok((table, count))
+        Ok((self, count))
     }
 
     /// A table that is not checked, with templates of `store`.
     pub(crate) fn carried(path: PathBuf, store: FileStore) -> Self {
         let folder = folder_of(&path).to_owned();
-        Self { path, folder, is_foreign: false, keys: Keys::of(&schema_for!(Job)), store }
+        Self { path, folder, keys: Keys::of(&schema_for!(Job)), store }
     }
 
     /// Source of the files of its jobs.
@@ -155,9 +152,9 @@ impl Table {
         &self.folder
     }
 
-    /// True if its author may read only plain files in that folder.
-    pub(crate) fn is_foreign(&self) -> bool {
-        self.is_foreign
+    /// True if its author may read only plain files in a folder.
+    fn is_foreign(&self) -> bool {
+        matches!(self.store, FileStore::Fenced(_))
     }
 
     /// Calls `row` with every row, until it returns false.
@@ -173,7 +170,7 @@ impl Table {
 
     /// Text of a template, and the folder that its files are relative to.
     pub(crate) fn template(&self, name: &str) -> Result<(String, PathBuf), Failure> {
-        let job = match self.is_foreign {
+        let job = match self.is_foreign() {
             true => foreign_template(self.folder(), name),
             false => template(self.folder(), name, &self.store),
         };
@@ -329,7 +326,7 @@ impl Table {
 
     /// Its name in messages: without folders if its author does not see them.
     fn name(&self) -> String {
-        let file = self.path.file_name().filter(|_| self.is_foreign);
+        let file = self.path.file_name().filter(|_| self.is_foreign());
         file.map_or_else(|| self.path.display().to_string(), |file| file.to_string_lossy().into_owned())
     }
 }

@@ -285,23 +285,7 @@ fn machine_parts(load: seamwright_schedule::MachineLoad) -> MachineParts {
 
 fn seam(row: Row, result: Option<RowResult>) -> SeamRow {
     let status = result.as_ref().map_or("waiting", |result| result.status.word()).to_owned();
-    let of = result.unwrap_or(RowResult {
-        status: Status::Invalid,
-        machine: String::new(),
-        times: BTreeMap::new(),
-        passes: 0,
-        length_mm: 0.0,
-        total_s: 0.0,
-        arc_s: 0.0,
-        wire_kg: None,
-        gas_l: None,
-        energy_kj: None,
-        cost: None,
-        clearance_mm: None,
-        findings: BTreeMap::new(),
-        blocking: 0,
-        error: None,
-    });
+    let of = result.unwrap_or_else(|| RowResult::without_plan(Status::Invalid, String::new()));
     let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
     SeamRow {
         number: row.number,
