@@ -5,7 +5,7 @@
 //! degrees, of linear external joints mm. When answers cease, EGM ends after `CommTimeout`, and the arm stops.
 
 use super::protobuf::{Field, Fields, Value, put_bytes, put_double, put_varint};
-use super::protocol::{Hindrance, ProtocolError, RobotOrder, RobotProtocol, RobotReport, RobotState};
+use super::protocol::{Datagram, Hindrance, ProtocolError, RobotOrder, RobotProtocol, RobotReport, RobotState};
 use seamwright_machine::MAX_AXES;
 
 /// The program for the control, in RAPID.
@@ -31,7 +31,7 @@ pub struct Egm {
     joints: usize,
     /// Linear joints, by joint.
     linear: [bool; MAX_AXES],
-    datagram: Vec<u8>,
+    datagram: Datagram,
     /// Number and time of the last report, s.
     last: Option<(u64, f64)>,
 }
@@ -40,7 +40,7 @@ impl Egm {
     /// Creates it for `joints` joints, of which the first `arm` are the arm's; `linear` marks those in mm.
     #[must_use]
     pub fn new(arm: usize, joints: usize, linear: [bool; MAX_AXES]) -> Self {
-        Self { arm, joints, linear, datagram: Vec::new(), last: None }
+        Self { arm, joints, linear, datagram: Datagram::default(), last: None }
     }
 
     fn report(&mut self, bytes: &[u8]) -> Result<Option<RobotReport>, ProtocolError> {
@@ -175,17 +175,12 @@ impl RobotProtocol for Egm {
     }
 
     fn feed(&mut self, bytes: &[u8]) -> Result<(), ProtocolError> {
-        self.datagram.clear();
-        self.datagram.extend_from_slice(bytes);
+        self.datagram.put(bytes);
         Ok(())
     }
 
     fn next(&mut self, _out: &mut Vec<u8>) -> Result<Option<RobotReport>, ProtocolError> {
-        if self.datagram.is_empty() {
-            return Ok(None);
-        }
-        let datagram = std::mem::take(&mut self.datagram);
-        self.report(&datagram)
+        self.datagram.take().map_or(Ok(None), |datagram| self.report(&datagram))
     }
 
     fn order(&mut self, order: &RobotOrder, out: &mut Vec<u8>) {

@@ -128,6 +128,27 @@ impl ProtocolError {
     }
 }
 
+/// The newest datagram, until it is read.
+#[derive(Debug, Default)]
+pub(super) struct Datagram(Vec<u8>);
+
+impl Datagram {
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    /// Takes one that arrived; an earlier one that was not read is dropped.
+    pub(super) fn put(&mut self, bytes: &[u8]) {
+        self.0.clear();
+        self.0.extend_from_slice(bytes);
+    }
+
+    /// Returns it once.
+    pub(super) fn take(&mut self) -> Option<Vec<u8>> {
+        Some(std::mem::take(&mut self.0)).filter(|bytes| !bytes.is_empty())
+    }
+}
+
 /// A protocol of a robot control: bytes in, reports out; orders in, bytes out. It has neither clock nor socket.
 ///
 /// # Contract

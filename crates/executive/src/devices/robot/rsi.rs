@@ -5,7 +5,7 @@
 //! `AK` and `EK` are corrections from the positions at which RSI was started, in degrees or mm. When answers are late or
 //! missing too often, RSI ends with an error and the arm stops.
 
-use super::protocol::{ProtocolError, RobotOrder, RobotProtocol, RobotReport, RobotState};
+use super::protocol::{Datagram, ProtocolError, RobotOrder, RobotProtocol, RobotReport, RobotState};
 use seamwright_machine::{Joints, MAX_AXES};
 use std::io::Write as _;
 
@@ -22,7 +22,7 @@ const MAX_GAP_MS: u64 = 1000;
 pub struct Rsi {
     joints: usize,
     linear: [bool; MAX_AXES],
-    datagram: Vec<u8>,
+    datagram: Datagram,
     /// Time of the last report, ms, which the answer repeats.
     ipoc: Option<u64>,
     /// Positions at the start of the session, degrees or mm.
@@ -33,7 +33,7 @@ impl Rsi {
     /// Creates it for `joints` joints, at least the six of the arm; `linear` marks those in mm.
     #[must_use]
     pub fn new(joints: usize, linear: [bool; MAX_AXES]) -> Self {
-        Self { joints, linear, datagram: Vec::new(), ipoc: None, start: [0.0; MAX_AXES] }
+        Self { joints, linear, datagram: Datagram::default(), ipoc: None, start: [0.0; MAX_AXES] }
     }
 
     fn report(&mut self, bytes: &[u8]) -> Result<Option<RobotReport>, ProtocolError> {
@@ -108,17 +108,12 @@ impl RobotProtocol for Rsi {
     }
 
     fn feed(&mut self, bytes: &[u8]) -> Result<(), ProtocolError> {
-        self.datagram.clear();
-        self.datagram.extend_from_slice(bytes);
+        self.datagram.put(bytes);
         Ok(())
     }
 
     fn next(&mut self, _out: &mut Vec<u8>) -> Result<Option<RobotReport>, ProtocolError> {
-        if self.datagram.is_empty() {
-            return Ok(None);
-        }
-        let datagram = std::mem::take(&mut self.datagram);
-        self.report(&datagram)
+        self.datagram.take().map_or(Ok(None), |datagram| self.report(&datagram))
     }
 
     fn order(&mut self, order: &RobotOrder, out: &mut Vec<u8>) {
