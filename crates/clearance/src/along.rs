@@ -52,9 +52,10 @@ impl Limits {
 const SHARE: f64 = 0.1;
 /// Share of the precision by which the minimum distance may be smaller than the smallest sample.
 const NEAREST: f64 = 0.1;
-/// Number of times a part of the motion is halved for the smallest sample.
+/// Number of times a part of the motion is halved for the smallest sample: a bound on the work, not tuned.
 const HALVINGS: u32 = 3;
-/// Length of the longest sweep, as a multiple of the distance.
+/// Length of the longest sweep, as a multiple of the distance: longer ones are halved first. It changes the time only, and
+/// is not tuned.
 const LONGEST_SWEEP: f64 = 4.0;
 
 /// Clearance along a motion.
@@ -71,7 +72,7 @@ pub struct Profile {
 /// One watch along the motion.
 #[derive(Debug, Clone)]
 pub struct Trace {
-    /// One bound for each cell. Where another watch is nearer, it only shows that.
+    /// One bound for each cell. Where another watch is nearer, the bound may be as low as the distance of that one.
     pub cells: Vec<Cell>,
     /// The minimum distance of all samples, with its s. Where another watch is nearer, there may be no samples.
     pub nearest: (f64, Evaluation),
@@ -279,7 +280,7 @@ impl<'a, M: Motion> Walk<'a, M> {
         let required = self.scene.watches()[self.watch].least_mm();
         let mut open = VecDeque::from([ends]);
         while let Some([u, v]) = open.pop_front() {
-            if self.bound(&u, &v) >= required || self.swept(&u, &v, required).is_some_and(|bound| bound >= required) {
+            if self.is_at_least(required, &u, &v) {
                 continue;
             }
             if self.is_smallest(&u, &v) {
@@ -310,8 +311,7 @@ impl<'a, M: Motion> Walk<'a, M> {
         let mut open: Vec<([Sample; 2], u32)> = self.open.drain(..).map(|part| (part, HALVINGS)).collect();
         while let Some(([u, v], left)) = open.pop() {
             let needed = self.beyond(least.min(self.least()));
-            let is_beyond = self.bound(&u, &v) >= needed || self.swept(&u, &v, needed).is_some_and(|b| b >= needed);
-            if is_beyond || left == 0 || self.is_smallest(&u, &v) {
+            if self.is_at_least(needed, &u, &v) || left == 0 || self.is_smallest(&u, &v) {
                 continue;
             }
             let middle = self.look(u.s + (v.s - u.s) / 2.0);
@@ -336,11 +336,21 @@ impl<'a, M: Motion> Walk<'a, M> {
         sample
     }
 
-    /// Lower bound of the distance between two samples, from the samples and the speed alone; it may be below 0.
-    fn bound(&self, u: &Sample, v: &Sample) -> f64 {
+    /// Upper bound of the displacement of any point of the first group between two samples, mm.
+    fn travel(&self, u: &Sample, v: &Sample) -> f64 {
         let (a, b) = self.scene.watches()[self.watch].groups();
-        let speed = self.motion.greatest_speed(a, b, u.s, v.s);
-        let bound = (u.found.distance + v.found.distance - speed * (v.s - u.s).abs()) / 2.0;
+        self.motion.greatest_speed(a, b, u.s, v.s) * (v.s - u.s).abs()
+    }
+
+    /// True if all distances between two samples are proven to be at least `needed`.
+    fn is_at_least(&mut self, needed: f64, u: &Sample, v: &Sample) -> bool {
+        let travel = self.travel(u, v);
+        Self::bound(u, v, travel) >= needed || self.swept(u, v, travel, needed).is_some_and(|bound| bound >= needed)
+    }
+
+    /// Lower bound of the distance between two samples, from the samples and the travel alone; it may be below 0.
+    fn bound(u: &Sample, v: &Sample, travel: f64) -> f64 {
+        let bound = (u.found.distance + v.found.distance - travel) / 2.0;
         // A NaN speed gives no bound.
         if bound.is_nan() { f64::NEG_INFINITY } else { bound.min(u.found.distance).min(v.found.distance) }
     }
@@ -348,12 +358,15 @@ impl<'a, M: Motion> Walk<'a, M> {
     /// Lower bound of the distance between two samples from the bodies swept between them; it may be below 0. None if
     /// that could not reach `needed`, and for ways much longer than the distance: swept bodies so long are near to a large
     /// part of the others.
-    fn swept(&mut self, u: &Sample, v: &Sample, needed: f64) -> Option<f64> {
-        let (a, b) = self.scene.watches()[self.watch].groups();
+    fn swept(&mut self, u: &Sample, v: &Sample, travel: f64, needed: f64) -> Option<f64> {
         let nearer = u.found.distance.min(v.found.distance);
-        let travel = self.motion.greatest_speed(a, b, u.s, v.s) * (v.s - u.s);
+        let is_short = travel <= LONGEST_SWEEP * nearer;
+        if !is_short {
+            return None;
+        }
+        let (a, b) = self.scene.watches()[self.watch].groups();
         let bend = self.motion.greatest_bend(a, b, u.s, v.s);
-        let is_of_use = travel <= LONGEST_SWEEP * nearer && nearer - bend >= needed;
+        let is_of_use = nearer - bend >= needed;
         if !is_of_use {
             return None;
         }
@@ -371,7 +384,8 @@ impl<'a, M: Motion> Walk<'a, M> {
     /// Settles the range between two samples: the ends of `cells`, or both in the one cell. `nearer` holds, for each cell,
     /// a distance that a watch before this one does not exceed somewhere in it.
     fn between(&mut self, cells: Range<usize>, u: &Sample, v: &Sample, nearer: &mut [f64]) {
-        let mut bound = self.bound(u, v);
+        let travel = self.travel(u, v);
+        let mut bound = Self::bound(u, v, travel);
         let required = self.scene.watches()[self.watch].least_mm();
         let (d0, d1) = (u.found.distance, v.found.distance);
         // Over many cells the bound must be close to all distances, which reach as far above the mean as the bound lies
@@ -382,7 +396,7 @@ impl<'a, M: Motion> Walk<'a, M> {
         let others = nearer[cells.clone()].iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let needed = if violated { close } else { close.min(others).max(required) };
         if bound < needed && cells.len() == 1 {
-            bound = self.swept(u, v, needed).map_or(bound, |swept| swept.max(bound));
+            bound = self.swept(u, v, travel, needed).map_or(bound, |swept| swept.max(bound));
         }
         if bound >= needed || (cells.len() == 1 && self.is_smallest(u, v)) {
             let most = if cells.len() == 1 { d0.max(d1) } else { d0 + d1 - bound };

@@ -264,22 +264,21 @@ impl<'a> Surroundings<'a> {
     }
 
     /// An upper bound of the distance (mm) of any point of group `a`, seen from group `b`, from an even straight motion
-    /// between its places at the ends of a stretch of `length`, on which the axes move from `q` at up to `rates`, and
-    /// these change by up to `changes`.
+    /// between its places at the ends of a stretch of `length`, on which the axes move from `q` with `rates`.
     ///
     /// A point whose velocity changes by up to c on the way is at most c / 4 times the length beside it. The velocity
     /// that an axis gives a point changes with the axis' rate, with the motion of the point by the axes before it, and by
     /// the turns of the axis itself and of those behind it.
-    fn greatest_bend(&self, groups: (usize, usize), q: &Joints, moves: &Rates, length: f64) -> f64 {
+    fn greatest_bend(&self, groups: (usize, usize), q: &Joints, rates: &Rates, length: f64) -> f64 {
         let levers = self.levers(groups.0, groups.1, q);
-        let by = |lever: &Lever| moves.greatest[lever.axis] * lever.pitch * length;
+        let by = |lever: &Lever| rates.greatest[lever.axis] * lever.pitch * length;
         let turn = |lever: &Lever| if lever.kind == AxisKind::Rotary { by(lever) } else { 0.0 };
         let mut turned: f64 = levers.iter().map(turn).sum();
         let (mut moved, mut change) = (0.0, 0.0);
         for lever in &levers {
-            let rate = moves.greatest[lever.axis] * lever.pitch;
-            let rate_change =
-                moves.change[lever.axis] * lever.pitch + 2.0 * (lever.pitch - 1.0) * moves.greatest[lever.axis];
+            let greatest = rates.greatest[lever.axis];
+            let rate = greatest * lever.pitch;
+            let rate_change = rates.change[lever.axis] * lever.pitch + 2.0 * (lever.pitch - 1.0) * greatest;
             let arm = if lever.kind == AxisKind::Rotary { lever.arm + moved } else { 1.0 };
             // `turned` is of this axis and those behind it.
             let arm_change = if lever.kind == AxisKind::Rotary { moved } else { 0.0 } + turned * arm;
